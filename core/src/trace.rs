@@ -14,7 +14,7 @@ mod query;
 mod sources;
 mod stack;
 
-pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, NearestHits};
+pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits};
 #[cfg(not(target_arch = "spirv"))]
 pub use packet::{Lane, PacketStacks, trace_alone, trace_packet};
 #[cfg(not(target_arch = "spirv"))]

@@ -34,37 +34,44 @@ struct type_26 {
     member_3: f32,
 }
 
-struct type_35 {
+struct type_34 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_36 {
     member: array<type_26>,
 }
 
-struct type_37 {
+struct type_38 {
     member: f32,
     member_1: bool,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_43 {
-    member: array<type_41>,
+struct type_44 {
+    member: array<type_42>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_48 {
-    member: type_46,
+struct type_49 {
+    member: type_47,
     member_1: u32,
 }
 
@@ -74,13 +81,13 @@ var<uniform> global_1: type_11;
 @group(0) @binding(3) 
 var<storage> global_2: type_18;
 @group(0) @binding(1) 
-var<uniform> global_3: type_39;
+var<uniform> global_3: type_40;
 @group(0) @binding(4) 
-var<storage> global_4: type_35;
+var<storage> global_4: type_36;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_4;
 @group(0) @binding(2) 
-var<storage> global_6: type_43;
+var<storage> global_6: type_44;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -93,452 +100,409 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_340_: i32;
-    var phi_341_: i32;
-    var phi_351_: bool;
-    var phi_361_: u32;
-    var phi_362_: u32;
-    var phi_364_: bool;
-    var phi_369_: u32;
-    var phi_382_: i32;
+    var phi_360_: i32;
+    var phi_361_: i32;
+    var phi_371_: bool;
+    var phi_381_: u32;
+    var phi_382_: u32;
+    var phi_384_: bool;
+    var phi_389_: u32;
     var phi_402_: i32;
-    var phi_420_: f32;
-    var phi_426_: f32;
-    var phi_466_: f32;
-    var phi_472_: f32;
-    var phi_524_: f32;
-    var phi_536_: f32;
-    var phi_545_: f32;
-    var phi_551_: f32;
-    var phi_591_: f32;
-    var phi_597_: f32;
-    var phi_649_: f32;
-    var phi_661_: f32;
-    var phi_670_: f32;
-    var phi_676_: f32;
-    var phi_716_: f32;
-    var phi_722_: f32;
-    var phi_774_: f32;
-    var phi_786_: f32;
-    var phi_841_: i32;
-    var phi_863_: u32;
-    var phi_864_: u32;
-    var phi_901_: i32;
-    var phi_923_: u32;
-    var phi_924_: u32;
-    var phi_932_: f32;
-    var phi_933_: f32;
-    var phi_3282_: bool;
-    var phi_1016_: type_37;
-    var phi_1019_: u32;
-    var phi_1021_: bool;
-    var phi_1023_: u32;
-    var phi_1025_: type_48;
-    var phi_1036_: bool;
-    var phi_1122_: bool;
-    var phi_1123_: u32;
-    var phi_1124_: type_48;
-    var phi_1142_: type_37;
-    var phi_1145_: type_7;
-    var phi_1146_: type_7;
-    var phi_1168_: type_7;
-    var phi_1189_: u32;
-    var phi_1281_: array<array<f32, 3>, 3>;
-    var phi_1433_: bool;
-    var phi_1462_: bool;
-    var phi_1881_: f32;
-    var phi_1882_: f32;
-    var phi_1883_: f32;
-    var phi_1884_: f32;
-    var phi_1885_: vec3<f32>;
-    var phi_1886_: vec3<f32>;
-    var phi_1887_: vec3<f32>;
-    var phi_1888_: vec3<f32>;
-    var phi_1925_: bool;
-    var phi_1934_: vec3<f32>;
-    var phi_2099_: f32;
-    var phi_2101_: f32;
-    var phi_2102_: bool;
-    var phi_2122_: f32;
-    var phi_2123_: f32;
-    var phi_2146_: type_25;
-    var phi_2148_: type_25;
-    var phi_2149_: bool;
-    var phi_2153_: type_25;
-    var phi_2154_: type_25;
-    var phi_2155_: type_25;
-    var phi_2156_: bool;
-    var phi_2160_: type_25;
-    var phi_2161_: bool;
-    var phi_2162_: type_25;
-    var phi_2163_: bool;
-    var phi_2164_: bool;
-    var phi_2165_: type_25;
-    var phi_2166_: bool;
-    var phi_2167_: bool;
-    var phi_2175_: type_25;
-    var phi_2176_: bool;
-    var phi_2180_: type_25;
-    var phi_2191_: type_37;
-    var phi_2192_: type_37;
-    var phi_1143_: type_37;
-    var phi_3276_: bool;
-    var phi_3492_: bool;
-    var phi_2193_: type_37;
-    var phi_2214_: type_41;
-    var phi_3100_: type_48;
-    var phi_3176_: type_48;
-    var phi_3177_: u32;
-    var phi_3178_: type_48;
-    var phi_3180_: u32;
-    var phi_3181_: type_48;
-    var phi_3182_: bool;
-    var phi_3189_: type_48;
-    var phi_3194_: bool;
-    var phi_3196_: type_48;
-    var phi_3200_: bool;
-    var phi_3201_: u32;
-    var phi_3202_: type_48;
-    var phi_3212_: u32;
-    var phi_3213_: type_48;
-    var phi_3436_: bool;
-    var phi_3214_: type_37;
-    var phi_3215_: u32;
-    var phi_3216_: bool;
-    var phi_3217_: u32;
-    var phi_3218_: type_48;
-    var phi_3435_: bool;
-    var phi_3219_: type_37;
-    var phi_3220_: u32;
-    var phi_3221_: bool;
-    var phi_3222_: u32;
-    var phi_3223_: type_48;
-    var phi_3434_: bool;
-    var phi_1017_: type_37;
-    var phi_1020_: u32;
-    var phi_1022_: bool;
-    var phi_1024_: u32;
-    var phi_1026_: type_48;
-    var phi_3224_: bool;
-    var phi_3433_: bool;
-    var local_10: type_37;
-    var local_11: type_37;
+    var phi_422_: i32;
+    var phi_440_: f32;
+    var phi_446_: f32;
+    var phi_486_: f32;
+    var phi_492_: f32;
+    var phi_565_: f32;
+    var phi_571_: f32;
+    var phi_611_: f32;
+    var phi_617_: f32;
+    var phi_690_: f32;
+    var phi_696_: f32;
+    var phi_736_: f32;
+    var phi_742_: f32;
+    var phi_861_: i32;
+    var phi_883_: u32;
+    var phi_884_: u32;
+    var phi_921_: i32;
+    var phi_943_: u32;
+    var phi_944_: u32;
+    var phi_952_: f32;
+    var phi_953_: f32;
+    var phi_3379_: bool;
+    var phi_1036_: type_38;
+    var phi_1039_: u32;
+    var phi_1041_: bool;
+    var phi_1043_: u32;
+    var phi_1045_: type_49;
+    var phi_1056_: bool;
+    var phi_1142_: bool;
+    var phi_1143_: u32;
+    var phi_1144_: type_49;
+    var phi_1162_: type_38;
+    var phi_1165_: type_7;
+    var phi_1166_: type_7;
+    var phi_1188_: type_7;
+    var phi_1209_: u32;
+    var phi_1301_: array<array<f32, 3>, 3>;
+    var phi_3174_: bool;
+    var phi_3189_: bool;
+    var phi_3204_: bool;
+    var phi_3219_: bool;
+    var phi_3234_: bool;
+    var phi_3249_: bool;
+    var phi_1843_: f32;
+    var phi_1844_: f32;
+    var phi_1845_: f32;
+    var phi_1846_: f32;
+    var phi_1847_: vec3<f32>;
+    var phi_1848_: vec3<f32>;
+    var phi_1849_: vec3<f32>;
+    var phi_1850_: vec3<f32>;
+    var phi_3264_: bool;
+    var phi_3279_: bool;
+    var phi_3294_: bool;
+    var phi_3309_: bool;
+    var phi_3324_: bool;
+    var phi_3339_: bool;
+    var phi_2058_: f32;
+    var phi_2078_: type_34;
+    var phi_2079_: type_34;
+    var phi_2082_: type_34;
+    var phi_2083_: type_34;
+    var phi_2084_: bool;
+    var phi_2088_: type_34;
+    var phi_2097_: type_25;
+    var phi_2108_: type_38;
+    var phi_2109_: type_38;
+    var phi_1163_: type_38;
+    var phi_3373_: bool;
+    var phi_3594_: bool;
+    var phi_2110_: type_38;
+    var phi_2131_: type_42;
+    var phi_3017_: type_49;
+    var phi_3093_: type_49;
+    var phi_3094_: u32;
+    var phi_3095_: type_49;
+    var phi_3097_: u32;
+    var phi_3098_: type_49;
+    var phi_3099_: bool;
+    var phi_3106_: type_49;
+    var phi_3111_: bool;
+    var phi_3113_: type_49;
+    var phi_3117_: bool;
+    var phi_3118_: u32;
+    var phi_3119_: type_49;
+    var phi_3129_: u32;
+    var phi_3130_: type_49;
+    var phi_3538_: bool;
+    var phi_3131_: type_38;
+    var phi_3132_: u32;
+    var phi_3133_: bool;
+    var phi_3134_: u32;
+    var phi_3135_: type_49;
+    var phi_3537_: bool;
+    var phi_3136_: type_38;
+    var phi_3137_: u32;
+    var phi_3138_: bool;
+    var phi_3139_: u32;
+    var phi_3140_: type_49;
+    var phi_3536_: bool;
+    var phi_1037_: type_38;
+    var phi_1040_: u32;
+    var phi_1042_: bool;
+    var phi_1044_: u32;
+    var phi_1046_: type_49;
+    var phi_3141_: bool;
+    var phi_3535_: bool;
+    var local_10: type_38;
+    var local_11: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e81 = global;
-            let _e84 = arrayLength((&global_6.member));
-            let _e86 = arrayLength((&global_2.member));
-            let _e94 = global_3.member[0u][0u];
-            let _e98 = global_3.member[0u][1u];
-            let _e102 = global_3.member[0u][2u];
-            let _e106 = global_3.member[1u][0u];
-            let _e110 = global_3.member[1u][1u];
-            let _e114 = global_3.member[1u][2u];
-            let _e118 = global_3.member[1u][3u];
-            let _e121 = global_1.member[0u];
-            let _e122 = bitcast<i32>(_e121);
-            let _e132 = (_e81.x + (_e81.y * 2097152u));
-            let _e133 = (_e132 < arrayLength((&global_4.member)));
-            if _e133 {
-                let _e134 = (_e132 < arrayLength((&global_5.member)));
-                if _e134 {
-                    if _e133 {
+            let _e82 = global;
+            let _e85 = arrayLength((&global_6.member));
+            let _e87 = arrayLength((&global_2.member));
+            let _e95 = global_3.member[0u][0u];
+            let _e99 = global_3.member[0u][1u];
+            let _e103 = global_3.member[0u][2u];
+            let _e107 = global_3.member[1u][0u];
+            let _e111 = global_3.member[1u][1u];
+            let _e115 = global_3.member[1u][2u];
+            let _e119 = global_3.member[1u][3u];
+            let _e122 = global_1.member[0u];
+            let _e123 = bitcast<i32>(_e122);
+            let _e133 = (_e82.x + (_e82.y * 2097152u));
+            let _e134 = (_e133 < arrayLength((&global_4.member)));
+            if _e134 {
+                let _e135 = (_e133 < arrayLength((&global_5.member)));
+                if _e135 {
+                    if _e134 {
                     } else {
                         break;
                     }
-                    let _e142 = global_4.member[_e132].member_2[0u];
-                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                    let _e149 = global_4.member[_e132].member_2[1u];
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e156 = global_4.member[_e132].member_2[2u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_4.member[_e132].member[0u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_4.member[_e132].member[1u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_4.member[_e132].member[2u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e181 = select(_e151, _e144, (_e151 < _e144));
-                    let _e183 = select(_e158, _e181, (_e158 < _e181));
-                    let _e185 = select(_e165, _e183, (_e165 < _e183));
-                    let _e187 = select(_e172, _e185, (_e172 < _e185));
-                    let _e189 = select(_e179, _e187, (_e179 < _e187));
-                    let _e193 = global_4.member[_e132].member_1;
-                    let _e194 = bitcast<u32>(_e193);
-                    let _e195 = (_e194 & 2147483647u);
-                    let _e202 = global_4.member[_e132].member_3;
-                    let _e203 = bitcast<u32>(_e202);
-                    let _e204 = (_e203 & 2147483647u);
-                    let _e208 = (((select(_e195, _e189, (_e195 < _e189)) < 2139095040u) && (_e204 <= 2139095040u)) && (_e183 > 0u));
-                    if _e208 {
-                        let _e211 = (bitcast<u32>(bitcast<f32>(_e183)) & 2147483647u);
-                        if (_e211 >= 8388608u) {
-                            phi_340_ = (bitcast<i32>((_e211 >> bitcast<u32>(23i))) - 127i);
+                    let _e143 = global_4.member[_e133].member_2[0u];
+                    let _e145 = (bitcast<u32>(_e143) & 2147483647u);
+                    let _e150 = global_4.member[_e133].member_2[1u];
+                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                    let _e157 = global_4.member[_e133].member_2[2u];
+                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
+                    let _e164 = global_4.member[_e133].member[0u];
+                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                    let _e171 = global_4.member[_e133].member[1u];
+                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
+                    let _e178 = global_4.member[_e133].member[2u];
+                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
+                    let _e182 = select(_e152, _e145, (_e152 < _e145));
+                    let _e184 = select(_e159, _e182, (_e159 < _e182));
+                    let _e186 = select(_e166, _e184, (_e166 < _e184));
+                    let _e188 = select(_e173, _e186, (_e173 < _e186));
+                    let _e190 = select(_e180, _e188, (_e180 < _e188));
+                    let _e194 = global_4.member[_e133].member_1;
+                    let _e195 = bitcast<u32>(_e194);
+                    let _e196 = (_e195 & 2147483647u);
+                    let _e203 = global_4.member[_e133].member_3;
+                    let _e204 = bitcast<u32>(_e203);
+                    let _e205 = (_e204 & 2147483647u);
+                    let _e209 = (((select(_e196, _e190, (_e196 < _e190)) < 2139095040u) && (_e205 <= 2139095040u)) && (_e184 > 0u));
+                    if _e209 {
+                        let _e212 = (bitcast<u32>(bitcast<f32>(_e184)) & 2147483647u);
+                        if (_e212 >= 8388608u) {
+                            phi_360_ = (bitcast<i32>((_e212 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_340_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e211)), 32u, (_e211 == 0u))));
+                            phi_360_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e212)), 32u, (_e212 == 0u))));
                         }
-                        let _e225 = phi_340_;
-                        phi_341_ = _e225;
+                        let _e226 = phi_360_;
+                        phi_361_ = _e226;
                     } else {
-                        phi_341_ = 0i;
+                        phi_361_ = 0i;
                     }
-                    let _e227 = phi_341_;
-                    let _e228 = (_e144 == _e183);
-                    if _e228 {
-                        phi_351_ = true;
+                    let _e228 = phi_361_;
+                    let _e229 = (_e145 == _e184);
+                    if _e229 {
+                        phi_371_ = true;
                     } else {
-                        phi_351_ = (_e151 == _e183);
+                        phi_371_ = (_e152 == _e184);
                     }
-                    let _e231 = phi_351_;
-                    let _e232 = select(1u, 0u, _e228);
-                    if _e231 {
-                        let _e233 = (_e232 + 1u);
-                        phi_361_ = _e233;
-                        phi_362_ = _e233;
-                        phi_364_ = select(true, false, (_e233 == 2u));
+                    let _e232 = phi_371_;
+                    let _e233 = select(1u, 0u, _e229);
+                    if _e232 {
+                        let _e234 = (_e233 + 1u);
+                        phi_381_ = _e234;
+                        phi_382_ = _e234;
+                        phi_384_ = select(true, false, (_e234 == 2u));
                     } else {
-                        phi_361_ = u32();
-                        phi_362_ = 0u;
-                        phi_364_ = true;
+                        phi_381_ = u32();
+                        phi_382_ = 0u;
+                        phi_384_ = true;
                     }
-                    let _e237 = phi_361_;
-                    let _e239 = phi_362_;
-                    let _e241 = phi_364_;
-                    if _e241 {
-                        phi_369_ = (_e239 + 1u);
+                    let _e238 = phi_381_;
+                    let _e240 = phi_382_;
+                    let _e242 = phi_384_;
+                    if _e242 {
+                        phi_389_ = (_e240 + 1u);
                     } else {
-                        phi_369_ = 0u;
+                        phi_389_ = 0u;
                     }
-                    let _e245 = phi_369_;
-                    let _e246 = select(_e237, _e239, _e241);
-                    let _e247 = select(_e232, select(2u, _e232, _e231), _e241);
-                    if (_e122 < -126i) {
-                        phi_382_ = -126i;
-                    } else {
-                        phi_382_ = select(_e122, 127i, (_e122 > 127i));
-                    }
-                    let _e252 = phi_382_;
-                    let _e257 = bitcast<f32>((bitcast<u32>((_e252 + 127i)) << bitcast<u32>(23i)));
-                    let _e263 = bitcast<f32>((bitcast<u32>(((_e122 - _e252) + 127i)) << bitcast<u32>(23i)));
-                    let _e264 = -(_e227);
-                    if (_e264 < -126i) {
+                    let _e246 = phi_389_;
+                    let _e247 = select(_e238, _e240, _e242);
+                    let _e248 = select(_e233, select(2u, _e233, _e232), _e242);
+                    if (_e123 < -126i) {
                         phi_402_ = -126i;
                     } else {
-                        phi_402_ = select(_e264, 127i, (_e264 > 127i));
+                        phi_402_ = select(_e123, 127i, (_e123 > 127i));
                     }
-                    let _e269 = phi_402_;
-                    let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
-                    let _e280 = bitcast<f32>((bitcast<u32>(((_e264 - _e269) + 127i)) << bitcast<u32>(23i)));
-                    let _e284 = global_4.member[_e132].member;
-                    let _e285 = (_e246 == 0u);
-                    if _e285 {
-                        phi_420_ = _e284[0];
+                    let _e253 = phi_402_;
+                    let _e258 = bitcast<f32>((bitcast<u32>((_e253 + 127i)) << bitcast<u32>(23i)));
+                    let _e264 = bitcast<f32>((bitcast<u32>(((_e123 - _e253) + 127i)) << bitcast<u32>(23i)));
+                    let _e265 = -(_e228);
+                    if (_e265 < -126i) {
+                        phi_422_ = -126i;
                     } else {
-                        phi_420_ = _e284[1];
+                        phi_422_ = select(_e265, 127i, (_e265 > 127i));
                     }
-                    let _e289 = phi_420_;
-                    let _e290 = (_e246 == 2u);
-                    if _e290 {
-                        phi_426_ = _e284[2];
+                    let _e270 = phi_422_;
+                    let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
+                    let _e281 = bitcast<f32>((bitcast<u32>(((_e265 - _e270) + 127i)) << bitcast<u32>(23i)));
+                    let _e285 = global_4.member[_e133].member;
+                    let _e286 = (_e247 == 0u);
+                    if _e286 {
+                        phi_440_ = _e285[0];
                     } else {
-                        phi_426_ = _e289;
+                        phi_440_ = _e285[1];
                     }
-                    let _e293 = phi_426_;
-                    let _e294 = bitcast<u32>(_e293);
-                    let _e296 = ((_e294 & 2139095040u) != 0u);
-                    let _e310 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e293, _e296) * _e257) * select(0.00000011920929f, 1f, _e296)) * _e263);
-                    let _e311 = global_4.member[_e132].member_2;
-                    if _e285 {
-                        phi_466_ = _e311[0];
+                    let _e290 = phi_440_;
+                    let _e291 = (_e247 == 2u);
+                    if _e291 {
+                        phi_446_ = _e285[2];
                     } else {
-                        phi_466_ = _e311[1];
+                        phi_446_ = _e290;
                     }
-                    let _e315 = phi_466_;
-                    if _e290 {
-                        phi_472_ = _e311[2];
+                    let _e294 = phi_446_;
+                    let _e295 = bitcast<u32>(_e294);
+                    let _e297 = ((_e295 & 2139095040u) != 0u);
+                    let _e311 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e295 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e295 & 2147483648u))), _e294, _e297) * _e258) * select(0.00000011920929f, 1f, _e297)) * _e264);
+                    let _e312 = global_4.member[_e133].member_2;
+                    if _e286 {
+                        phi_486_ = _e312[0];
                     } else {
-                        phi_472_ = _e315;
+                        phi_486_ = _e312[1];
                     }
-                    let _e318 = phi_472_;
-                    let _e319 = bitcast<u32>(_e318);
-                    let _e321 = ((_e319 & 2139095040u) != 0u);
-                    let _e335 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e319 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e319 & 2147483648u))), _e318, _e321) * _e274) * select(0.00000011920929f, 1f, _e321)) * _e280);
-                    let _e339 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e339 {
-                        let _e343 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
-                        phi_524_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
+                    let _e316 = phi_486_;
+                    if _e291 {
+                        phi_492_ = _e312[2];
                     } else {
-                        phi_524_ = 0f;
+                        phi_492_ = _e316;
                     }
-                    let _e347 = phi_524_;
-                    let _e348 = (_e310 + _e347);
-                    let _e349 = (_e310 - _e347);
-                    let _e350 = select(_e335, 0f, _e339);
-                    if _e339 {
-                        phi_536_ = 38685626000000000000000000f;
+                    let _e319 = phi_492_;
+                    let _e320 = bitcast<u32>(_e319);
+                    let _e322 = ((_e320 & 2139095040u) != 0u);
+                    let _e336 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e320 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e320 & 2147483648u))), _e319, _e322) * _e275) * select(0.00000011920929f, 1f, _e322)) * _e281);
+                    let _e340 = (bitcast<f32>((bitcast<u32>(_e336) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e343 = bitcast<f32>((bitcast<u32>(_e311) & 2147483647u));
+                    let _e344 = (_e343 * 0.00000011920929f);
+                    let _e347 = select(select(0.00000000000011368684f, _e344, (_e344 > 0.00000000000011368684f)), 0f, _e340);
+                    let _e348 = select(0f, _e336, _e340);
+                    let _e349 = (_e311 + _e347);
+                    let _e350 = (_e311 - _e347);
+                    let _e352 = select(38685626000000000000000000f, (1f / _e336), _e340);
+                    let _e353 = (_e246 == 0u);
+                    if _e353 {
+                        phi_565_ = _e285[0];
                     } else {
-                        phi_536_ = (1f / _e335);
+                        phi_565_ = _e285[1];
                     }
-                    let _e353 = phi_536_;
-                    let _e354 = (_e245 == 0u);
-                    if _e354 {
-                        phi_545_ = _e284[0];
+                    let _e357 = phi_565_;
+                    let _e358 = (_e246 == 2u);
+                    if _e358 {
+                        phi_571_ = _e285[2];
                     } else {
-                        phi_545_ = _e284[1];
+                        phi_571_ = _e357;
                     }
-                    let _e358 = phi_545_;
-                    let _e359 = (_e245 == 2u);
-                    if _e359 {
-                        phi_551_ = _e284[2];
+                    let _e361 = phi_571_;
+                    let _e362 = bitcast<u32>(_e361);
+                    let _e364 = ((_e362 & 2139095040u) != 0u);
+                    let _e378 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e362 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e362 & 2147483648u))), _e361, _e364) * _e258) * select(0.00000011920929f, 1f, _e364)) * _e264);
+                    if _e353 {
+                        phi_611_ = _e312[0];
                     } else {
-                        phi_551_ = _e358;
+                        phi_611_ = _e312[1];
                     }
-                    let _e362 = phi_551_;
-                    let _e363 = bitcast<u32>(_e362);
-                    let _e365 = ((_e363 & 2139095040u) != 0u);
-                    let _e379 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e363 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e363 & 2147483648u))), _e362, _e365) * _e257) * select(0.00000011920929f, 1f, _e365)) * _e263);
-                    if _e354 {
-                        phi_591_ = _e311[0];
+                    let _e382 = phi_611_;
+                    if _e358 {
+                        phi_617_ = _e312[2];
                     } else {
-                        phi_591_ = _e311[1];
+                        phi_617_ = _e382;
                     }
-                    let _e383 = phi_591_;
-                    if _e359 {
-                        phi_597_ = _e311[2];
+                    let _e385 = phi_617_;
+                    let _e386 = bitcast<u32>(_e385);
+                    let _e388 = ((_e386 & 2139095040u) != 0u);
+                    let _e402 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e385, _e388) * _e275) * select(0.00000011920929f, 1f, _e388)) * _e281);
+                    let _e406 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e409 = bitcast<f32>((bitcast<u32>(_e378) & 2147483647u));
+                    let _e410 = (_e409 * 0.00000011920929f);
+                    let _e413 = select(select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f)), 0f, _e406);
+                    let _e414 = select(0f, _e402, _e406);
+                    let _e415 = (_e378 + _e413);
+                    let _e416 = (_e378 - _e413);
+                    let _e418 = select(38685626000000000000000000f, (1f / _e402), _e406);
+                    let _e419 = (_e248 == 0u);
+                    if _e419 {
+                        phi_690_ = _e285[0];
                     } else {
-                        phi_597_ = _e383;
+                        phi_690_ = _e285[1];
                     }
-                    let _e386 = phi_597_;
-                    let _e387 = bitcast<u32>(_e386);
-                    let _e389 = ((_e387 & 2139095040u) != 0u);
-                    let _e403 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * _e274) * select(0.00000011920929f, 1f, _e389)) * _e280);
-                    let _e407 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e407 {
-                        let _e411 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_649_ = select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f));
+                    let _e423 = phi_690_;
+                    let _e424 = (_e248 == 2u);
+                    if _e424 {
+                        phi_696_ = _e285[2];
                     } else {
-                        phi_649_ = 0f;
+                        phi_696_ = _e423;
                     }
-                    let _e415 = phi_649_;
-                    let _e416 = (_e379 + _e415);
-                    let _e417 = (_e379 - _e415);
-                    let _e418 = select(_e403, 0f, _e407);
-                    if _e407 {
-                        phi_661_ = 38685626000000000000000000f;
+                    let _e427 = phi_696_;
+                    let _e428 = bitcast<u32>(_e427);
+                    let _e430 = ((_e428 & 2139095040u) != 0u);
+                    let _e444 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e428 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e428 & 2147483648u))), _e427, _e430) * _e258) * select(0.00000011920929f, 1f, _e430)) * _e264);
+                    if _e419 {
+                        phi_736_ = _e312[0];
                     } else {
-                        phi_661_ = (1f / _e403);
+                        phi_736_ = _e312[1];
                     }
-                    let _e421 = phi_661_;
-                    let _e422 = (_e247 == 0u);
-                    if _e422 {
-                        phi_670_ = _e284[0];
+                    let _e448 = phi_736_;
+                    if _e424 {
+                        phi_742_ = _e312[2];
                     } else {
-                        phi_670_ = _e284[1];
+                        phi_742_ = _e448;
                     }
-                    let _e426 = phi_670_;
-                    let _e427 = (_e247 == 2u);
-                    if _e427 {
-                        phi_676_ = _e284[2];
-                    } else {
-                        phi_676_ = _e426;
-                    }
-                    let _e430 = phi_676_;
-                    let _e431 = bitcast<u32>(_e430);
-                    let _e433 = ((_e431 & 2139095040u) != 0u);
-                    let _e447 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e431 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e431 & 2147483648u))), _e430, _e433) * _e257) * select(0.00000011920929f, 1f, _e433)) * _e263);
-                    if _e422 {
-                        phi_716_ = _e311[0];
-                    } else {
-                        phi_716_ = _e311[1];
-                    }
-                    let _e451 = phi_716_;
-                    if _e427 {
-                        phi_722_ = _e311[2];
-                    } else {
-                        phi_722_ = _e451;
-                    }
-                    let _e454 = phi_722_;
-                    let _e455 = bitcast<u32>(_e454);
-                    let _e457 = ((_e455 & 2139095040u) != 0u);
-                    let _e471 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e455 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e455 & 2147483648u))), _e454, _e457) * _e274) * select(0.00000011920929f, 1f, _e457)) * _e280);
-                    let _e475 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e475 {
-                        let _e479 = (bitcast<f32>((bitcast<u32>(_e447) & 2147483647u)) * 0.00000011920929f);
-                        phi_774_ = select(0.00000000000011368684f, _e479, (_e479 > 0.00000000000011368684f));
-                    } else {
-                        phi_774_ = 0f;
-                    }
-                    let _e483 = phi_774_;
-                    let _e484 = (_e447 + _e483);
-                    let _e485 = (_e447 - _e483);
-                    let _e486 = select(_e471, 0f, _e475);
-                    if _e475 {
-                        phi_786_ = 38685626000000000000000000f;
-                    } else {
-                        phi_786_ = (1f / _e471);
-                    }
-                    let _e489 = phi_786_;
-                    let _e492 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
-                    let _e495 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
-                    let _e497 = select(_e495, _e492, (_e492 > _e495));
-                    let _e500 = bitcast<f32>((bitcast<u32>(_e447) & 2147483647u));
-                    let _e503 = (_e122 + _e227);
-                    if (_e208 && (select(_e500, _e497, (_e497 > _e500)) <= 1099511600000f)) {
-                        let _e513 = ((_e195 & 8388607u) | (select(0u, 1u, ((_e195 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e516 = bitcast<i32>((_e195 >> bitcast<u32>(23i)));
-                        let _e520 = (_e513 == 0u);
-                        let _e523 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e513)), 32u, _e520)) - 8i);
-                        if (_e516 == 255i) {
-                            phi_841_ = 255i;
+                    let _e451 = phi_742_;
+                    let _e452 = bitcast<u32>(_e451);
+                    let _e454 = ((_e452 & 2139095040u) != 0u);
+                    let _e468 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * _e275) * select(0.00000011920929f, 1f, _e454)) * _e281);
+                    let _e472 = (bitcast<f32>((bitcast<u32>(_e468) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e475 = bitcast<f32>((bitcast<u32>(_e444) & 2147483647u));
+                    let _e476 = (_e475 * 0.00000011920929f);
+                    let _e479 = select(select(0.00000000000011368684f, _e476, (_e476 > 0.00000000000011368684f)), 0f, _e472);
+                    let _e480 = select(0f, _e468, _e472);
+                    let _e481 = (_e444 + _e479);
+                    let _e482 = (_e444 - _e479);
+                    let _e484 = select(38685626000000000000000000f, (1f / _e468), _e472);
+                    let _e486 = select(_e409, _e343, (_e343 > _e409));
+                    let _e489 = (_e123 + _e228);
+                    if (_e209 && (select(_e475, _e486, (_e486 > _e475)) <= 1099511600000f)) {
+                        let _e499 = ((_e196 & 8388607u) | (select(0u, 1u, ((_e196 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e502 = bitcast<i32>((_e196 >> bitcast<u32>(23i)));
+                        let _e506 = (_e499 == 0u);
+                        let _e509 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e499)), 32u, _e506)) - 8i);
+                        if (_e502 == 255i) {
+                            phi_861_ = 255i;
                         } else {
-                            phi_841_ = (((_e516 + select(0i, 1i, (_e516 == 0i))) - _e523) + _e503);
+                            phi_861_ = (((_e502 + select(0i, 1i, (_e502 == 0i))) - _e509) + _e489);
                         }
-                        let _e531 = phi_841_;
-                        let _e541 = (_e531 <= 0i);
-                        if _e541 {
-                            phi_864_ = u32();
+                        let _e517 = phi_861_;
+                        let _e527 = (_e517 <= 0i);
+                        if _e527 {
+                            phi_884_ = u32();
                         } else {
-                            if _e520 {
-                                phi_863_ = u32();
+                            if _e506 {
+                                phi_883_ = u32();
                             } else {
-                                phi_863_ = select(((bitcast<u32>(_e531) << bitcast<u32>(23i)) | ((_e513 << bitcast<u32>(((_e523 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e531 >= 255i));
+                                phi_883_ = select(((bitcast<u32>(_e517) << bitcast<u32>(23i)) | ((_e499 << bitcast<u32>(((_e509 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e517 >= 255i));
                             }
-                            let _e545 = phi_863_;
-                            phi_864_ = _e545;
+                            let _e531 = phi_883_;
+                            phi_884_ = _e531;
                         }
-                        let _e547 = phi_864_;
-                        let _e559 = ((_e204 & 8388607u) | (select(0u, 1u, ((_e204 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e562 = bitcast<i32>((_e204 >> bitcast<u32>(23i)));
-                        let _e566 = (_e559 == 0u);
-                        let _e569 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e559)), 32u, _e566)) - 8i);
-                        if (_e562 == 255i) {
-                            phi_901_ = 255i;
+                        let _e533 = phi_884_;
+                        let _e545 = ((_e205 & 8388607u) | (select(0u, 1u, ((_e205 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e548 = bitcast<i32>((_e205 >> bitcast<u32>(23i)));
+                        let _e552 = (_e545 == 0u);
+                        let _e555 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e545)), 32u, _e552)) - 8i);
+                        if (_e548 == 255i) {
+                            phi_921_ = 255i;
                         } else {
-                            phi_901_ = (((_e562 + select(0i, 1i, (_e562 == 0i))) - _e569) + _e503);
+                            phi_921_ = (((_e548 + select(0i, 1i, (_e548 == 0i))) - _e555) + _e489);
                         }
-                        let _e577 = phi_901_;
-                        let _e587 = (_e577 <= 0i);
-                        if _e587 {
-                            phi_924_ = u32();
+                        let _e563 = phi_921_;
+                        let _e573 = (_e563 <= 0i);
+                        if _e573 {
+                            phi_944_ = u32();
                         } else {
-                            if _e566 {
-                                phi_923_ = u32();
+                            if _e552 {
+                                phi_943_ = u32();
                             } else {
-                                phi_923_ = select(((bitcast<u32>(_e577) << bitcast<u32>(23i)) | ((_e559 << bitcast<u32>(((_e569 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e577 >= 255i));
+                                phi_943_ = select(((bitcast<u32>(_e563) << bitcast<u32>(23i)) | ((_e545 << bitcast<u32>(((_e555 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e563 >= 255i));
                             }
-                            let _e591 = phi_923_;
-                            phi_924_ = _e591;
+                            let _e577 = phi_943_;
+                            phi_944_ = _e577;
                         }
-                        let _e593 = phi_924_;
-                        phi_932_ = bitcast<f32>(((_e203 & 2147483648u) | select(_e593, 0u, select(_e566, true, _e587))));
-                        phi_933_ = bitcast<f32>(((_e194 & 2147483648u) | select(_e547, 0u, select(_e520, true, _e541))));
+                        let _e579 = phi_944_;
+                        phi_952_ = bitcast<f32>(((_e204 & 2147483648u) | select(_e579, 0u, select(_e552, true, _e573))));
+                        phi_953_ = bitcast<f32>(((_e195 & 2147483648u) | select(_e533, 0u, select(_e506, true, _e527))));
                     } else {
-                        phi_932_ = 0f;
-                        phi_933_ = 1f;
+                        phi_952_ = 0f;
+                        phi_953_ = 1f;
                     }
-                    let _e599 = phi_932_;
-                    let _e601 = phi_933_;
+                    let _e585 = phi_952_;
+                    let _e587 = phi_953_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -547,860 +511,837 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e94), bitcast<f32>(_e98), bitcast<f32>(_e102));
-                    let _e606 = (_e246 % 3u);
-                    let _e607 = (_e606 < 3u);
-                    if _e607 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e95), bitcast<f32>(_e99), bitcast<f32>(_e103));
+                    let _e592 = (_e247 % 3u);
+                    let _e593 = (_e592 < 3u);
+                    if _e593 {
                     } else {
                         break;
                     }
-                    let _e609 = local_9[_e606];
-                    let _e610 = (_e245 % 3u);
-                    let _e611 = (_e610 < 3u);
-                    if _e611 {
+                    let _e595 = local_9[_e592];
+                    let _e596 = (_e246 % 3u);
+                    let _e597 = (_e596 < 3u);
+                    if _e597 {
                     } else {
                         break;
                     }
-                    let _e613 = local_9[_e610];
-                    let _e614 = (_e247 % 3u);
-                    let _e615 = (_e614 < 3u);
-                    if _e615 {
+                    let _e599 = local_9[_e596];
+                    let _e600 = (_e248 % 3u);
+                    let _e601 = (_e600 < 3u);
+                    if _e601 {
                     } else {
                         break;
                     }
-                    let _e617 = local_9[_e614];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e106), bitcast<f32>(_e110), bitcast<f32>(_e114));
-                    if _e607 {
+                    let _e603 = local_9[_e600];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e107), bitcast<f32>(_e111), bitcast<f32>(_e115));
+                    if _e593 {
                     } else {
                         break;
                     }
-                    let _e621 = local_8[_e606];
-                    if _e611 {
+                    let _e607 = local_8[_e592];
+                    if _e597 {
                     } else {
                         break;
                     }
-                    let _e623 = local_8[_e610];
-                    if _e615 {
+                    let _e609 = local_8[_e596];
+                    if _e601 {
                     } else {
                         break;
                     }
-                    let _e625 = local_8[_e614];
-                    phi_3282_ = false;
-                    phi_1016_ = type_37(_e599, false);
-                    phi_1019_ = ((3u * _e84) + 1u);
-                    phi_1021_ = (_e601 <= _e599);
-                    phi_1023_ = 0u;
-                    phi_1025_ = type_48(type_46(array<f32, 3>(_e609, _e613, _e617), array<f32, 3>(_e621, _e623, _e625)), select(0u, 2147483648u, (_e84 == 0u)));
+                    let _e611 = local_8[_e600];
+                    phi_3379_ = false;
+                    phi_1036_ = type_38(_e585, false);
+                    phi_1039_ = ((3u * _e85) + 1u);
+                    phi_1041_ = (_e587 <= _e585);
+                    phi_1043_ = 0u;
+                    phi_1045_ = type_49(type_47(array<f32, 3>(_e595, _e599, _e603), array<f32, 3>(_e607, _e609, _e611)), select(0u, 2147483648u, (_e85 == 0u)));
                     loop {
-                        let _e633 = phi_3282_;
-                        let _e635 = phi_1016_;
-                        let _e637 = phi_1019_;
-                        let _e639 = phi_1021_;
-                        let _e641 = phi_1023_;
-                        let _e643 = phi_1025_;
-                        local_10 = _e635;
-                        if _e639 {
-                            phi_1036_ = true;
+                        let _e619 = phi_3379_;
+                        let _e621 = phi_1036_;
+                        let _e623 = phi_1039_;
+                        let _e625 = phi_1041_;
+                        let _e627 = phi_1043_;
+                        let _e629 = phi_1045_;
+                        local_10 = _e621;
+                        if _e625 {
+                            phi_1056_ = true;
                         } else {
-                            phi_1036_ = (_e641 > 0u);
+                            phi_1056_ = (_e627 > 0u);
                         }
-                        let _e646 = phi_1036_;
-                        if _e646 {
-                            let _e647 = (_e637 > 0u);
-                            if _e647 {
-                                if _e639 {
-                                    phi_1122_ = _e639;
-                                    phi_1123_ = _e641;
-                                    phi_1124_ = _e643;
+                        let _e632 = phi_1056_;
+                        if _e632 {
+                            let _e633 = (_e623 > 0u);
+                            if _e633 {
+                                if _e625 {
+                                    phi_1142_ = _e625;
+                                    phi_1143_ = _e627;
+                                    phi_1144_ = _e629;
                                 } else {
-                                    let _e648 = (_e641 - 1u);
-                                    let _e649 = (_e648 % 128u);
-                                    let _e650 = (_e649 < 128u);
-                                    if _e650 {
+                                    let _e634 = (_e627 - 1u);
+                                    let _e635 = (_e634 % 128u);
+                                    let _e636 = (_e635 < 128u);
+                                    if _e636 {
                                     } else {
-                                        phi_3433_ = true;
+                                        phi_3535_ = true;
                                         break;
                                     }
-                                    let _e652 = local_6[_e649];
-                                    if _e650 {
+                                    let _e638 = local_6[_e635];
+                                    if _e636 {
                                     } else {
-                                        phi_3433_ = true;
+                                        phi_3535_ = true;
                                         break;
                                     }
-                                    let _e654 = local_5[_e649];
-                                    if _e650 {
+                                    let _e640 = local_5[_e635];
+                                    if _e636 {
                                     } else {
-                                        phi_3433_ = true;
+                                        phi_3535_ = true;
                                         break;
                                     }
-                                    let _e656 = local_4[_e649];
-                                    if _e650 {
+                                    let _e642 = local_4[_e635];
+                                    if _e636 {
                                     } else {
-                                        phi_3433_ = true;
+                                        phi_3535_ = true;
                                         break;
                                     }
-                                    let _e658 = local_3[_e649];
-                                    if _e650 {
+                                    let _e644 = local_3[_e635];
+                                    if _e636 {
                                     } else {
-                                        phi_3433_ = true;
+                                        phi_3535_ = true;
                                         break;
                                     }
-                                    let _e661 = local_2[_e649];
-                                    if _e650 {
+                                    let _e647 = local_2[_e635];
+                                    if _e636 {
                                     } else {
-                                        phi_3433_ = true;
+                                        phi_3535_ = true;
                                         break;
                                     }
-                                    let _e663 = local_1[_e649];
-                                    if _e650 {
+                                    let _e649 = local_1[_e635];
+                                    if _e636 {
                                     } else {
-                                        phi_3433_ = true;
+                                        phi_3535_ = true;
                                         break;
                                     }
-                                    let _e665 = local[_e649];
-                                    if _e650 {
+                                    let _e651 = local[_e635];
+                                    if _e636 {
                                     } else {
-                                        phi_3433_ = true;
+                                        phi_3535_ = true;
                                         break;
                                     }
-                                    let _e670 = local_7[_e649];
-                                    phi_1122_ = (_e670 <= _e635.member);
-                                    phi_1123_ = _e648;
-                                    phi_1124_ = type_48(type_46(array<f32, 3>(_e654, _e656, _e658), array<f32, 3>(_e661, _e663, _e665)), _e652);
+                                    let _e656 = local_7[_e635];
+                                    phi_1142_ = (_e656 <= _e621.member);
+                                    phi_1143_ = _e634;
+                                    phi_1144_ = type_49(type_47(array<f32, 3>(_e640, _e642, _e644), array<f32, 3>(_e647, _e649, _e651)), _e638);
                                 }
-                                let _e674 = phi_1122_;
-                                let _e676 = phi_1123_;
-                                let _e678 = phi_1124_;
-                                if _e674 {
-                                    let _e682 = ((_e678.member_1 & 2147483648u) != 0u);
-                                    if _e682 {
-                                        phi_1142_ = _e635;
-                                        phi_1145_ = type_7(0u, ((_e678.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e660 = phi_1142_;
+                                let _e662 = phi_1143_;
+                                let _e664 = phi_1144_;
+                                if _e660 {
+                                    let _e668 = ((_e664.member_1 & 2147483648u) != 0u);
+                                    if _e668 {
+                                        phi_1162_ = _e621;
+                                        phi_1165_ = type_7(0u, ((_e664.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e689 = phi_1142_;
-                                            let _e691 = phi_1145_;
-                                            local_11 = _e689;
-                                            if (_e691.member < _e691.member_1) {
-                                                phi_1146_ = type_7((_e691.member + 1u), _e691.member_1);
-                                                phi_1168_ = type_7(1u, _e691.member);
+                                            let _e675 = phi_1162_;
+                                            let _e677 = phi_1165_;
+                                            local_11 = _e675;
+                                            if (_e677.member < _e677.member_1) {
+                                                phi_1166_ = type_7((_e677.member + 1u), _e677.member_1);
+                                                phi_1188_ = type_7(1u, _e677.member);
                                             } else {
-                                                phi_1146_ = _e691;
-                                                phi_1168_ = type_7(0u, type_7().member_1);
+                                                phi_1166_ = _e677;
+                                                phi_1188_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e704 = phi_1146_;
-                                            let _e706 = phi_1168_;
-                                            let _e710 = (bitcast<i32>(_e706.member) != 0i);
-                                            if _e710 {
-                                                let _e711 = ((_e678.member_1 & 268435455u) + _e706.member_1);
-                                                let _e712 = (_e711 < _e86);
-                                                if _e712 {
-                                                    if _e712 {
+                                            let _e690 = phi_1166_;
+                                            let _e692 = phi_1188_;
+                                            let _e696 = (bitcast<i32>(_e692.member) != 0i);
+                                            if _e696 {
+                                                let _e697 = ((_e664.member_1 & 268435455u) + _e692.member_1);
+                                                let _e698 = (_e697 < _e87);
+                                                if _e698 {
+                                                    if _e698 {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    let _e716 = global_2.member[_e711].member_1;
-                                                    phi_1189_ = _e716;
+                                                    let _e702 = global_2.member[_e697].member_1;
+                                                    phi_1209_ = _e702;
                                                 } else {
-                                                    phi_1189_ = 4294967295u;
+                                                    phi_1209_ = 4294967295u;
                                                 }
-                                                let _e718 = phi_1189_;
-                                                if (_e711 >= _e86) {
-                                                    phi_1281_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e704 = phi_1209_;
+                                                if (_e697 >= _e87) {
+                                                    phi_1301_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e712 {
+                                                    if _e698 {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    if (_e606 < 9u) {
+                                                    if (_e592 < 9u) {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    let _e725 = global_2.member[_e711].member[_e606];
-                                                    if (_e610 < 9u) {
+                                                    let _e711 = global_2.member[_e697].member[_e592];
+                                                    if (_e596 < 9u) {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    let _e731 = global_2.member[_e711].member[_e610];
-                                                    if (_e614 < 9u) {
+                                                    let _e717 = global_2.member[_e697].member[_e596];
+                                                    if (_e600 < 9u) {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    let _e737 = global_2.member[_e711].member[_e614];
-                                                    let _e739 = (3u + _e606);
+                                                    let _e723 = global_2.member[_e697].member[_e600];
+                                                    let _e725 = (3u + _e592);
+                                                    if (_e725 < 9u) {
+                                                    } else {
+                                                        phi_3373_ = true;
+                                                        break;
+                                                    }
+                                                    let _e731 = global_2.member[_e697].member[_e725];
+                                                    let _e732 = (3u + _e596);
+                                                    if (_e732 < 9u) {
+                                                    } else {
+                                                        phi_3373_ = true;
+                                                        break;
+                                                    }
+                                                    let _e738 = global_2.member[_e697].member[_e732];
+                                                    let _e739 = (3u + _e600);
                                                     if (_e739 < 9u) {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    let _e745 = global_2.member[_e711].member[_e739];
-                                                    let _e746 = (3u + _e610);
-                                                    if (_e746 < 9u) {
+                                                    let _e745 = global_2.member[_e697].member[_e739];
+                                                    let _e747 = (6u + _e592);
+                                                    if (_e747 < 9u) {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    let _e752 = global_2.member[_e711].member[_e746];
-                                                    let _e753 = (3u + _e614);
-                                                    if (_e753 < 9u) {
+                                                    let _e753 = global_2.member[_e697].member[_e747];
+                                                    let _e754 = (6u + _e596);
+                                                    if (_e754 < 9u) {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    let _e759 = global_2.member[_e711].member[_e753];
-                                                    let _e761 = (6u + _e606);
+                                                    let _e760 = global_2.member[_e697].member[_e754];
+                                                    let _e761 = (6u + _e600);
                                                     if (_e761 < 9u) {
                                                     } else {
-                                                        phi_3276_ = true;
+                                                        phi_3373_ = true;
                                                         break;
                                                     }
-                                                    let _e767 = global_2.member[_e711].member[_e761];
-                                                    let _e768 = (6u + _e610);
-                                                    if (_e768 < 9u) {
-                                                    } else {
-                                                        phi_3276_ = true;
-                                                        break;
-                                                    }
-                                                    let _e774 = global_2.member[_e711].member[_e768];
-                                                    let _e775 = (6u + _e614);
-                                                    if (_e775 < 9u) {
-                                                    } else {
-                                                        phi_3276_ = true;
-                                                        break;
-                                                    }
-                                                    let _e781 = global_2.member[_e711].member[_e775];
-                                                    phi_1281_ = array<array<f32, 3>, 3>(array<f32, 3>(_e725, _e731, _e737), array<f32, 3>(_e745, _e752, _e759), array<f32, 3>(_e767, _e774, _e781));
+                                                    let _e767 = global_2.member[_e697].member[_e761];
+                                                    phi_1301_ = array<array<f32, 3>, 3>(array<f32, 3>(_e711, _e717, _e723), array<f32, 3>(_e731, _e738, _e745), array<f32, 3>(_e753, _e760, _e767));
                                                 }
-                                                let _e785 = phi_1281_;
-                                                let _e793 = (_e785[0][2] - _e447);
-                                                let _e796 = (((_e785[0][0] - _e310) * _e486) - (_e793 * _e350));
-                                                let _e799 = (((_e785[0][1] - _e379) * _e486) - (_e793 * _e418));
-                                                let _e806 = (_e785[1][2] - _e447);
-                                                let _e809 = (((_e785[1][0] - _e310) * _e486) - (_e806 * _e350));
-                                                let _e812 = (((_e785[1][1] - _e379) * _e486) - (_e806 * _e418));
-                                                let _e819 = (_e785[2][2] - _e447);
-                                                let _e822 = (((_e785[2][0] - _e310) * _e486) - (_e819 * _e350));
-                                                let _e825 = (((_e785[2][1] - _e379) * _e486) - (_e819 * _e418));
-                                                let _e826 = (_e822 * _e812);
-                                                let _e827 = (_e825 * _e809);
-                                                let _e828 = (_e796 * _e825);
-                                                let _e829 = (_e799 * _e822);
-                                                let _e830 = (_e809 * _e799);
-                                                let _e831 = (_e812 * _e796);
-                                                let _e836 = (((_e826 >= _e827) && (_e828 >= _e829)) && (_e830 >= _e831));
-                                                if (_e836 || (((_e826 <= _e827) && (_e828 <= _e829)) && (_e830 <= _e831))) {
-                                                    let _e843 = select(-1f, 1f, _e836);
-                                                    let _e845 = ((_e826 - _e827) * _e843);
-                                                    let _e847 = select(0f, _e845, (_e845 > 0f));
-                                                    let _e849 = ((_e828 - _e829) * _e843);
-                                                    let _e851 = select(0f, _e849, (_e849 > 0f));
-                                                    let _e853 = ((_e830 - _e831) * _e843);
-                                                    let _e855 = select(0f, _e853, (_e853 > 0f));
-                                                    let _e857 = ((_e847 + _e851) + _e855);
-                                                    if (_e857 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2165_ = type_25();
-                                                        phi_2166_ = true;
-                                                        phi_2167_ = false;
-                                                    } else {
-                                                        let _e860 = select(_e809, _e796, (_e796 < _e809));
-                                                        if (select(_e822, _e860, (_e860 < _e822)) > 0f) {
-                                                            phi_1433_ = true;
+                                                let _e771 = phi_1301_;
+                                                let _e787 = (_e771[0][2] - _e444);
+                                                let _e790 = (((_e771[0][0] - _e311) * _e480) - (_e787 * _e348));
+                                                let _e793 = (((_e771[0][1] - _e378) * _e480) - (_e787 * _e414));
+                                                let _e796 = (_e771[1][2] - _e444);
+                                                let _e799 = (((_e771[1][0] - _e311) * _e480) - (_e796 * _e348));
+                                                let _e802 = (((_e771[1][1] - _e378) * _e480) - (_e796 * _e414));
+                                                let _e805 = (_e771[2][2] - _e444);
+                                                let _e808 = (((_e771[2][0] - _e311) * _e480) - (_e805 * _e348));
+                                                let _e811 = (((_e771[2][1] - _e378) * _e480) - (_e805 * _e414));
+                                                let _e812 = (_e808 * _e802);
+                                                let _e813 = (_e811 * _e799);
+                                                let _e814 = (_e790 * _e811);
+                                                let _e815 = (_e793 * _e808);
+                                                let _e816 = (_e799 * _e793);
+                                                let _e817 = (_e802 * _e790);
+                                                let _e822 = (((_e812 >= _e813) && (_e814 >= _e815)) && (_e816 >= _e817));
+                                                let _e828 = (_e822 || (((_e812 <= _e813) && (_e814 <= _e815)) && (_e816 <= _e817)));
+                                                if _e828 {
+                                                    let _e830 = select(-1f, 1f, _e822);
+                                                    let _e832 = ((_e812 - _e813) * _e830);
+                                                    let _e834 = select(0f, _e832, (_e832 > 0f));
+                                                    let _e836 = ((_e814 - _e815) * _e830);
+                                                    let _e838 = select(0f, _e836, (_e836 > 0f));
+                                                    let _e840 = ((_e816 - _e817) * _e830);
+                                                    let _e842 = select(0f, _e840, (_e840 > 0f));
+                                                    let _e844 = ((_e834 + _e838) + _e842);
+                                                    let _e846 = select(_e771[1][0], _e771[0][0], (_e771[0][0] < _e771[1][0]));
+                                                    let _e850 = select(_e771[1][0], _e771[0][0], (_e771[0][0] > _e771[1][0]));
+                                                    let _e854 = select(_e771[1][1], _e771[0][1], (_e771[0][1] < _e771[1][1]));
+                                                    let _e858 = select(_e771[1][1], _e771[0][1], (_e771[0][1] > _e771[1][1]));
+                                                    let _e862 = select(_e771[1][2], _e771[0][2], (_e771[0][2] < _e771[1][2]));
+                                                    let _e866 = select(_e771[1][2], _e771[0][2], (_e771[0][2] > _e771[1][2]));
+                                                    let _e871 = ((select(_e771[2][0], _e846, (_e846 < _e771[2][0])) - _e349) * _e352);
+                                                    let _e872 = ((select(_e771[2][0], _e850, (_e850 > _e771[2][0])) - _e350) * _e352);
+                                                    let _e875 = ((select(_e771[2][1], _e854, (_e854 < _e771[2][1])) - _e415) * _e418);
+                                                    let _e876 = ((select(_e771[2][1], _e858, (_e858 > _e771[2][1])) - _e416) * _e418);
+                                                    let _e879 = ((select(_e771[2][2], _e862, (_e862 < _e771[2][2])) - _e481) * _e484);
+                                                    let _e880 = ((select(_e771[2][2], _e866, (_e866 > _e771[2][2])) - _e482) * _e484);
+                                                    let _e882 = select(_e880, _e879, (_e879 < _e880));
+                                                    let _e884 = select(_e880, _e879, (_e879 > _e880));
+                                                    let _e886 = select(_e872, _e871, (_e871 < _e872));
+                                                    let _e888 = select(_e876, _e875, (_e875 < _e876));
+                                                    let _e890 = select(_e888, _e886, (_e886 > _e888));
+                                                    let _e892 = select(_e882, _e890, (_e890 > _e882));
+                                                    let _e894 = select(_e872, _e871, (_e871 > _e872));
+                                                    let _e896 = select(_e876, _e875, (_e875 > _e876));
+                                                    let _e898 = select(_e896, _e894, (_e894 < _e896));
+                                                    let _e900 = select(_e884, _e898, (_e898 < _e884));
+                                                    let _e901 = -(_e882);
+                                                    let _e907 = select(_e587, _e892, (_e892 > _e587));
+                                                    let _e911 = select(_e799, _e790, (_e790 < _e799));
+                                                    let _e916 = select(_e799, _e790, (_e790 > _e799));
+                                                    let _e923 = select(_e802, _e793, (_e793 < _e802));
+                                                    let _e928 = select(_e802, _e793, (_e793 > _e802));
+                                                    let _e937 = (((((_e828 && (_e844 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e808, _e911, (_e911 < _e808)) <= 0f) && (select(_e808, _e916, (_e916 > _e808)) >= 0f))) && ((select(_e811, _e923, (_e923 < _e811)) <= 0f) && (select(_e811, _e928, (_e928 > _e811)) >= 0f))) && (_e907 <= (_e900 + (select(_e901, _e884, (_e884 > _e901)) * 0.0000019073523f)))) && (_e907 <= _e675.member));
+                                                    if _e937 {
+                                                        let _e942 = (_e771[1][0] - _e771[0][0]);
+                                                        let _e943 = (_e771[1][1] - _e771[0][1]);
+                                                        let _e944 = (_e771[1][2] - _e771[0][2]);
+                                                        let _e945 = vec3<f32>(_e942, _e943, _e944);
+                                                        let _e946 = (_e771[2][0] - _e771[1][0]);
+                                                        let _e947 = (_e771[2][1] - _e771[1][1]);
+                                                        let _e948 = (_e771[2][2] - _e771[1][2]);
+                                                        let _e949 = vec3<f32>(_e946, _e947, _e948);
+                                                        let _e950 = (_e771[0][0] - _e771[2][0]);
+                                                        let _e951 = (_e771[0][1] - _e771[2][1]);
+                                                        let _e952 = (_e771[0][2] - _e771[2][2]);
+                                                        let _e953 = vec3<f32>(_e950, _e951, _e952);
+                                                        let _e954 = abs(_e942);
+                                                        let _e955 = abs(_e943);
+                                                        if (_e954 != _e954) {
+                                                            phi_3174_ = true;
                                                         } else {
-                                                            let _e865 = select(_e809, _e796, (_e796 > _e809));
-                                                            phi_1433_ = (select(_e822, _e865, (_e865 > _e822)) < 0f);
+                                                            phi_3174_ = (_e955 >= _e954);
                                                         }
-                                                        let _e870 = phi_1433_;
-                                                        if _e870 {
-                                                            phi_2162_ = type_25();
-                                                            phi_2163_ = true;
-                                                            phi_2164_ = false;
+                                                        let _e959 = phi_3174_;
+                                                        let _e960 = select(_e954, _e955, _e959);
+                                                        let _e961 = abs(_e944);
+                                                        if (_e960 != _e960) {
+                                                            phi_3189_ = true;
                                                         } else {
-                                                            let _e872 = select(_e812, _e799, (_e799 < _e812));
-                                                            if (select(_e825, _e872, (_e872 < _e825)) > 0f) {
-                                                                phi_1462_ = true;
-                                                            } else {
-                                                                let _e877 = select(_e812, _e799, (_e799 > _e812));
-                                                                phi_1462_ = (select(_e825, _e877, (_e877 > _e825)) < 0f);
-                                                            }
-                                                            let _e882 = phi_1462_;
-                                                            if _e882 {
-                                                                phi_2160_ = type_25();
-                                                                phi_2161_ = false;
-                                                            } else {
-                                                                let _e884 = select(_e785[1][0], _e785[0][0], (_e785[0][0] < _e785[1][0]));
-                                                                let _e888 = select(_e785[1][0], _e785[0][0], (_e785[0][0] > _e785[1][0]));
-                                                                let _e892 = select(_e785[1][1], _e785[0][1], (_e785[0][1] < _e785[1][1]));
-                                                                let _e896 = select(_e785[1][1], _e785[0][1], (_e785[0][1] > _e785[1][1]));
-                                                                let _e900 = select(_e785[1][2], _e785[0][2], (_e785[0][2] < _e785[1][2]));
-                                                                let _e904 = select(_e785[1][2], _e785[0][2], (_e785[0][2] > _e785[1][2]));
-                                                                let _e909 = ((select(_e785[2][0], _e884, (_e884 < _e785[2][0])) - _e348) * _e353);
-                                                                let _e910 = ((select(_e785[2][0], _e888, (_e888 > _e785[2][0])) - _e349) * _e353);
-                                                                let _e913 = ((select(_e785[2][1], _e892, (_e892 < _e785[2][1])) - _e416) * _e421);
-                                                                let _e914 = ((select(_e785[2][1], _e896, (_e896 > _e785[2][1])) - _e417) * _e421);
-                                                                let _e917 = ((select(_e785[2][2], _e900, (_e900 < _e785[2][2])) - _e484) * _e489);
-                                                                let _e918 = ((select(_e785[2][2], _e904, (_e904 > _e785[2][2])) - _e485) * _e489);
-                                                                let _e920 = select(_e918, _e917, (_e917 < _e918));
-                                                                let _e922 = select(_e918, _e917, (_e917 > _e918));
-                                                                let _e924 = select(_e910, _e909, (_e909 < _e910));
-                                                                let _e926 = select(_e914, _e913, (_e913 < _e914));
-                                                                let _e928 = select(_e926, _e924, (_e924 > _e926));
-                                                                let _e930 = select(_e920, _e928, (_e928 > _e920));
-                                                                let _e932 = select(_e910, _e909, (_e909 > _e910));
-                                                                let _e934 = select(_e914, _e913, (_e913 > _e914));
-                                                                let _e936 = select(_e934, _e932, (_e932 < _e934));
-                                                                let _e938 = select(_e922, _e936, (_e936 < _e922));
-                                                                let _e939 = -(_e920);
-                                                                let _e945 = select(_e601, _e930, (_e930 > _e601));
-                                                                if (_e945 > (_e938 + (select(_e939, _e922, (_e922 > _e939)) * 0.0000019073523f))) {
-                                                                    phi_2155_ = type_25();
-                                                                    phi_2156_ = true;
-                                                                } else {
-                                                                    let _e947 = (_e945 > _e689.member);
-                                                                    if _e947 {
-                                                                        phi_2154_ = type_25();
-                                                                    } else {
-                                                                        let _e948 = vec3<f32>(_e785[0][0], _e785[0][1], _e785[0][2]);
-                                                                        let _e949 = vec3<f32>(_e785[1][0], _e785[1][1], _e785[1][2]);
-                                                                        let _e950 = vec3<f32>(_e785[2][0], _e785[2][1], _e785[2][2]);
-                                                                        let _e951 = (_e785[1][0] - _e785[0][0]);
-                                                                        let _e952 = (_e785[1][1] - _e785[0][1]);
-                                                                        let _e953 = (_e785[1][2] - _e785[0][2]);
-                                                                        let _e954 = vec3<f32>(_e951, _e952, _e953);
-                                                                        let _e955 = (_e785[2][0] - _e785[1][0]);
-                                                                        let _e956 = (_e785[2][1] - _e785[1][1]);
-                                                                        let _e957 = (_e785[2][2] - _e785[1][2]);
-                                                                        let _e958 = vec3<f32>(_e955, _e956, _e957);
-                                                                        let _e959 = (_e785[0][0] - _e785[2][0]);
-                                                                        let _e960 = (_e785[0][1] - _e785[2][1]);
-                                                                        let _e961 = (_e785[0][2] - _e785[2][2]);
-                                                                        let _e962 = vec3<f32>(_e959, _e960, _e961);
-                                                                        let _e965 = bitcast<f32>((bitcast<u32>(_e951) & 2147483647u));
-                                                                        let _e968 = bitcast<f32>((bitcast<u32>(_e952) & 2147483647u));
-                                                                        let _e970 = select(_e968, _e965, (_e965 > _e968));
-                                                                        let _e973 = bitcast<f32>((bitcast<u32>(_e953) & 2147483647u));
-                                                                        let _e975 = select(_e973, _e970, (_e970 > _e973));
-                                                                        let _e978 = bitcast<f32>((bitcast<u32>(_e955) & 2147483647u));
-                                                                        let _e981 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
-                                                                        let _e983 = select(_e981, _e978, (_e978 > _e981));
-                                                                        let _e986 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
-                                                                        let _e988 = select(_e986, _e983, (_e983 > _e986));
-                                                                        let _e991 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
-                                                                        let _e994 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
-                                                                        let _e996 = select(_e994, _e991, (_e991 > _e994));
-                                                                        let _e999 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
-                                                                        let _e1001 = select(_e999, _e996, (_e996 > _e999));
-                                                                        let _e1003 = select(_e988, _e975, (_e975 > _e988));
-                                                                        let _e1005 = select(_e1001, _e1003, (_e1003 > _e1001));
-                                                                        if (_e975 == _e1005) {
-                                                                            phi_1881_ = _e812;
-                                                                            phi_1882_ = _e809;
-                                                                            phi_1883_ = _e799;
-                                                                            phi_1884_ = _e796;
-                                                                            phi_1885_ = _e948;
-                                                                            phi_1886_ = _e962;
-                                                                            phi_1887_ = _e958;
-                                                                            phi_1888_ = _e954;
-                                                                        } else {
-                                                                            let _e1007 = (_e988 == _e1005);
-                                                                            let _e1012 = vec3(_e1007);
-                                                                            phi_1881_ = select(_e799, _e825, _e1007);
-                                                                            phi_1882_ = select(_e796, _e822, _e1007);
-                                                                            phi_1883_ = select(_e825, _e812, _e1007);
-                                                                            phi_1884_ = select(_e822, _e809, _e1007);
-                                                                            phi_1885_ = select(_e950, _e949, _e1012);
-                                                                            phi_1886_ = select(_e958, _e954, _e1012);
-                                                                            phi_1887_ = select(_e954, _e962, _e1012);
-                                                                            phi_1888_ = select(_e962, _e958, _e1012);
-                                                                        }
-                                                                        let _e1018 = phi_1881_;
-                                                                        let _e1020 = phi_1882_;
-                                                                        let _e1022 = phi_1883_;
-                                                                        let _e1024 = phi_1884_;
-                                                                        let _e1026 = phi_1885_;
-                                                                        let _e1028 = phi_1886_;
-                                                                        let _e1030 = phi_1887_;
-                                                                        let _e1032 = phi_1888_;
-                                                                        let _e1039 = ((_e1030.y * _e1028.z) - (_e1028.y * _e1030.z));
-                                                                        let _e1044 = ((_e1030.z * _e1028.x) - (_e1028.z * _e1030.x));
-                                                                        let _e1047 = ((_e1030.x * _e1028.y) - (_e1028.x * _e1030.y));
-                                                                        if (_e847 >= _e851) {
-                                                                            phi_1925_ = select(true, false, (_e847 >= _e855));
-                                                                        } else {
-                                                                            phi_1925_ = true;
-                                                                        }
-                                                                        let _e1052 = phi_1925_;
-                                                                        if _e1052 {
-                                                                            phi_1934_ = select(_e950, _e949, vec3((_e851 >= _e855)));
-                                                                        } else {
-                                                                            phi_1934_ = _e948;
-                                                                        }
-                                                                        let _e1057 = phi_1934_;
-                                                                        let _e1068 = (((_e1039 * (_e1057.x - _e310)) + (_e1044 * (_e1057.y - _e379))) + (_e1047 * (_e1057.z - _e447)));
-                                                                        let _e1073 = (((_e1039 * _e350) + (_e1044 * _e418)) + (_e1047 * _e486));
-                                                                        let _e1074 = (_e1020 - _e1024);
-                                                                        let _e1075 = (_e1018 - _e1022);
-                                                                        let _e1083 = (-(((_e1024 * _e1074) + (_e1022 * _e1075))) / ((_e1074 * _e1074) + (_e1075 * _e1075)));
-                                                                        let _e1085 = select(1f, _e1083, (_e1083 < 1f));
-                                                                        let _e1087 = select(0f, _e1085, (_e1085 > 0f));
-                                                                        let _e1100 = ((_e1026.x + (_e1032.x * _e1087)) - _e310);
-                                                                        let _e1101 = ((_e1026.y + (_e1032.y * _e1087)) - _e379);
-                                                                        let _e1102 = ((_e1026.z + (_e1032.z * _e1087)) - _e447);
-                                                                        let _e1103 = (_e1102 / _e486);
-                                                                        let _e1115 = bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u));
-                                                                        let _e1118 = bitcast<f32>((bitcast<u32>(_e1101) & 2147483647u));
-                                                                        let _e1120 = select(_e1118, _e1115, (_e1115 > _e1118));
-                                                                        let _e1123 = bitcast<f32>((bitcast<u32>(_e1102) & 2147483647u));
-                                                                        let _e1125 = select(_e1123, _e1120, (_e1120 > _e1123));
-                                                                        let _e1131 = bitcast<f32>((bitcast<u32>(_e1039) & 2147483647u));
-                                                                        let _e1134 = bitcast<f32>((bitcast<u32>(_e1044) & 2147483647u));
-                                                                        let _e1136 = select(_e1134, _e1131, (_e1131 > _e1134));
-                                                                        let _e1139 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1039 * _e1100) + (_e1044 * _e1101)) + (_e1047 * _e1102)) - _e1068)) & 2147483647u)) <= ((0.0000009536743f * select(_e1005, _e1125, (_e1125 > _e1005))) * select(_e1139, _e1136, (_e1136 > _e1139)))) {
-                                                                            let _e1149 = bitcast<f32>((bitcast<u32>(_e1030.x) & 2147483647u));
-                                                                            let _e1152 = bitcast<f32>((bitcast<u32>(_e1030.y) & 2147483647u));
-                                                                            let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
-                                                                            let _e1157 = bitcast<f32>((bitcast<u32>(_e1030.z) & 2147483647u));
-                                                                            let _e1163 = bitcast<f32>((bitcast<u32>(_e1028.x) & 2147483647u));
-                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1028.y) & 2147483647u));
-                                                                            let _e1168 = select(_e1166, _e1163, (_e1163 > _e1166));
-                                                                            let _e1171 = bitcast<f32>((bitcast<u32>(_e1028.z) & 2147483647u));
-                                                                            let _e1175 = (bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u)) > ((0.0000038146973f * select(_e1157, _e1154, (_e1154 > _e1157))) * select(_e1171, _e1168, (_e1168 > _e1171))));
-                                                                            if _e1175 {
-                                                                                phi_2099_ = (_e1068 / _e1073);
-                                                                            } else {
-                                                                                phi_2099_ = f32();
-                                                                            }
-                                                                            let _e1178 = phi_2099_;
-                                                                            phi_2101_ = _e1178;
-                                                                            phi_2102_ = select(true, false, _e1175);
-                                                                        } else {
-                                                                            phi_2101_ = f32();
-                                                                            phi_2102_ = true;
-                                                                        }
-                                                                        let _e1181 = phi_2101_;
-                                                                        let _e1183 = phi_2102_;
-                                                                        if _e1183 {
-                                                                            let _e1191 = (((_e1039 * (_e1100 - (_e350 * _e1103))) + (_e1044 * (_e1101 - (_e418 * _e1103)))) / _e1073);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u)) <= _e1005) {
-                                                                                phi_2122_ = (_e1103 + _e1191);
-                                                                            } else {
-                                                                                phi_2122_ = _e1103;
-                                                                            }
-                                                                            let _e1198 = phi_2122_;
-                                                                            phi_2123_ = _e1198;
-                                                                        } else {
-                                                                            phi_2123_ = _e1181;
-                                                                        }
-                                                                        let _e1200 = phi_2123_;
-                                                                        let _e1202 = select(_e938, _e1200, (_e1200 < _e938));
-                                                                        let _e1204 = select(_e930, _e1202, (_e1202 > _e930));
-                                                                        if (_e1204 >= _e601) {
-                                                                            let _e1206 = (_e1204 <= _e689.member);
-                                                                            if _e1206 {
-                                                                                let _e1207 = (1f / _e857);
-                                                                                phi_2146_ = type_25(_e1204, (_e851 * _e1207), (_e855 * _e1207), _e718);
-                                                                            } else {
-                                                                                phi_2146_ = type_25();
-                                                                            }
-                                                                            let _e1212 = phi_2146_;
-                                                                            phi_2148_ = _e1212;
-                                                                            phi_2149_ = select(true, false, _e1206);
-                                                                        } else {
-                                                                            phi_2148_ = type_25();
-                                                                            phi_2149_ = true;
-                                                                        }
-                                                                        let _e1215 = phi_2148_;
-                                                                        let _e1217 = phi_2149_;
-                                                                        if _e1217 {
-                                                                            phi_2153_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2153_ = _e1215;
-                                                                        }
-                                                                        let _e1219 = phi_2153_;
-                                                                        phi_2154_ = _e1219;
-                                                                    }
-                                                                    let _e1221 = phi_2154_;
-                                                                    phi_2155_ = _e1221;
-                                                                    phi_2156_ = _e947;
-                                                                }
-                                                                let _e1223 = phi_2155_;
-                                                                let _e1225 = phi_2156_;
-                                                                phi_2160_ = _e1223;
-                                                                phi_2161_ = _e1225;
-                                                            }
-                                                            let _e1227 = phi_2160_;
-                                                            let _e1229 = phi_2161_;
-                                                            phi_2162_ = _e1227;
-                                                            phi_2163_ = _e882;
-                                                            phi_2164_ = _e1229;
+                                                            phi_3189_ = (_e961 >= _e960);
                                                         }
-                                                        let _e1231 = phi_2162_;
-                                                        let _e1233 = phi_2163_;
-                                                        let _e1235 = phi_2164_;
-                                                        phi_2165_ = _e1231;
-                                                        phi_2166_ = _e1233;
-                                                        phi_2167_ = _e1235;
-                                                    }
-                                                    let _e1237 = phi_2165_;
-                                                    let _e1239 = phi_2166_;
-                                                    let _e1241 = phi_2167_;
-                                                    phi_2175_ = _e1237;
-                                                    phi_2176_ = select(_e1241, true, _e1239);
-                                                } else {
-                                                    phi_2175_ = type_25();
-                                                    phi_2176_ = true;
-                                                }
-                                                let _e1244 = phi_2175_;
-                                                let _e1246 = phi_2176_;
-                                                if _e1246 {
-                                                    phi_2180_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_2180_ = _e1244;
-                                                }
-                                                let _e1248 = phi_2180_;
-                                                if (_e1248.member_3 != 4294967295u) {
-                                                    if (_e718 != 4294967295u) {
-                                                        phi_2191_ = type_37(_e689.member, true);
+                                                        let _e965 = phi_3189_;
+                                                        let _e966 = select(_e960, _e961, _e965);
+                                                        let _e967 = abs(_e946);
+                                                        let _e968 = abs(_e947);
+                                                        if (_e967 != _e967) {
+                                                            phi_3204_ = true;
+                                                        } else {
+                                                            phi_3204_ = (_e968 >= _e967);
+                                                        }
+                                                        let _e972 = phi_3204_;
+                                                        let _e973 = select(_e967, _e968, _e972);
+                                                        let _e974 = abs(_e948);
+                                                        if (_e973 != _e973) {
+                                                            phi_3219_ = true;
+                                                        } else {
+                                                            phi_3219_ = (_e974 >= _e973);
+                                                        }
+                                                        let _e978 = phi_3219_;
+                                                        let _e979 = select(_e973, _e974, _e978);
+                                                        let _e980 = abs(_e950);
+                                                        let _e981 = abs(_e951);
+                                                        if (_e980 != _e980) {
+                                                            phi_3234_ = true;
+                                                        } else {
+                                                            phi_3234_ = (_e981 >= _e980);
+                                                        }
+                                                        let _e985 = phi_3234_;
+                                                        let _e986 = select(_e980, _e981, _e985);
+                                                        let _e987 = abs(_e952);
+                                                        if (_e986 != _e986) {
+                                                            phi_3249_ = true;
+                                                        } else {
+                                                            phi_3249_ = (_e987 >= _e986);
+                                                        }
+                                                        let _e991 = phi_3249_;
+                                                        let _e992 = select(_e986, _e987, _e991);
+                                                        let _e994 = select(_e979, _e966, (_e966 > _e979));
+                                                        let _e996 = select(_e992, _e994, (_e994 > _e992));
+                                                        if (_e966 == _e996) {
+                                                            phi_1843_ = _e802;
+                                                            phi_1844_ = _e799;
+                                                            phi_1845_ = _e793;
+                                                            phi_1846_ = _e790;
+                                                            phi_1847_ = vec3<f32>(_e771[0][0], _e771[0][1], _e771[0][2]);
+                                                            phi_1848_ = _e953;
+                                                            phi_1849_ = _e949;
+                                                            phi_1850_ = _e945;
+                                                        } else {
+                                                            let _e998 = (_e979 == _e996);
+                                                            let _e1003 = vec3(_e998);
+                                                            phi_1843_ = select(_e793, _e811, _e998);
+                                                            phi_1844_ = select(_e790, _e808, _e998);
+                                                            phi_1845_ = select(_e811, _e802, _e998);
+                                                            phi_1846_ = select(_e808, _e799, _e998);
+                                                            phi_1847_ = select(vec3<f32>(_e771[2][0], _e771[2][1], _e771[2][2]), vec3<f32>(_e771[1][0], _e771[1][1], _e771[1][2]), _e1003);
+                                                            phi_1848_ = select(_e949, _e945, _e1003);
+                                                            phi_1849_ = select(_e945, _e953, _e1003);
+                                                            phi_1850_ = select(_e953, _e949, _e1003);
+                                                        }
+                                                        let _e1009 = phi_1843_;
+                                                        let _e1011 = phi_1844_;
+                                                        let _e1013 = phi_1845_;
+                                                        let _e1015 = phi_1846_;
+                                                        let _e1017 = phi_1847_;
+                                                        let _e1019 = phi_1848_;
+                                                        let _e1021 = phi_1849_;
+                                                        let _e1023 = phi_1850_;
+                                                        let _e1030 = ((_e1021.y * _e1019.z) - (_e1019.y * _e1021.z));
+                                                        let _e1035 = ((_e1021.z * _e1019.x) - (_e1019.z * _e1021.x));
+                                                        let _e1038 = ((_e1021.x * _e1019.y) - (_e1019.x * _e1021.y));
+                                                        let _e1041 = ((_e834 >= _e838) && (_e834 >= _e842));
+                                                        let _e1042 = (_e838 >= _e842);
+                                                        let _e1056 = (((_e1030 * (select(select(_e771[2][0], _e771[1][0], _e1042), _e771[0][0], _e1041) - _e311)) + (_e1035 * (select(select(_e771[2][1], _e771[1][1], _e1042), _e771[0][1], _e1041) - _e378))) + (_e1038 * (select(select(_e771[2][2], _e771[1][2], _e1042), _e771[0][2], _e1041) - _e444)));
+                                                        let _e1061 = (((_e1030 * _e348) + (_e1035 * _e414)) + (_e1038 * _e480));
+                                                        let _e1062 = (_e1011 - _e1015);
+                                                        let _e1063 = (_e1009 - _e1013);
+                                                        let _e1066 = ((_e1062 * _e1062) + (_e1063 * _e1063));
+                                                        let _e1073 = (-(((_e1015 * _e1062) + (_e1013 * _e1063))) / select(0.000000000000000000000000000000000000011754944f, _e1066, (_e1066 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1075 = select(1f, _e1073, (_e1073 < 1f));
+                                                        let _e1077 = select(0f, _e1075, (_e1075 > 0f));
+                                                        let _e1086 = ((_e1017.x + (_e1023.x * _e1077)) - _e311);
+                                                        let _e1089 = ((_e1017.y + (_e1023.y * _e1077)) - _e378);
+                                                        let _e1092 = ((_e1017.z + (_e1023.z * _e1077)) - _e444);
+                                                        let _e1095 = bitcast<f32>((bitcast<u32>(_e1086) & 2147483647u));
+                                                        let _e1098 = bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u));
+                                                        let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
+                                                        let _e1103 = bitcast<f32>((bitcast<u32>(_e1092) & 2147483647u));
+                                                        let _e1105 = select(_e1103, _e1100, (_e1100 > _e1103));
+                                                        let _e1109 = abs(_e1030);
+                                                        let _e1110 = abs(_e1035);
+                                                        if (_e1109 != _e1109) {
+                                                            phi_3264_ = true;
+                                                        } else {
+                                                            phi_3264_ = (_e1110 >= _e1109);
+                                                        }
+                                                        let _e1114 = phi_3264_;
+                                                        let _e1115 = select(_e1109, _e1110, _e1114);
+                                                        let _e1116 = abs(_e1038);
+                                                        if (_e1115 != _e1115) {
+                                                            phi_3279_ = true;
+                                                        } else {
+                                                            phi_3279_ = (_e1116 >= _e1115);
+                                                        }
+                                                        let _e1120 = phi_3279_;
+                                                        let _e1136 = abs(_e1021.x);
+                                                        let _e1137 = abs(_e1021.y);
+                                                        if (_e1136 != _e1136) {
+                                                            phi_3294_ = true;
+                                                        } else {
+                                                            phi_3294_ = (_e1137 >= _e1136);
+                                                        }
+                                                        let _e1141 = phi_3294_;
+                                                        let _e1142 = select(_e1136, _e1137, _e1141);
+                                                        let _e1143 = abs(_e1021.z);
+                                                        if (_e1142 != _e1142) {
+                                                            phi_3309_ = true;
+                                                        } else {
+                                                            phi_3309_ = (_e1143 >= _e1142);
+                                                        }
+                                                        let _e1147 = phi_3309_;
+                                                        let _e1150 = abs(_e1019.x);
+                                                        let _e1151 = abs(_e1019.y);
+                                                        if (_e1150 != _e1150) {
+                                                            phi_3324_ = true;
+                                                        } else {
+                                                            phi_3324_ = (_e1151 >= _e1150);
+                                                        }
+                                                        let _e1155 = phi_3324_;
+                                                        let _e1156 = select(_e1150, _e1151, _e1155);
+                                                        let _e1157 = abs(_e1019.z);
+                                                        if (_e1156 != _e1156) {
+                                                            phi_3339_ = true;
+                                                        } else {
+                                                            phi_3339_ = (_e1157 >= _e1156);
+                                                        }
+                                                        let _e1161 = phi_3339_;
+                                                        let _e1166 = ((bitcast<f32>((bitcast<u32>(((((_e1030 * _e1086) + (_e1035 * _e1089)) + (_e1038 * _e1092)) - _e1056)) & 2147483647u)) <= ((0.0000009536743f * select(_e996, _e1105, (_e1105 > _e996))) * select(_e1115, _e1116, _e1120))) && !((bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u)) <= ((0.0000038146973f * select(_e1142, _e1143, _e1147)) * select(_e1156, _e1157, _e1161)))));
+                                                        let _e1167 = (_e1056 / _e1061);
+                                                        if (_e937 && !(_e1166)) {
+                                                            let _e1170 = (_e1092 / _e480);
+                                                            let _e1178 = (((_e1030 * (_e1086 - (_e348 * _e1170))) + (_e1035 * (_e1089 - (_e414 * _e1170)))) / _e1061);
+                                                            phi_2058_ = select(select(_e1170, (_e1170 + _e1178), (bitcast<f32>((bitcast<u32>(_e1178) & 2147483647u)) <= _e996)), _e1167, _e1166);
+                                                        } else {
+                                                            phi_2058_ = _e1167;
+                                                        }
+                                                        let _e1187 = phi_2058_;
+                                                        let _e1189 = select(_e900, _e1187, (_e1187 < _e900));
+                                                        let _e1191 = select(_e892, _e1189, (_e1189 > _e892));
+                                                        let _e1192 = (1f / _e844);
+                                                        phi_2078_ = type_34(_e1191, (_e838 * _e1192), (_e842 * _e1192), ((_e937 && (_e1191 >= _e587)) && (_e1191 <= _e675.member)));
+                                                        phi_2079_ = type_34();
                                                     } else {
-                                                        phi_2191_ = _e689;
+                                                        phi_2078_ = type_34();
+                                                        phi_2079_ = type_34(0f, 0f, 0f, _e937);
                                                     }
-                                                    let _e1256 = phi_2191_;
-                                                    phi_2192_ = _e1256;
+                                                    let _e1201 = phi_2078_;
+                                                    let _e1203 = phi_2079_;
+                                                    phi_2082_ = _e1201;
+                                                    phi_2083_ = _e1203;
+                                                    phi_2084_ = select(true, false, _e937);
                                                 } else {
-                                                    phi_2192_ = _e689;
+                                                    phi_2082_ = type_34();
+                                                    phi_2083_ = type_34(0f, 0f, 0f, _e828);
+                                                    phi_2084_ = true;
                                                 }
-                                                let _e1258 = phi_2192_;
-                                                phi_1143_ = _e1258;
+                                                let _e1206 = phi_2082_;
+                                                let _e1208 = phi_2083_;
+                                                let _e1210 = phi_2084_;
+                                                if _e1210 {
+                                                    phi_2088_ = _e1208;
+                                                } else {
+                                                    phi_2088_ = _e1206;
+                                                }
+                                                let _e1212 = phi_2088_;
+                                                if _e1212.member_3 {
+                                                    phi_2097_ = type_25(_e1212.member, _e1212.member_1, _e1212.member_2, _e704);
+                                                } else {
+                                                    phi_2097_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1219 = phi_2097_;
+                                                if (_e1219.member_3 != 4294967295u) {
+                                                    if (_e704 != 4294967295u) {
+                                                        phi_2108_ = type_38(-340282350000000000000000000000000000000f, true);
+                                                    } else {
+                                                        phi_2108_ = _e675;
+                                                    }
+                                                    let _e1224 = phi_2108_;
+                                                    phi_2109_ = _e1224;
+                                                } else {
+                                                    phi_2109_ = _e675;
+                                                }
+                                                let _e1226 = phi_2109_;
+                                                phi_1163_ = _e1226;
                                             } else {
-                                                phi_1143_ = type_37();
+                                                phi_1163_ = type_38();
                                             }
-                                            let _e1260 = phi_1143_;
+                                            let _e1228 = phi_1163_;
                                             continue;
                                             continuing {
-                                                phi_1142_ = _e1260;
-                                                phi_1145_ = _e704;
-                                                phi_3276_ = _e633;
-                                                break if !(_e710);
+                                                phi_1162_ = _e1228;
+                                                phi_1165_ = _e690;
+                                                phi_3373_ = _e619;
+                                                break if !(_e696);
                                             }
                                         }
-                                        let _e1263 = phi_3276_;
-                                        phi_3433_ = _e1263;
-                                        if _e1263 {
+                                        let _e1231 = phi_3373_;
+                                        phi_3535_ = _e1231;
+                                        if _e1231 {
                                             break;
                                         }
-                                        phi_3492_ = _e1263;
-                                        let _e1785 = local_11;
-                                        phi_2193_ = _e1785;
+                                        phi_3594_ = _e1231;
+                                        let _e1740 = local_11;
+                                        phi_2110_ = _e1740;
                                     } else {
-                                        phi_3492_ = _e633;
-                                        phi_2193_ = _e635;
+                                        phi_3594_ = _e619;
+                                        phi_2110_ = _e621;
                                     }
-                                    let _e1265 = phi_3492_;
-                                    let _e1267 = phi_2193_;
-                                    if _e682 {
-                                        phi_3200_ = bool();
-                                        phi_3201_ = u32();
-                                        phi_3202_ = type_48();
+                                    let _e1233 = phi_3594_;
+                                    let _e1235 = phi_2110_;
+                                    if _e668 {
+                                        phi_3117_ = bool();
+                                        phi_3118_ = u32();
+                                        phi_3119_ = type_49();
                                     } else {
-                                        let _e1268 = (_e678.member_1 < _e84);
-                                        if _e1268 {
-                                            if _e1268 {
+                                        let _e1236 = (_e664.member_1 < _e85);
+                                        if _e1236 {
+                                            if _e1236 {
                                             } else {
-                                                phi_3433_ = true;
+                                                phi_3535_ = true;
                                                 break;
                                             }
-                                            let _e1270 = global_6.member[_e678.member_1];
-                                            phi_2214_ = _e1270;
+                                            let _e1238 = global_6.member[_e664.member_1];
+                                            phi_2131_ = _e1238;
                                         } else {
-                                            phi_2214_ = type_41(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2131_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1272 = phi_2214_;
-                                        let _e1287 = ((10u * _e246) & 31u);
-                                        let _e1290 = ((_e1272.member[0] >> bitcast<u32>(_e1287)) & 1023u);
-                                        let _e1298 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e118));
-                                        let _e1303 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1290)) - 8388608f) * _e1298)) ^ _e118)));
-                                        let _e1307 = select(select(_e678.member.member_1[0], _e1303, (_e1303 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1290 == 1023u));
-                                        let _e1309 = ((10u * _e245) & 31u);
-                                        let _e1312 = ((_e1272.member[0] >> bitcast<u32>(_e1309)) & 1023u);
-                                        let _e1320 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e118));
-                                        let _e1325 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1312)) - 8388608f) * _e1320)) ^ _e118)));
-                                        let _e1329 = select(select(_e678.member.member_1[1], _e1325, (_e1325 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1312 == 1023u));
-                                        let _e1331 = ((10u * _e247) & 31u);
-                                        let _e1334 = ((_e1272.member[0] >> bitcast<u32>(_e1331)) & 1023u);
-                                        let _e1342 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e118));
-                                        let _e1347 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1334)) - 8388608f) * _e1342)) ^ _e118)));
-                                        let _e1351 = select(select(_e678.member.member_1[2], _e1347, (_e1347 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1334 == 1023u));
-                                        let _e1354 = ((_e1272.member[1] >> bitcast<u32>(_e1287)) & 1023u);
-                                        let _e1362 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1354)) - 8388608f) * _e1298)) ^ _e118)));
-                                        let _e1366 = select(select(_e678.member.member_1[0], _e1362, (_e1362 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1354 == 1023u));
-                                        let _e1369 = ((_e1272.member[1] >> bitcast<u32>(_e1309)) & 1023u);
-                                        let _e1377 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1369)) - 8388608f) * _e1320)) ^ _e118)));
-                                        let _e1381 = select(select(_e678.member.member_1[1], _e1377, (_e1377 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1369 == 1023u));
-                                        let _e1384 = ((_e1272.member[1] >> bitcast<u32>(_e1331)) & 1023u);
-                                        let _e1392 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1384)) - 8388608f) * _e1342)) ^ _e118)));
-                                        let _e1396 = select(select(_e678.member.member_1[2], _e1392, (_e1392 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1384 == 1023u));
-                                        let _e1402 = ((_e1272.member_1[0] >> bitcast<u32>(_e1287)) & 1023u);
-                                        let _e1410 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1402)) - 8388608f) * _e1298)) ^ _e118)));
-                                        let _e1414 = select(select(_e678.member.member_1[0], _e1410, (_e1410 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1402 == 1023u));
-                                        let _e1417 = ((_e1272.member_1[0] >> bitcast<u32>(_e1309)) & 1023u);
-                                        let _e1425 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1417)) - 8388608f) * _e1320)) ^ _e118)));
-                                        let _e1429 = select(select(_e678.member.member_1[1], _e1425, (_e1425 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1417 == 1023u));
-                                        let _e1432 = ((_e1272.member_1[0] >> bitcast<u32>(_e1331)) & 1023u);
-                                        let _e1440 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1432)) - 8388608f) * _e1342)) ^ _e118)));
-                                        let _e1444 = select(select(_e678.member.member_1[2], _e1440, (_e1440 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1432 == 1023u));
-                                        let _e1447 = ((_e1272.member_1[1] >> bitcast<u32>(_e1287)) & 1023u);
-                                        let _e1455 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1447)) - 8388608f) * _e1298)) ^ _e118)));
-                                        let _e1459 = select(select(_e678.member.member_1[0], _e1455, (_e1455 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1447 == 1023u));
-                                        let _e1462 = ((_e1272.member_1[1] >> bitcast<u32>(_e1309)) & 1023u);
-                                        let _e1470 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1462)) - 8388608f) * _e1320)) ^ _e118)));
-                                        let _e1474 = select(select(_e678.member.member_1[1], _e1470, (_e1470 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1462 == 1023u));
-                                        let _e1477 = ((_e1272.member_1[1] >> bitcast<u32>(_e1331)) & 1023u);
-                                        let _e1485 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1477)) - 8388608f) * _e1342)) ^ _e118)));
-                                        let _e1489 = select(select(_e678.member.member_1[2], _e1485, (_e1485 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1477 == 1023u));
-                                        let _e1494 = type_48(type_46(array<f32, 3>(_e1307, _e1329, _e1351), array<f32, 3>(_e1366, _e1381, _e1396)), _e1272.member_2);
-                                        let _e1499 = type_48(type_46(array<f32, 3>(_e1414, _e1429, _e1444), array<f32, 3>(_e1459, _e1474, _e1489)), _e1272.member_3);
-                                        let _e1505 = ((_e1307 - _e348) * _e353);
-                                        let _e1506 = ((_e1414 - _e348) * _e353);
-                                        let _e1507 = ((_e1366 - _e349) * _e353);
-                                        let _e1508 = ((_e1459 - _e349) * _e353);
-                                        let _e1513 = ((_e1329 - _e416) * _e421);
-                                        let _e1514 = ((_e1429 - _e416) * _e421);
-                                        let _e1515 = ((_e1381 - _e417) * _e421);
-                                        let _e1516 = ((_e1474 - _e417) * _e421);
-                                        let _e1521 = ((_e1351 - _e484) * _e489);
-                                        let _e1522 = ((_e1444 - _e484) * _e489);
-                                        let _e1523 = ((_e1396 - _e485) * _e489);
-                                        let _e1524 = ((_e1489 - _e485) * _e489);
-                                        let _e1526 = select(_e1523, _e1521, (_e1521 < _e1523));
-                                        let _e1528 = select(_e1524, _e1522, (_e1522 < _e1524));
-                                        let _e1530 = select(_e1523, _e1521, (_e1521 > _e1523));
-                                        let _e1532 = select(_e1524, _e1522, (_e1522 > _e1524));
-                                        let _e1534 = select(_e1507, _e1505, (_e1505 < _e1507));
-                                        let _e1536 = select(_e1508, _e1506, (_e1506 < _e1508));
-                                        let _e1538 = select(_e1515, _e1513, (_e1513 < _e1515));
-                                        let _e1540 = select(_e1516, _e1514, (_e1514 < _e1516));
-                                        let _e1542 = select(_e1538, _e1534, (_e1534 > _e1538));
-                                        let _e1544 = select(_e1540, _e1536, (_e1536 > _e1540));
-                                        let _e1546 = select(_e1526, _e1542, (_e1542 > _e1526));
-                                        let _e1548 = select(_e1528, _e1544, (_e1544 > _e1528));
-                                        let _e1550 = select(_e1507, _e1505, (_e1505 > _e1507));
-                                        let _e1552 = select(_e1508, _e1506, (_e1506 > _e1508));
-                                        let _e1554 = select(_e1515, _e1513, (_e1513 > _e1515));
-                                        let _e1556 = select(_e1516, _e1514, (_e1514 > _e1516));
-                                        let _e1558 = select(_e1554, _e1550, (_e1550 < _e1554));
-                                        let _e1560 = select(_e1556, _e1552, (_e1552 < _e1556));
-                                        let _e1565 = -(_e1526);
-                                        let _e1566 = -(_e1528);
-                                        let _e1573 = (select(_e1530, _e1558, (_e1558 < _e1530)) + (select(_e1565, _e1530, (_e1530 > _e1565)) * 0.0000019073523f));
-                                        let _e1574 = (select(_e1532, _e1560, (_e1560 < _e1532)) + (select(_e1566, _e1532, (_e1532 > _e1566)) * 0.0000019073523f));
-                                        let _e1576 = select(_e601, _e1546, (_e1546 > _e601));
-                                        let _e1578 = select(_e601, _e1548, (_e1548 > _e601));
-                                        let _e1583 = (_e1576 <= select(_e1267.member, _e1573, (_e1573 < _e1267.member)));
-                                        let _e1584 = (_e1578 <= select(_e1267.member, _e1574, (_e1574 < _e1267.member)));
-                                        let _e1585 = (_e1576 <= _e1578);
-                                        if _e1583 {
-                                            if _e1584 {
-                                                if _e1585 {
-                                                    phi_3100_ = _e1499;
+                                        let _e1240 = phi_2131_;
+                                        let _e1255 = ((10u * _e247) & 31u);
+                                        let _e1258 = ((_e1240.member[0] >> bitcast<u32>(_e1255)) & 1023u);
+                                        let _e1266 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[0] - _e664.member.member[0]) * 0.0009775171f)) ^ _e119));
+                                        let _e1271 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1258)) - 8388608f) * _e1266)) ^ _e119)));
+                                        let _e1275 = select(select(_e664.member.member_1[0], _e1271, (_e1271 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1258 == 1023u));
+                                        let _e1277 = ((10u * _e246) & 31u);
+                                        let _e1280 = ((_e1240.member[0] >> bitcast<u32>(_e1277)) & 1023u);
+                                        let _e1288 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[1] - _e664.member.member[1]) * 0.0009775171f)) ^ _e119));
+                                        let _e1293 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1280)) - 8388608f) * _e1288)) ^ _e119)));
+                                        let _e1297 = select(select(_e664.member.member_1[1], _e1293, (_e1293 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1280 == 1023u));
+                                        let _e1299 = ((10u * _e248) & 31u);
+                                        let _e1302 = ((_e1240.member[0] >> bitcast<u32>(_e1299)) & 1023u);
+                                        let _e1310 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[2] - _e664.member.member[2]) * 0.0009775171f)) ^ _e119));
+                                        let _e1315 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1302)) - 8388608f) * _e1310)) ^ _e119)));
+                                        let _e1319 = select(select(_e664.member.member_1[2], _e1315, (_e1315 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1302 == 1023u));
+                                        let _e1322 = ((_e1240.member[1] >> bitcast<u32>(_e1255)) & 1023u);
+                                        let _e1330 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1322)) - 8388608f) * _e1266)) ^ _e119)));
+                                        let _e1334 = select(select(_e664.member.member_1[0], _e1330, (_e1330 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1322 == 1023u));
+                                        let _e1337 = ((_e1240.member[1] >> bitcast<u32>(_e1277)) & 1023u);
+                                        let _e1345 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1337)) - 8388608f) * _e1288)) ^ _e119)));
+                                        let _e1349 = select(select(_e664.member.member_1[1], _e1345, (_e1345 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1337 == 1023u));
+                                        let _e1352 = ((_e1240.member[1] >> bitcast<u32>(_e1299)) & 1023u);
+                                        let _e1360 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1352)) - 8388608f) * _e1310)) ^ _e119)));
+                                        let _e1364 = select(select(_e664.member.member_1[2], _e1360, (_e1360 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1352 == 1023u));
+                                        let _e1370 = ((_e1240.member_1[0] >> bitcast<u32>(_e1255)) & 1023u);
+                                        let _e1378 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1370)) - 8388608f) * _e1266)) ^ _e119)));
+                                        let _e1382 = select(select(_e664.member.member_1[0], _e1378, (_e1378 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1370 == 1023u));
+                                        let _e1385 = ((_e1240.member_1[0] >> bitcast<u32>(_e1277)) & 1023u);
+                                        let _e1393 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1385)) - 8388608f) * _e1288)) ^ _e119)));
+                                        let _e1397 = select(select(_e664.member.member_1[1], _e1393, (_e1393 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1385 == 1023u));
+                                        let _e1400 = ((_e1240.member_1[0] >> bitcast<u32>(_e1299)) & 1023u);
+                                        let _e1408 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1400)) - 8388608f) * _e1310)) ^ _e119)));
+                                        let _e1412 = select(select(_e664.member.member_1[2], _e1408, (_e1408 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1400 == 1023u));
+                                        let _e1415 = ((_e1240.member_1[1] >> bitcast<u32>(_e1255)) & 1023u);
+                                        let _e1423 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1415)) - 8388608f) * _e1266)) ^ _e119)));
+                                        let _e1427 = select(select(_e664.member.member_1[0], _e1423, (_e1423 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1415 == 1023u));
+                                        let _e1430 = ((_e1240.member_1[1] >> bitcast<u32>(_e1277)) & 1023u);
+                                        let _e1438 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1430)) - 8388608f) * _e1288)) ^ _e119)));
+                                        let _e1442 = select(select(_e664.member.member_1[1], _e1438, (_e1438 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1430 == 1023u));
+                                        let _e1445 = ((_e1240.member_1[1] >> bitcast<u32>(_e1299)) & 1023u);
+                                        let _e1453 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1445)) - 8388608f) * _e1310)) ^ _e119)));
+                                        let _e1457 = select(select(_e664.member.member_1[2], _e1453, (_e1453 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1445 == 1023u));
+                                        let _e1462 = type_49(type_47(array<f32, 3>(_e1275, _e1297, _e1319), array<f32, 3>(_e1334, _e1349, _e1364)), _e1240.member_2);
+                                        let _e1467 = type_49(type_47(array<f32, 3>(_e1382, _e1397, _e1412), array<f32, 3>(_e1427, _e1442, _e1457)), _e1240.member_3);
+                                        let _e1473 = ((_e1275 - _e349) * _e352);
+                                        let _e1474 = ((_e1382 - _e349) * _e352);
+                                        let _e1475 = ((_e1334 - _e350) * _e352);
+                                        let _e1476 = ((_e1427 - _e350) * _e352);
+                                        let _e1481 = ((_e1297 - _e415) * _e418);
+                                        let _e1482 = ((_e1397 - _e415) * _e418);
+                                        let _e1483 = ((_e1349 - _e416) * _e418);
+                                        let _e1484 = ((_e1442 - _e416) * _e418);
+                                        let _e1489 = ((_e1319 - _e481) * _e484);
+                                        let _e1490 = ((_e1412 - _e481) * _e484);
+                                        let _e1491 = ((_e1364 - _e482) * _e484);
+                                        let _e1492 = ((_e1457 - _e482) * _e484);
+                                        let _e1494 = select(_e1491, _e1489, (_e1489 < _e1491));
+                                        let _e1496 = select(_e1492, _e1490, (_e1490 < _e1492));
+                                        let _e1498 = select(_e1491, _e1489, (_e1489 > _e1491));
+                                        let _e1500 = select(_e1492, _e1490, (_e1490 > _e1492));
+                                        let _e1502 = select(_e1475, _e1473, (_e1473 < _e1475));
+                                        let _e1504 = select(_e1476, _e1474, (_e1474 < _e1476));
+                                        let _e1506 = select(_e1483, _e1481, (_e1481 < _e1483));
+                                        let _e1508 = select(_e1484, _e1482, (_e1482 < _e1484));
+                                        let _e1510 = select(_e1506, _e1502, (_e1502 > _e1506));
+                                        let _e1512 = select(_e1508, _e1504, (_e1504 > _e1508));
+                                        let _e1514 = select(_e1494, _e1510, (_e1510 > _e1494));
+                                        let _e1516 = select(_e1496, _e1512, (_e1512 > _e1496));
+                                        let _e1518 = select(_e1475, _e1473, (_e1473 > _e1475));
+                                        let _e1520 = select(_e1476, _e1474, (_e1474 > _e1476));
+                                        let _e1522 = select(_e1483, _e1481, (_e1481 > _e1483));
+                                        let _e1524 = select(_e1484, _e1482, (_e1482 > _e1484));
+                                        let _e1526 = select(_e1522, _e1518, (_e1518 < _e1522));
+                                        let _e1528 = select(_e1524, _e1520, (_e1520 < _e1524));
+                                        let _e1533 = -(_e1494);
+                                        let _e1534 = -(_e1496);
+                                        let _e1541 = (select(_e1498, _e1526, (_e1526 < _e1498)) + (select(_e1533, _e1498, (_e1498 > _e1533)) * 0.0000019073523f));
+                                        let _e1542 = (select(_e1500, _e1528, (_e1528 < _e1500)) + (select(_e1534, _e1500, (_e1500 > _e1534)) * 0.0000019073523f));
+                                        let _e1544 = select(_e587, _e1514, (_e1514 > _e587));
+                                        let _e1546 = select(_e587, _e1516, (_e1516 > _e587));
+                                        let _e1551 = (_e1544 <= select(_e1235.member, _e1541, (_e1541 < _e1235.member)));
+                                        let _e1552 = (_e1546 <= select(_e1235.member, _e1542, (_e1542 < _e1235.member)));
+                                        let _e1553 = (_e1544 <= _e1546);
+                                        if _e1551 {
+                                            if _e1552 {
+                                                if _e1553 {
+                                                    phi_3017_ = _e1467;
                                                 } else {
-                                                    phi_3100_ = _e1494;
+                                                    phi_3017_ = _e1462;
                                                 }
-                                                let _e1587 = phi_3100_;
-                                                let _e1594 = (_e676 % 128u);
-                                                let _e1595 = (_e1594 < 128u);
-                                                if _e1595 {
+                                                let _e1555 = phi_3017_;
+                                                let _e1562 = (_e662 % 128u);
+                                                let _e1563 = (_e1562 < 128u);
+                                                if _e1563 {
                                                 } else {
-                                                    phi_3433_ = true;
+                                                    phi_3535_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1594] = _e1587.member_1;
-                                                if _e1595 {
+                                                local_6[_e1562] = _e1555.member_1;
+                                                if _e1563 {
                                                 } else {
-                                                    phi_3433_ = true;
+                                                    phi_3535_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1594] = _e1587.member.member[0];
-                                                if _e1595 {
+                                                local_5[_e1562] = _e1555.member.member[0];
+                                                if _e1563 {
                                                 } else {
-                                                    phi_3433_ = true;
+                                                    phi_3535_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1594] = _e1587.member.member[1];
-                                                if _e1595 {
+                                                local_4[_e1562] = _e1555.member.member[1];
+                                                if _e1563 {
                                                 } else {
-                                                    phi_3433_ = true;
+                                                    phi_3535_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1594] = _e1587.member.member[2];
-                                                if _e1595 {
+                                                local_3[_e1562] = _e1555.member.member[2];
+                                                if _e1563 {
                                                 } else {
-                                                    phi_3433_ = true;
+                                                    phi_3535_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1594] = _e1587.member.member_1[0];
-                                                if _e1595 {
+                                                local_2[_e1562] = _e1555.member.member_1[0];
+                                                if _e1563 {
                                                 } else {
-                                                    phi_3433_ = true;
+                                                    phi_3535_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1594] = _e1587.member.member_1[1];
-                                                if _e1595 {
+                                                local_1[_e1562] = _e1555.member.member_1[1];
+                                                if _e1563 {
                                                 } else {
-                                                    phi_3433_ = true;
+                                                    phi_3535_ = true;
                                                     break;
                                                 }
-                                                local[_e1594] = _e1587.member.member_1[2];
-                                                if _e1595 {
+                                                local[_e1562] = _e1555.member.member_1[2];
+                                                if _e1563 {
                                                 } else {
-                                                    phi_3433_ = true;
+                                                    phi_3535_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1594] = select(_e1576, _e1578, _e1585);
-                                                if _e1585 {
-                                                    phi_3176_ = _e1494;
+                                                local_7[_e1562] = select(_e1544, _e1546, _e1553);
+                                                if _e1553 {
+                                                    phi_3093_ = _e1462;
                                                 } else {
-                                                    phi_3176_ = _e1499;
+                                                    phi_3093_ = _e1467;
                                                 }
-                                                let _e1612 = phi_3176_;
-                                                phi_3177_ = (_e676 + 1u);
-                                                phi_3178_ = _e1612;
+                                                let _e1580 = phi_3093_;
+                                                phi_3094_ = (_e662 + 1u);
+                                                phi_3095_ = _e1580;
                                             } else {
-                                                phi_3177_ = u32();
-                                                phi_3178_ = type_48();
+                                                phi_3094_ = u32();
+                                                phi_3095_ = type_49();
                                             }
-                                            let _e1614 = phi_3177_;
-                                            let _e1616 = phi_3178_;
-                                            phi_3180_ = _e1614;
-                                            phi_3181_ = _e1616;
-                                            phi_3182_ = select(true, false, _e1584);
+                                            let _e1582 = phi_3094_;
+                                            let _e1584 = phi_3095_;
+                                            phi_3097_ = _e1582;
+                                            phi_3098_ = _e1584;
+                                            phi_3099_ = select(true, false, _e1552);
                                         } else {
-                                            phi_3180_ = u32();
-                                            phi_3181_ = type_48();
-                                            phi_3182_ = true;
+                                            phi_3097_ = u32();
+                                            phi_3098_ = type_49();
+                                            phi_3099_ = true;
                                         }
-                                        let _e1619 = phi_3180_;
-                                        let _e1621 = phi_3181_;
-                                        let _e1623 = phi_3182_;
-                                        if _e1623 {
-                                            if _e1583 {
-                                                phi_3189_ = _e1494;
+                                        let _e1587 = phi_3097_;
+                                        let _e1589 = phi_3098_;
+                                        let _e1591 = phi_3099_;
+                                        if _e1591 {
+                                            if _e1551 {
+                                                phi_3106_ = _e1462;
                                             } else {
-                                                phi_3189_ = _e1499;
+                                                phi_3106_ = _e1467;
                                             }
-                                            let _e1625 = phi_3189_;
-                                            phi_3194_ = select(_e1584, true, _e1583);
-                                            phi_3196_ = _e1625;
+                                            let _e1593 = phi_3106_;
+                                            phi_3111_ = select(_e1552, true, _e1551);
+                                            phi_3113_ = _e1593;
                                         } else {
-                                            phi_3194_ = _e674;
-                                            phi_3196_ = _e1621;
+                                            phi_3111_ = _e660;
+                                            phi_3113_ = _e1589;
                                         }
-                                        let _e1628 = phi_3194_;
-                                        let _e1630 = phi_3196_;
-                                        phi_3200_ = _e1628;
-                                        phi_3201_ = select(_e1619, _e676, _e1623);
-                                        phi_3202_ = _e1630;
+                                        let _e1596 = phi_3111_;
+                                        let _e1598 = phi_3113_;
+                                        phi_3117_ = _e1596;
+                                        phi_3118_ = select(_e1587, _e662, _e1591);
+                                        phi_3119_ = _e1598;
                                     }
-                                    let _e1633 = phi_3200_;
-                                    let _e1635 = phi_3201_;
-                                    let _e1637 = phi_3202_;
-                                    if _e682 {
-                                        phi_3212_ = select(_e676, 0u, _e1267.member_1);
-                                        phi_3213_ = _e678;
+                                    let _e1601 = phi_3117_;
+                                    let _e1603 = phi_3118_;
+                                    let _e1605 = phi_3119_;
+                                    if _e668 {
+                                        phi_3129_ = select(_e662, 0u, _e1235.member_1);
+                                        phi_3130_ = _e664;
                                     } else {
-                                        phi_3212_ = _e1635;
-                                        phi_3213_ = _e1637;
+                                        phi_3129_ = _e1603;
+                                        phi_3130_ = _e1605;
                                     }
-                                    let _e1641 = phi_3212_;
-                                    let _e1643 = phi_3213_;
-                                    phi_3436_ = _e1265;
-                                    phi_3214_ = _e1267;
-                                    phi_3215_ = (_e637 - 1u);
-                                    phi_3216_ = select(_e1633, false, _e682);
-                                    phi_3217_ = _e1641;
-                                    phi_3218_ = _e1643;
+                                    let _e1609 = phi_3129_;
+                                    let _e1611 = phi_3130_;
+                                    phi_3538_ = _e1233;
+                                    phi_3131_ = _e1235;
+                                    phi_3132_ = (_e623 - 1u);
+                                    phi_3133_ = select(_e1601, false, _e668);
+                                    phi_3134_ = _e1609;
+                                    phi_3135_ = _e1611;
                                 } else {
-                                    phi_3436_ = _e633;
-                                    phi_3214_ = _e635;
-                                    phi_3215_ = _e637;
-                                    phi_3216_ = _e674;
-                                    phi_3217_ = _e676;
-                                    phi_3218_ = _e678;
+                                    phi_3538_ = _e619;
+                                    phi_3131_ = _e621;
+                                    phi_3132_ = _e623;
+                                    phi_3133_ = _e660;
+                                    phi_3134_ = _e662;
+                                    phi_3135_ = _e664;
                                 }
-                                let _e1646 = phi_3436_;
-                                let _e1648 = phi_3214_;
-                                let _e1650 = phi_3215_;
-                                let _e1652 = phi_3216_;
-                                let _e1654 = phi_3217_;
-                                let _e1656 = phi_3218_;
-                                phi_3435_ = _e1646;
-                                phi_3219_ = _e1648;
-                                phi_3220_ = _e1650;
-                                phi_3221_ = _e1652;
-                                phi_3222_ = _e1654;
-                                phi_3223_ = _e1656;
+                                let _e1614 = phi_3538_;
+                                let _e1616 = phi_3131_;
+                                let _e1618 = phi_3132_;
+                                let _e1620 = phi_3133_;
+                                let _e1622 = phi_3134_;
+                                let _e1624 = phi_3135_;
+                                phi_3537_ = _e1614;
+                                phi_3136_ = _e1616;
+                                phi_3137_ = _e1618;
+                                phi_3138_ = _e1620;
+                                phi_3139_ = _e1622;
+                                phi_3140_ = _e1624;
                             } else {
-                                phi_3435_ = _e633;
-                                phi_3219_ = type_37();
-                                phi_3220_ = u32();
-                                phi_3221_ = bool();
-                                phi_3222_ = u32();
-                                phi_3223_ = type_48();
+                                phi_3537_ = _e619;
+                                phi_3136_ = type_38();
+                                phi_3137_ = u32();
+                                phi_3138_ = bool();
+                                phi_3139_ = u32();
+                                phi_3140_ = type_49();
                             }
-                            let _e1658 = phi_3435_;
-                            let _e1660 = phi_3219_;
-                            let _e1662 = phi_3220_;
-                            let _e1664 = phi_3221_;
-                            let _e1666 = phi_3222_;
-                            let _e1668 = phi_3223_;
-                            phi_3434_ = _e1658;
-                            phi_1017_ = _e1660;
-                            phi_1020_ = _e1662;
-                            phi_1022_ = _e1664;
-                            phi_1024_ = _e1666;
-                            phi_1026_ = _e1668;
-                            phi_3224_ = _e647;
+                            let _e1626 = phi_3537_;
+                            let _e1628 = phi_3136_;
+                            let _e1630 = phi_3137_;
+                            let _e1632 = phi_3138_;
+                            let _e1634 = phi_3139_;
+                            let _e1636 = phi_3140_;
+                            phi_3536_ = _e1626;
+                            phi_1037_ = _e1628;
+                            phi_1040_ = _e1630;
+                            phi_1042_ = _e1632;
+                            phi_1044_ = _e1634;
+                            phi_1046_ = _e1636;
+                            phi_3141_ = _e633;
                         } else {
-                            phi_3434_ = _e633;
-                            phi_1017_ = type_37();
-                            phi_1020_ = u32();
-                            phi_1022_ = bool();
-                            phi_1024_ = u32();
-                            phi_1026_ = type_48();
-                            phi_3224_ = false;
+                            phi_3536_ = _e619;
+                            phi_1037_ = type_38();
+                            phi_1040_ = u32();
+                            phi_1042_ = bool();
+                            phi_1044_ = u32();
+                            phi_1046_ = type_49();
+                            phi_3141_ = false;
                         }
-                        let _e1670 = phi_3434_;
-                        let _e1672 = phi_1017_;
-                        let _e1674 = phi_1020_;
-                        let _e1676 = phi_1022_;
-                        let _e1678 = phi_1024_;
-                        let _e1680 = phi_1026_;
-                        let _e1682 = phi_3224_;
+                        let _e1638 = phi_3536_;
+                        let _e1640 = phi_1037_;
+                        let _e1642 = phi_1040_;
+                        let _e1644 = phi_1042_;
+                        let _e1646 = phi_1044_;
+                        let _e1648 = phi_1046_;
+                        let _e1650 = phi_3141_;
                         continue;
                         continuing {
-                            phi_3282_ = _e1670;
-                            phi_1016_ = _e1672;
-                            phi_1019_ = _e1674;
-                            phi_1021_ = _e1676;
-                            phi_1023_ = _e1678;
-                            phi_1025_ = _e1680;
-                            phi_3433_ = _e1670;
-                            break if !(_e1682);
+                            phi_3379_ = _e1638;
+                            phi_1036_ = _e1640;
+                            phi_1039_ = _e1642;
+                            phi_1041_ = _e1644;
+                            phi_1043_ = _e1646;
+                            phi_1045_ = _e1648;
+                            phi_3535_ = _e1638;
+                            break if !(_e1650);
                         }
                     }
-                    let _e1685 = phi_3433_;
-                    if _e1685 {
+                    let _e1653 = phi_3535_;
+                    if _e1653 {
                         break;
                     }
-                    let _e1687 = local_10;
-                    if _e134 {
+                    let _e1655 = local_10;
+                    if _e135 {
                     } else {
                         break;
                     }
-                    global_5.member[_e132] = select(0u, 1u, _e1687.member_1);
+                    global_5.member[_e133] = select(0u, 1u, _e1655.member_1);
                 }
             }
             break;

@@ -52,12 +52,19 @@ struct type_40 {
 }
 
 struct type_44 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_45 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<type_27>,
 }
 
@@ -69,161 +76,148 @@ var<storage> global_2: type_33;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
-var<storage> global_4: type_46;
+var<storage> global_4: type_47;
 @group(0) @binding(4) 
 var<storage, read_write> global_5: type_25;
 
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_364_: i32;
-    var phi_365_: i32;
-    var phi_375_: bool;
-    var phi_385_: u32;
-    var phi_386_: u32;
-    var phi_388_: bool;
-    var phi_393_: u32;
-    var phi_406_: i32;
+    var phi_384_: i32;
+    var phi_385_: i32;
+    var phi_395_: bool;
+    var phi_405_: u32;
+    var phi_406_: u32;
+    var phi_408_: bool;
+    var phi_413_: u32;
     var phi_426_: i32;
-    var phi_444_: f32;
-    var phi_450_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_548_: f32;
-    var phi_560_: f32;
-    var phi_569_: f32;
-    var phi_575_: f32;
-    var phi_615_: f32;
-    var phi_621_: f32;
-    var phi_673_: f32;
-    var phi_685_: f32;
-    var phi_694_: f32;
-    var phi_700_: f32;
-    var phi_740_: f32;
-    var phi_746_: f32;
-    var phi_798_: f32;
-    var phi_810_: f32;
-    var phi_865_: i32;
-    var phi_887_: u32;
-    var phi_888_: u32;
-    var phi_925_: i32;
-    var phi_947_: u32;
-    var phi_948_: u32;
-    var phi_956_: f32;
-    var phi_957_: f32;
-    var phi_2794_: bool;
-    var phi_972_: type_40;
-    var phi_975_: u32;
-    var phi_977_: bool;
-    var phi_979_: u32;
-    var phi_981_: u32;
-    var phi_992_: bool;
-    var phi_1024_: bool;
-    var phi_1025_: u32;
-    var phi_1026_: u32;
-    var phi_1041_: type_40;
-    var phi_1044_: type_4;
-    var phi_1045_: type_4;
-    var phi_1067_: type_4;
-    var phi_1088_: u32;
-    var phi_1180_: array<array<f32, 3>, 3>;
-    var phi_1332_: bool;
-    var phi_1361_: bool;
-    var phi_1780_: f32;
-    var phi_1781_: f32;
-    var phi_1782_: f32;
-    var phi_1783_: f32;
-    var phi_1784_: vec3<f32>;
-    var phi_1785_: vec3<f32>;
-    var phi_1786_: vec3<f32>;
-    var phi_1787_: vec3<f32>;
-    var phi_1824_: bool;
-    var phi_1833_: vec3<f32>;
-    var phi_1998_: f32;
-    var phi_2000_: f32;
-    var phi_2001_: bool;
-    var phi_2021_: f32;
-    var phi_2022_: f32;
-    var phi_2045_: type_23;
-    var phi_2047_: type_23;
-    var phi_2048_: bool;
-    var phi_2052_: type_23;
-    var phi_2053_: type_23;
-    var phi_2054_: type_23;
-    var phi_2055_: bool;
-    var phi_2059_: type_23;
-    var phi_2060_: bool;
-    var phi_2061_: type_23;
-    var phi_2062_: bool;
-    var phi_2063_: bool;
-    var phi_2064_: type_23;
-    var phi_2065_: bool;
-    var phi_2066_: bool;
-    var phi_2074_: type_23;
-    var phi_2075_: bool;
-    var phi_2079_: type_23;
-    var phi_2104_: bool;
-    var phi_2105_: bool;
-    var phi_2111_: type_40;
-    var phi_2112_: type_40;
-    var phi_2113_: type_40;
-    var phi_1042_: type_40;
-    var phi_2788_: bool;
-    var phi_2983_: bool;
-    var phi_2114_: type_40;
-    var phi_2179_: type_44;
-    var phi_2541_: u32;
-    var phi_2568_: u32;
-    var phi_2569_: u32;
-    var phi_2570_: u32;
-    var phi_2572_: u32;
-    var phi_2573_: u32;
-    var phi_2574_: bool;
-    var phi_2583_: u32;
-    var phi_2588_: bool;
-    var phi_2590_: u32;
-    var phi_2594_: bool;
-    var phi_2595_: u32;
-    var phi_2596_: u32;
-    var phi_2951_: bool;
-    var phi_2607_: type_40;
-    var phi_2608_: u32;
-    var phi_2609_: bool;
-    var phi_2610_: u32;
-    var phi_2611_: u32;
-    var phi_2950_: bool;
-    var phi_2612_: type_40;
-    var phi_2613_: u32;
-    var phi_2614_: bool;
-    var phi_2615_: u32;
-    var phi_2616_: u32;
-    var phi_2949_: bool;
-    var phi_973_: type_40;
-    var phi_976_: u32;
-    var phi_978_: bool;
-    var phi_980_: u32;
-    var phi_982_: u32;
-    var phi_2617_: bool;
-    var phi_2948_: bool;
+    var phi_446_: i32;
+    var phi_464_: f32;
+    var phi_470_: f32;
+    var phi_510_: f32;
+    var phi_516_: f32;
+    var phi_589_: f32;
+    var phi_595_: f32;
+    var phi_635_: f32;
+    var phi_641_: f32;
+    var phi_714_: f32;
+    var phi_720_: f32;
+    var phi_760_: f32;
+    var phi_766_: f32;
+    var phi_885_: i32;
+    var phi_907_: u32;
+    var phi_908_: u32;
+    var phi_945_: i32;
+    var phi_967_: u32;
+    var phi_968_: u32;
+    var phi_976_: f32;
+    var phi_977_: f32;
+    var phi_2891_: bool;
+    var phi_992_: type_40;
+    var phi_995_: u32;
+    var phi_997_: bool;
+    var phi_999_: u32;
+    var phi_1001_: u32;
+    var phi_1012_: bool;
+    var phi_1044_: bool;
+    var phi_1045_: u32;
+    var phi_1046_: u32;
+    var phi_1061_: type_40;
+    var phi_1064_: type_4;
+    var phi_1065_: type_4;
+    var phi_1087_: type_4;
+    var phi_1108_: u32;
+    var phi_1200_: array<array<f32, 3>, 3>;
+    var phi_2637_: bool;
+    var phi_2652_: bool;
+    var phi_2667_: bool;
+    var phi_2682_: bool;
+    var phi_2697_: bool;
+    var phi_2712_: bool;
+    var phi_1742_: f32;
+    var phi_1743_: f32;
+    var phi_1744_: f32;
+    var phi_1745_: f32;
+    var phi_1746_: vec3<f32>;
+    var phi_1747_: vec3<f32>;
+    var phi_1748_: vec3<f32>;
+    var phi_1749_: vec3<f32>;
+    var phi_2727_: bool;
+    var phi_2742_: bool;
+    var phi_2757_: bool;
+    var phi_2772_: bool;
+    var phi_2787_: bool;
+    var phi_2802_: bool;
+    var phi_1957_: f32;
+    var phi_1977_: type_44;
+    var phi_1978_: type_44;
+    var phi_1981_: type_44;
+    var phi_1982_: type_44;
+    var phi_1983_: bool;
+    var phi_1987_: type_44;
+    var phi_1996_: type_23;
+    var phi_2021_: bool;
+    var phi_2022_: bool;
+    var phi_2028_: type_40;
+    var phi_2029_: type_40;
+    var phi_2030_: type_40;
+    var phi_1062_: type_40;
+    var phi_2885_: bool;
+    var phi_3085_: bool;
+    var phi_2031_: type_40;
+    var phi_2096_: type_45;
+    var phi_2458_: u32;
+    var phi_2485_: u32;
+    var phi_2486_: u32;
+    var phi_2487_: u32;
+    var phi_2489_: u32;
+    var phi_2490_: u32;
+    var phi_2491_: bool;
+    var phi_2500_: u32;
+    var phi_2505_: bool;
+    var phi_2507_: u32;
+    var phi_2511_: bool;
+    var phi_2512_: u32;
+    var phi_2513_: u32;
+    var phi_3053_: bool;
+    var phi_2524_: type_40;
+    var phi_2525_: u32;
+    var phi_2526_: bool;
+    var phi_2527_: u32;
+    var phi_2528_: u32;
+    var phi_3052_: bool;
+    var phi_2529_: type_40;
+    var phi_2530_: u32;
+    var phi_2531_: bool;
+    var phi_2532_: u32;
+    var phi_2533_: u32;
+    var phi_3051_: bool;
+    var phi_993_: type_40;
+    var phi_996_: u32;
+    var phi_998_: bool;
+    var phi_1000_: u32;
+    var phi_1002_: u32;
+    var phi_2534_: bool;
+    var phi_3050_: bool;
     var local_2: type_40;
-    var phi_2655_: f32;
-    var phi_2657_: f32;
-    var phi_2658_: bool;
-    var phi_2659_: f32;
-    var phi_2660_: bool;
-    var phi_2733_: u32;
-    var phi_2751_: bool;
-    var phi_2754_: bool;
-    var phi_2767_: f32;
-    var phi_2768_: f32;
-    var phi_2773_: f32;
-    var phi_2774_: f32;
-    var phi_2775_: bool;
-    var phi_2783_: f32;
-    var phi_2675_: f32;
-    var phi_2676_: f32;
-    var phi_2688_: f32;
-    var phi_2693_: type_23;
+    var phi_2572_: f32;
+    var phi_2574_: f32;
+    var phi_2575_: bool;
+    var phi_2576_: f32;
+    var phi_2577_: bool;
+    var phi_2830_: u32;
+    var phi_2848_: bool;
+    var phi_2851_: bool;
+    var phi_2864_: f32;
+    var phi_2865_: f32;
+    var phi_2870_: f32;
+    var phi_2871_: f32;
+    var phi_2872_: bool;
+    var phi_2880_: f32;
+    var phi_2592_: f32;
+    var phi_2593_: f32;
+    var phi_2605_: f32;
+    var phi_2610_: type_23;
     var local_3: type_40;
 
     switch bitcast<i32>(0u) {
@@ -269,1116 +263,1063 @@ fn function_() {
                     if _e165 {
                         let _e168 = (bitcast<u32>(bitcast<f32>(_e140)) & 2147483647u);
                         if (_e168 >= 8388608u) {
-                            phi_364_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
+                            phi_384_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_364_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
+                            phi_384_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
                         }
-                        let _e182 = phi_364_;
-                        phi_365_ = _e182;
+                        let _e182 = phi_384_;
+                        phi_385_ = _e182;
                     } else {
-                        phi_365_ = 0i;
+                        phi_385_ = 0i;
                     }
-                    let _e184 = phi_365_;
+                    let _e184 = phi_385_;
                     let _e185 = (_e101 == _e140);
                     if _e185 {
-                        phi_375_ = true;
+                        phi_395_ = true;
                     } else {
-                        phi_375_ = (_e108 == _e140);
+                        phi_395_ = (_e108 == _e140);
                     }
-                    let _e188 = phi_375_;
+                    let _e188 = phi_395_;
                     let _e189 = select(1u, 0u, _e185);
                     if _e188 {
                         let _e190 = (_e189 + 1u);
-                        phi_385_ = _e190;
-                        phi_386_ = _e190;
-                        phi_388_ = select(true, false, (_e190 == 2u));
+                        phi_405_ = _e190;
+                        phi_406_ = _e190;
+                        phi_408_ = select(true, false, (_e190 == 2u));
                     } else {
-                        phi_385_ = u32();
-                        phi_386_ = 0u;
-                        phi_388_ = true;
+                        phi_405_ = u32();
+                        phi_406_ = 0u;
+                        phi_408_ = true;
                     }
-                    let _e194 = phi_385_;
-                    let _e196 = phi_386_;
-                    let _e198 = phi_388_;
+                    let _e194 = phi_405_;
+                    let _e196 = phi_406_;
+                    let _e198 = phi_408_;
                     if _e198 {
-                        phi_393_ = (_e196 + 1u);
+                        phi_413_ = (_e196 + 1u);
                     } else {
-                        phi_393_ = 0u;
+                        phi_413_ = 0u;
                     }
-                    let _e202 = phi_393_;
+                    let _e202 = phi_413_;
                     let _e203 = select(_e194, _e196, _e198);
                     let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
                     if (_e89 < -126i) {
-                        phi_406_ = -126i;
+                        phi_426_ = -126i;
                     } else {
-                        phi_406_ = select(_e89, 127i, (_e89 > 127i));
+                        phi_426_ = select(_e89, 127i, (_e89 > 127i));
                     }
-                    let _e209 = phi_406_;
+                    let _e209 = phi_426_;
                     let _e214 = bitcast<f32>((bitcast<u32>((_e209 + 127i)) << bitcast<u32>(23i)));
                     let _e220 = bitcast<f32>((bitcast<u32>(((_e89 - _e209) + 127i)) << bitcast<u32>(23i)));
                     let _e221 = -(_e184);
                     if (_e221 < -126i) {
-                        phi_426_ = -126i;
+                        phi_446_ = -126i;
                     } else {
-                        phi_426_ = select(_e221, 127i, (_e221 > 127i));
+                        phi_446_ = select(_e221, 127i, (_e221 > 127i));
                     }
-                    let _e226 = phi_426_;
+                    let _e226 = phi_446_;
                     let _e231 = bitcast<f32>((bitcast<u32>((_e226 + 127i)) << bitcast<u32>(23i)));
                     let _e237 = bitcast<f32>((bitcast<u32>(((_e221 - _e226) + 127i)) << bitcast<u32>(23i)));
                     let _e241 = global_4.member[_e85].member;
                     let _e242 = (_e203 == 0u);
                     if _e242 {
-                        phi_444_ = _e241[0];
+                        phi_464_ = _e241[0];
                     } else {
-                        phi_444_ = _e241[1];
+                        phi_464_ = _e241[1];
                     }
-                    let _e246 = phi_444_;
+                    let _e246 = phi_464_;
                     let _e247 = (_e203 == 2u);
                     if _e247 {
-                        phi_450_ = _e241[2];
+                        phi_470_ = _e241[2];
                     } else {
-                        phi_450_ = _e246;
+                        phi_470_ = _e246;
                     }
-                    let _e250 = phi_450_;
+                    let _e250 = phi_470_;
                     let _e251 = bitcast<u32>(_e250);
                     let _e253 = ((_e251 & 2139095040u) != 0u);
                     let _e267 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e251 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e251 & 2147483648u))), _e250, _e253) * _e214) * select(0.00000011920929f, 1f, _e253)) * _e220);
                     let _e268 = global_4.member[_e85].member_2;
                     if _e242 {
-                        phi_490_ = _e268[0];
+                        phi_510_ = _e268[0];
                     } else {
-                        phi_490_ = _e268[1];
+                        phi_510_ = _e268[1];
                     }
-                    let _e272 = phi_490_;
+                    let _e272 = phi_510_;
                     if _e247 {
-                        phi_496_ = _e268[2];
+                        phi_516_ = _e268[2];
                     } else {
-                        phi_496_ = _e272;
+                        phi_516_ = _e272;
                     }
-                    let _e275 = phi_496_;
+                    let _e275 = phi_516_;
                     let _e276 = bitcast<u32>(_e275);
                     let _e278 = ((_e276 & 2139095040u) != 0u);
                     let _e292 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e276 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e276 & 2147483648u))), _e275, _e278) * _e231) * select(0.00000011920929f, 1f, _e278)) * _e237);
-                    let _e296 = (bitcast<f32>((bitcast<u32>(_e292) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e296 {
-                        let _e300 = (bitcast<f32>((bitcast<u32>(_e267) & 2147483647u)) * 0.00000011920929f);
-                        phi_548_ = select(0.00000000000011368684f, _e300, (_e300 > 0.00000000000011368684f));
+                    let _e296 = (bitcast<f32>((bitcast<u32>(_e292) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e299 = bitcast<f32>((bitcast<u32>(_e267) & 2147483647u));
+                    let _e300 = (_e299 * 0.00000011920929f);
+                    let _e303 = select(select(0.00000000000011368684f, _e300, (_e300 > 0.00000000000011368684f)), 0f, _e296);
+                    let _e304 = select(0f, _e292, _e296);
+                    let _e305 = (_e267 + _e303);
+                    let _e306 = (_e267 - _e303);
+                    let _e308 = select(38685626000000000000000000f, (1f / _e292), _e296);
+                    let _e309 = (_e202 == 0u);
+                    if _e309 {
+                        phi_589_ = _e241[0];
                     } else {
-                        phi_548_ = 0f;
+                        phi_589_ = _e241[1];
                     }
-                    let _e304 = phi_548_;
-                    let _e305 = (_e267 + _e304);
-                    let _e306 = (_e267 - _e304);
-                    let _e307 = select(_e292, 0f, _e296);
-                    if _e296 {
-                        phi_560_ = 38685626000000000000000000f;
+                    let _e313 = phi_589_;
+                    let _e314 = (_e202 == 2u);
+                    if _e314 {
+                        phi_595_ = _e241[2];
                     } else {
-                        phi_560_ = (1f / _e292);
+                        phi_595_ = _e313;
                     }
-                    let _e310 = phi_560_;
-                    let _e311 = (_e202 == 0u);
-                    if _e311 {
-                        phi_569_ = _e241[0];
+                    let _e317 = phi_595_;
+                    let _e318 = bitcast<u32>(_e317);
+                    let _e320 = ((_e318 & 2139095040u) != 0u);
+                    let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e214) * select(0.00000011920929f, 1f, _e320)) * _e220);
+                    if _e309 {
+                        phi_635_ = _e268[0];
                     } else {
-                        phi_569_ = _e241[1];
+                        phi_635_ = _e268[1];
                     }
-                    let _e315 = phi_569_;
-                    let _e316 = (_e202 == 2u);
-                    if _e316 {
-                        phi_575_ = _e241[2];
+                    let _e338 = phi_635_;
+                    if _e314 {
+                        phi_641_ = _e268[2];
                     } else {
-                        phi_575_ = _e315;
+                        phi_641_ = _e338;
                     }
-                    let _e319 = phi_575_;
-                    let _e320 = bitcast<u32>(_e319);
-                    let _e322 = ((_e320 & 2139095040u) != 0u);
-                    let _e336 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e320 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e320 & 2147483648u))), _e319, _e322) * _e214) * select(0.00000011920929f, 1f, _e322)) * _e220);
-                    if _e311 {
-                        phi_615_ = _e268[0];
+                    let _e341 = phi_641_;
+                    let _e342 = bitcast<u32>(_e341);
+                    let _e344 = ((_e342 & 2139095040u) != 0u);
+                    let _e358 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e342 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e342 & 2147483648u))), _e341, _e344) * _e231) * select(0.00000011920929f, 1f, _e344)) * _e237);
+                    let _e362 = (bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e365 = bitcast<f32>((bitcast<u32>(_e334) & 2147483647u));
+                    let _e366 = (_e365 * 0.00000011920929f);
+                    let _e369 = select(select(0.00000000000011368684f, _e366, (_e366 > 0.00000000000011368684f)), 0f, _e362);
+                    let _e370 = select(0f, _e358, _e362);
+                    let _e371 = (_e334 + _e369);
+                    let _e372 = (_e334 - _e369);
+                    let _e374 = select(38685626000000000000000000f, (1f / _e358), _e362);
+                    let _e375 = (_e204 == 0u);
+                    if _e375 {
+                        phi_714_ = _e241[0];
                     } else {
-                        phi_615_ = _e268[1];
+                        phi_714_ = _e241[1];
                     }
-                    let _e340 = phi_615_;
-                    if _e316 {
-                        phi_621_ = _e268[2];
+                    let _e379 = phi_714_;
+                    let _e380 = (_e204 == 2u);
+                    if _e380 {
+                        phi_720_ = _e241[2];
                     } else {
-                        phi_621_ = _e340;
+                        phi_720_ = _e379;
                     }
-                    let _e343 = phi_621_;
-                    let _e344 = bitcast<u32>(_e343);
-                    let _e346 = ((_e344 & 2139095040u) != 0u);
-                    let _e360 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e344 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e344 & 2147483648u))), _e343, _e346) * _e231) * select(0.00000011920929f, 1f, _e346)) * _e237);
-                    let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e364 {
-                        let _e368 = (bitcast<f32>((bitcast<u32>(_e336) & 2147483647u)) * 0.00000011920929f);
-                        phi_673_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
+                    let _e383 = phi_720_;
+                    let _e384 = bitcast<u32>(_e383);
+                    let _e386 = ((_e384 & 2139095040u) != 0u);
+                    let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e214) * select(0.00000011920929f, 1f, _e386)) * _e220);
+                    if _e375 {
+                        phi_760_ = _e268[0];
                     } else {
-                        phi_673_ = 0f;
+                        phi_760_ = _e268[1];
                     }
-                    let _e372 = phi_673_;
-                    let _e373 = (_e336 + _e372);
-                    let _e374 = (_e336 - _e372);
-                    let _e375 = select(_e360, 0f, _e364);
-                    if _e364 {
-                        phi_685_ = 38685626000000000000000000f;
+                    let _e404 = phi_760_;
+                    if _e380 {
+                        phi_766_ = _e268[2];
                     } else {
-                        phi_685_ = (1f / _e360);
+                        phi_766_ = _e404;
                     }
-                    let _e378 = phi_685_;
-                    let _e379 = (_e204 == 0u);
-                    if _e379 {
-                        phi_694_ = _e241[0];
-                    } else {
-                        phi_694_ = _e241[1];
-                    }
-                    let _e383 = phi_694_;
-                    let _e384 = (_e204 == 2u);
-                    if _e384 {
-                        phi_700_ = _e241[2];
-                    } else {
-                        phi_700_ = _e383;
-                    }
-                    let _e387 = phi_700_;
-                    let _e388 = bitcast<u32>(_e387);
-                    let _e390 = ((_e388 & 2139095040u) != 0u);
-                    let _e404 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e388 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e388 & 2147483648u))), _e387, _e390) * _e214) * select(0.00000011920929f, 1f, _e390)) * _e220);
-                    if _e379 {
-                        phi_740_ = _e268[0];
-                    } else {
-                        phi_740_ = _e268[1];
-                    }
-                    let _e408 = phi_740_;
-                    if _e384 {
-                        phi_746_ = _e268[2];
-                    } else {
-                        phi_746_ = _e408;
-                    }
-                    let _e411 = phi_746_;
-                    let _e412 = bitcast<u32>(_e411);
-                    let _e414 = ((_e412 & 2139095040u) != 0u);
-                    let _e428 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e411, _e414) * _e231) * select(0.00000011920929f, 1f, _e414)) * _e237);
-                    let _e432 = (bitcast<f32>((bitcast<u32>(_e428) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e432 {
-                        let _e436 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) * 0.00000011920929f);
-                        phi_798_ = select(0.00000000000011368684f, _e436, (_e436 > 0.00000000000011368684f));
-                    } else {
-                        phi_798_ = 0f;
-                    }
-                    let _e440 = phi_798_;
-                    let _e441 = (_e404 + _e440);
-                    let _e442 = (_e404 - _e440);
-                    let _e443 = select(_e428, 0f, _e432);
-                    if _e432 {
-                        phi_810_ = 38685626000000000000000000f;
-                    } else {
-                        phi_810_ = (1f / _e428);
-                    }
-                    let _e446 = phi_810_;
-                    let _e449 = bitcast<f32>((bitcast<u32>(_e267) & 2147483647u));
-                    let _e452 = bitcast<f32>((bitcast<u32>(_e336) & 2147483647u));
-                    let _e454 = select(_e452, _e449, (_e449 > _e452));
-                    let _e457 = bitcast<f32>((bitcast<u32>(_e404) & 2147483647u));
-                    let _e460 = (_e89 + _e184);
-                    if (_e165 && (select(_e457, _e454, (_e454 > _e457)) <= 1099511600000f)) {
-                        let _e470 = ((_e152 & 8388607u) | (select(0u, 1u, ((_e152 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e473 = bitcast<i32>((_e152 >> bitcast<u32>(23i)));
-                        let _e477 = (_e470 == 0u);
-                        let _e480 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e470)), 32u, _e477)) - 8i);
-                        if (_e473 == 255i) {
-                            phi_865_ = 255i;
+                    let _e407 = phi_766_;
+                    let _e408 = bitcast<u32>(_e407);
+                    let _e410 = ((_e408 & 2139095040u) != 0u);
+                    let _e424 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e408 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e408 & 2147483648u))), _e407, _e410) * _e231) * select(0.00000011920929f, 1f, _e410)) * _e237);
+                    let _e428 = (bitcast<f32>((bitcast<u32>(_e424) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e431 = bitcast<f32>((bitcast<u32>(_e400) & 2147483647u));
+                    let _e432 = (_e431 * 0.00000011920929f);
+                    let _e435 = select(select(0.00000000000011368684f, _e432, (_e432 > 0.00000000000011368684f)), 0f, _e428);
+                    let _e436 = select(0f, _e424, _e428);
+                    let _e437 = (_e400 + _e435);
+                    let _e438 = (_e400 - _e435);
+                    let _e440 = select(38685626000000000000000000f, (1f / _e424), _e428);
+                    let _e442 = select(_e365, _e299, (_e299 > _e365));
+                    let _e445 = (_e89 + _e184);
+                    if (_e165 && (select(_e431, _e442, (_e442 > _e431)) <= 1099511600000f)) {
+                        let _e455 = ((_e152 & 8388607u) | (select(0u, 1u, ((_e152 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e458 = bitcast<i32>((_e152 >> bitcast<u32>(23i)));
+                        let _e462 = (_e455 == 0u);
+                        let _e465 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e455)), 32u, _e462)) - 8i);
+                        if (_e458 == 255i) {
+                            phi_885_ = 255i;
                         } else {
-                            phi_865_ = (((_e473 + select(0i, 1i, (_e473 == 0i))) - _e480) + _e460);
+                            phi_885_ = (((_e458 + select(0i, 1i, (_e458 == 0i))) - _e465) + _e445);
                         }
-                        let _e488 = phi_865_;
-                        let _e498 = (_e488 <= 0i);
-                        if _e498 {
-                            phi_888_ = u32();
+                        let _e473 = phi_885_;
+                        let _e483 = (_e473 <= 0i);
+                        if _e483 {
+                            phi_908_ = u32();
                         } else {
-                            if _e477 {
-                                phi_887_ = u32();
+                            if _e462 {
+                                phi_907_ = u32();
                             } else {
-                                phi_887_ = select(((bitcast<u32>(_e488) << bitcast<u32>(23i)) | ((_e470 << bitcast<u32>(((_e480 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e488 >= 255i));
+                                phi_907_ = select(((bitcast<u32>(_e473) << bitcast<u32>(23i)) | ((_e455 << bitcast<u32>(((_e465 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e473 >= 255i));
                             }
-                            let _e502 = phi_887_;
-                            phi_888_ = _e502;
+                            let _e487 = phi_907_;
+                            phi_908_ = _e487;
                         }
-                        let _e504 = phi_888_;
-                        let _e516 = ((_e161 & 8388607u) | (select(0u, 1u, ((_e161 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e519 = bitcast<i32>((_e161 >> bitcast<u32>(23i)));
-                        let _e523 = (_e516 == 0u);
-                        let _e526 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e516)), 32u, _e523)) - 8i);
-                        if (_e519 == 255i) {
-                            phi_925_ = 255i;
+                        let _e489 = phi_908_;
+                        let _e501 = ((_e161 & 8388607u) | (select(0u, 1u, ((_e161 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e504 = bitcast<i32>((_e161 >> bitcast<u32>(23i)));
+                        let _e508 = (_e501 == 0u);
+                        let _e511 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e501)), 32u, _e508)) - 8i);
+                        if (_e504 == 255i) {
+                            phi_945_ = 255i;
                         } else {
-                            phi_925_ = (((_e519 + select(0i, 1i, (_e519 == 0i))) - _e526) + _e460);
+                            phi_945_ = (((_e504 + select(0i, 1i, (_e504 == 0i))) - _e511) + _e445);
                         }
-                        let _e534 = phi_925_;
-                        let _e544 = (_e534 <= 0i);
-                        if _e544 {
-                            phi_948_ = u32();
+                        let _e519 = phi_945_;
+                        let _e529 = (_e519 <= 0i);
+                        if _e529 {
+                            phi_968_ = u32();
                         } else {
-                            if _e523 {
-                                phi_947_ = u32();
+                            if _e508 {
+                                phi_967_ = u32();
                             } else {
-                                phi_947_ = select(((bitcast<u32>(_e534) << bitcast<u32>(23i)) | ((_e516 << bitcast<u32>(((_e526 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e534 >= 255i));
+                                phi_967_ = select(((bitcast<u32>(_e519) << bitcast<u32>(23i)) | ((_e501 << bitcast<u32>(((_e511 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e519 >= 255i));
                             }
-                            let _e548 = phi_947_;
-                            phi_948_ = _e548;
+                            let _e533 = phi_967_;
+                            phi_968_ = _e533;
                         }
-                        let _e550 = phi_948_;
-                        phi_956_ = bitcast<f32>(((_e160 & 2147483648u) | select(_e550, 0u, select(_e523, true, _e544))));
-                        phi_957_ = bitcast<f32>(((_e151 & 2147483648u) | select(_e504, 0u, select(_e477, true, _e498))));
+                        let _e535 = phi_968_;
+                        phi_976_ = bitcast<f32>(((_e160 & 2147483648u) | select(_e535, 0u, select(_e508, true, _e529))));
+                        phi_977_ = bitcast<f32>(((_e151 & 2147483648u) | select(_e489, 0u, select(_e462, true, _e483))));
                     } else {
-                        phi_956_ = 0f;
-                        phi_957_ = 1f;
+                        phi_976_ = 0f;
+                        phi_977_ = 1f;
                     }
-                    let _e556 = phi_956_;
-                    let _e558 = phi_957_;
+                    let _e541 = phi_976_;
+                    let _e543 = phi_977_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2794_ = false;
-                    phi_972_ = type_40(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e556);
-                    phi_975_ = ((3u * _e75) + 1u);
-                    phi_977_ = (_e558 <= _e556);
-                    phi_979_ = 0u;
-                    phi_981_ = select(0u, 2147483648u, (_e75 == 0u));
+                    phi_2891_ = false;
+                    phi_992_ = type_40(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e541);
+                    phi_995_ = ((3u * _e75) + 1u);
+                    phi_997_ = (_e543 <= _e541);
+                    phi_999_ = 0u;
+                    phi_1001_ = select(0u, 2147483648u, (_e75 == 0u));
                     loop {
-                        let _e566 = phi_2794_;
-                        let _e568 = phi_972_;
-                        let _e570 = phi_975_;
-                        let _e572 = phi_977_;
-                        let _e574 = phi_979_;
-                        let _e576 = phi_981_;
-                        local_2 = _e568;
-                        if _e572 {
-                            phi_992_ = true;
+                        let _e551 = phi_2891_;
+                        let _e553 = phi_992_;
+                        let _e555 = phi_995_;
+                        let _e557 = phi_997_;
+                        let _e559 = phi_999_;
+                        let _e561 = phi_1001_;
+                        local_2 = _e553;
+                        if _e557 {
+                            phi_1012_ = true;
                         } else {
-                            phi_992_ = (_e574 > 0u);
+                            phi_1012_ = (_e559 > 0u);
                         }
-                        let _e579 = phi_992_;
-                        if _e579 {
-                            let _e580 = (_e570 > 0u);
-                            if _e580 {
-                                if _e572 {
-                                    phi_1024_ = _e572;
-                                    phi_1025_ = _e574;
-                                    phi_1026_ = _e576;
+                        let _e564 = phi_1012_;
+                        if _e564 {
+                            let _e565 = (_e555 > 0u);
+                            if _e565 {
+                                if _e557 {
+                                    phi_1044_ = _e557;
+                                    phi_1045_ = _e559;
+                                    phi_1046_ = _e561;
                                 } else {
-                                    let _e581 = (_e574 - 1u);
-                                    let _e582 = (_e581 % 128u);
-                                    let _e583 = (_e582 < 128u);
-                                    if _e583 {
+                                    let _e566 = (_e559 - 1u);
+                                    let _e567 = (_e566 % 128u);
+                                    let _e568 = (_e567 < 128u);
+                                    if _e568 {
                                     } else {
-                                        phi_2948_ = true;
+                                        phi_3050_ = true;
                                         break;
                                     }
-                                    let _e585 = local_1[_e582];
-                                    if _e583 {
+                                    let _e570 = local_1[_e567];
+                                    if _e568 {
                                     } else {
-                                        phi_2948_ = true;
+                                        phi_3050_ = true;
                                         break;
                                     }
-                                    let _e587 = local[_e582];
-                                    phi_1024_ = (_e587 <= _e568.member_1);
-                                    phi_1025_ = _e581;
-                                    phi_1026_ = _e585;
+                                    let _e572 = local[_e567];
+                                    phi_1044_ = (_e572 <= _e553.member_1);
+                                    phi_1045_ = _e566;
+                                    phi_1046_ = _e570;
                                 }
-                                let _e591 = phi_1024_;
-                                let _e593 = phi_1025_;
-                                let _e595 = phi_1026_;
-                                if _e591 {
-                                    let _e598 = ((_e595 & 2147483648u) != 0u);
-                                    if _e598 {
-                                        phi_1041_ = _e568;
-                                        phi_1044_ = type_4(0u, ((_e595 >> bitcast<u32>(28u)) & 7u));
+                                let _e576 = phi_1044_;
+                                let _e578 = phi_1045_;
+                                let _e580 = phi_1046_;
+                                if _e576 {
+                                    let _e583 = ((_e580 & 2147483648u) != 0u);
+                                    if _e583 {
+                                        phi_1061_ = _e553;
+                                        phi_1064_ = type_4(0u, ((_e580 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e605 = phi_1041_;
-                                            let _e607 = phi_1044_;
-                                            local_3 = _e605;
-                                            if (_e607.member < _e607.member_1) {
-                                                phi_1045_ = type_4((_e607.member + 1u), _e607.member_1);
-                                                phi_1067_ = type_4(1u, _e607.member);
+                                            let _e590 = phi_1061_;
+                                            let _e592 = phi_1064_;
+                                            local_3 = _e590;
+                                            if (_e592.member < _e592.member_1) {
+                                                phi_1065_ = type_4((_e592.member + 1u), _e592.member_1);
+                                                phi_1087_ = type_4(1u, _e592.member);
                                             } else {
-                                                phi_1045_ = _e607;
-                                                phi_1067_ = type_4(0u, type_4().member_1);
+                                                phi_1065_ = _e592;
+                                                phi_1087_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e620 = phi_1045_;
-                                            let _e622 = phi_1067_;
-                                            let _e626 = (bitcast<i32>(_e622.member) != 0i);
-                                            if _e626 {
-                                                let _e627 = ((_e595 & 268435455u) + _e622.member_1);
-                                                let _e628 = (_e627 < _e77);
-                                                if _e628 {
-                                                    if _e628 {
+                                            let _e605 = phi_1065_;
+                                            let _e607 = phi_1087_;
+                                            let _e611 = (bitcast<i32>(_e607.member) != 0i);
+                                            if _e611 {
+                                                let _e612 = ((_e580 & 268435455u) + _e607.member_1);
+                                                let _e613 = (_e612 < _e77);
+                                                if _e613 {
+                                                    if _e613 {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e632 = global_3.member[_e627].member_1;
-                                                    phi_1088_ = _e632;
+                                                    let _e617 = global_3.member[_e612].member_1;
+                                                    phi_1108_ = _e617;
                                                 } else {
-                                                    phi_1088_ = 4294967295u;
+                                                    phi_1108_ = 4294967295u;
                                                 }
-                                                let _e634 = phi_1088_;
-                                                if (_e627 >= _e77) {
-                                                    phi_1180_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e619 = phi_1108_;
+                                                if (_e612 >= _e77) {
+                                                    phi_1200_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e628 {
+                                                    if _e613 {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e636 = (_e203 % 3u);
-                                                    let _e637 = (_e202 % 3u);
-                                                    let _e638 = (_e204 % 3u);
-                                                    if (_e636 < 9u) {
+                                                    let _e621 = (_e203 % 3u);
+                                                    let _e622 = (_e202 % 3u);
+                                                    let _e623 = (_e204 % 3u);
+                                                    if (_e621 < 9u) {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e644 = global_3.member[_e627].member[_e636];
-                                                    if (_e637 < 9u) {
+                                                    let _e629 = global_3.member[_e612].member[_e621];
+                                                    if (_e622 < 9u) {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e650 = global_3.member[_e627].member[_e637];
-                                                    if (_e638 < 9u) {
+                                                    let _e635 = global_3.member[_e612].member[_e622];
+                                                    if (_e623 < 9u) {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e656 = global_3.member[_e627].member[_e638];
-                                                    let _e658 = (3u + _e636);
-                                                    if (_e658 < 9u) {
+                                                    let _e641 = global_3.member[_e612].member[_e623];
+                                                    let _e643 = (3u + _e621);
+                                                    if (_e643 < 9u) {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e664 = global_3.member[_e627].member[_e658];
-                                                    let _e665 = (3u + _e637);
+                                                    let _e649 = global_3.member[_e612].member[_e643];
+                                                    let _e650 = (3u + _e622);
+                                                    if (_e650 < 9u) {
+                                                    } else {
+                                                        phi_2885_ = true;
+                                                        break;
+                                                    }
+                                                    let _e656 = global_3.member[_e612].member[_e650];
+                                                    let _e657 = (3u + _e623);
+                                                    if (_e657 < 9u) {
+                                                    } else {
+                                                        phi_2885_ = true;
+                                                        break;
+                                                    }
+                                                    let _e663 = global_3.member[_e612].member[_e657];
+                                                    let _e665 = (6u + _e621);
                                                     if (_e665 < 9u) {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e671 = global_3.member[_e627].member[_e665];
-                                                    let _e672 = (3u + _e638);
+                                                    let _e671 = global_3.member[_e612].member[_e665];
+                                                    let _e672 = (6u + _e622);
                                                     if (_e672 < 9u) {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e678 = global_3.member[_e627].member[_e672];
-                                                    let _e680 = (6u + _e636);
-                                                    if (_e680 < 9u) {
+                                                    let _e678 = global_3.member[_e612].member[_e672];
+                                                    let _e679 = (6u + _e623);
+                                                    if (_e679 < 9u) {
                                                     } else {
-                                                        phi_2788_ = true;
+                                                        phi_2885_ = true;
                                                         break;
                                                     }
-                                                    let _e686 = global_3.member[_e627].member[_e680];
-                                                    let _e687 = (6u + _e637);
-                                                    if (_e687 < 9u) {
-                                                    } else {
-                                                        phi_2788_ = true;
-                                                        break;
-                                                    }
-                                                    let _e693 = global_3.member[_e627].member[_e687];
-                                                    let _e694 = (6u + _e638);
-                                                    if (_e694 < 9u) {
-                                                    } else {
-                                                        phi_2788_ = true;
-                                                        break;
-                                                    }
-                                                    let _e700 = global_3.member[_e627].member[_e694];
-                                                    phi_1180_ = array<array<f32, 3>, 3>(array<f32, 3>(_e644, _e650, _e656), array<f32, 3>(_e664, _e671, _e678), array<f32, 3>(_e686, _e693, _e700));
+                                                    let _e685 = global_3.member[_e612].member[_e679];
+                                                    phi_1200_ = array<array<f32, 3>, 3>(array<f32, 3>(_e629, _e635, _e641), array<f32, 3>(_e649, _e656, _e663), array<f32, 3>(_e671, _e678, _e685));
                                                 }
-                                                let _e704 = phi_1180_;
-                                                let _e712 = (_e704[0][2] - _e404);
-                                                let _e715 = (((_e704[0][0] - _e267) * _e443) - (_e712 * _e307));
-                                                let _e718 = (((_e704[0][1] - _e336) * _e443) - (_e712 * _e375));
-                                                let _e725 = (_e704[1][2] - _e404);
-                                                let _e728 = (((_e704[1][0] - _e267) * _e443) - (_e725 * _e307));
-                                                let _e731 = (((_e704[1][1] - _e336) * _e443) - (_e725 * _e375));
-                                                let _e738 = (_e704[2][2] - _e404);
-                                                let _e741 = (((_e704[2][0] - _e267) * _e443) - (_e738 * _e307));
-                                                let _e744 = (((_e704[2][1] - _e336) * _e443) - (_e738 * _e375));
-                                                let _e745 = (_e741 * _e731);
-                                                let _e746 = (_e744 * _e728);
-                                                let _e747 = (_e715 * _e744);
-                                                let _e748 = (_e718 * _e741);
-                                                let _e749 = (_e728 * _e718);
-                                                let _e750 = (_e731 * _e715);
-                                                let _e755 = (((_e745 >= _e746) && (_e747 >= _e748)) && (_e749 >= _e750));
-                                                if (_e755 || (((_e745 <= _e746) && (_e747 <= _e748)) && (_e749 <= _e750))) {
-                                                    let _e762 = select(-1f, 1f, _e755);
-                                                    let _e764 = ((_e745 - _e746) * _e762);
-                                                    let _e766 = select(0f, _e764, (_e764 > 0f));
-                                                    let _e768 = ((_e747 - _e748) * _e762);
-                                                    let _e770 = select(0f, _e768, (_e768 > 0f));
-                                                    let _e772 = ((_e749 - _e750) * _e762);
-                                                    let _e774 = select(0f, _e772, (_e772 > 0f));
-                                                    let _e776 = ((_e766 + _e770) + _e774);
-                                                    if (_e776 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2064_ = type_23();
-                                                        phi_2065_ = true;
-                                                        phi_2066_ = false;
+                                                let _e689 = phi_1200_;
+                                                let _e705 = (_e689[0][2] - _e400);
+                                                let _e708 = (((_e689[0][0] - _e267) * _e436) - (_e705 * _e304));
+                                                let _e711 = (((_e689[0][1] - _e334) * _e436) - (_e705 * _e370));
+                                                let _e714 = (_e689[1][2] - _e400);
+                                                let _e717 = (((_e689[1][0] - _e267) * _e436) - (_e714 * _e304));
+                                                let _e720 = (((_e689[1][1] - _e334) * _e436) - (_e714 * _e370));
+                                                let _e723 = (_e689[2][2] - _e400);
+                                                let _e726 = (((_e689[2][0] - _e267) * _e436) - (_e723 * _e304));
+                                                let _e729 = (((_e689[2][1] - _e334) * _e436) - (_e723 * _e370));
+                                                let _e730 = (_e726 * _e720);
+                                                let _e731 = (_e729 * _e717);
+                                                let _e732 = (_e708 * _e729);
+                                                let _e733 = (_e711 * _e726);
+                                                let _e734 = (_e717 * _e711);
+                                                let _e735 = (_e720 * _e708);
+                                                let _e740 = (((_e730 >= _e731) && (_e732 >= _e733)) && (_e734 >= _e735));
+                                                let _e746 = (_e740 || (((_e730 <= _e731) && (_e732 <= _e733)) && (_e734 <= _e735)));
+                                                if _e746 {
+                                                    let _e748 = select(-1f, 1f, _e740);
+                                                    let _e750 = ((_e730 - _e731) * _e748);
+                                                    let _e752 = select(0f, _e750, (_e750 > 0f));
+                                                    let _e754 = ((_e732 - _e733) * _e748);
+                                                    let _e756 = select(0f, _e754, (_e754 > 0f));
+                                                    let _e758 = ((_e734 - _e735) * _e748);
+                                                    let _e760 = select(0f, _e758, (_e758 > 0f));
+                                                    let _e762 = ((_e752 + _e756) + _e760);
+                                                    let _e764 = select(_e689[1][0], _e689[0][0], (_e689[0][0] < _e689[1][0]));
+                                                    let _e768 = select(_e689[1][0], _e689[0][0], (_e689[0][0] > _e689[1][0]));
+                                                    let _e772 = select(_e689[1][1], _e689[0][1], (_e689[0][1] < _e689[1][1]));
+                                                    let _e776 = select(_e689[1][1], _e689[0][1], (_e689[0][1] > _e689[1][1]));
+                                                    let _e780 = select(_e689[1][2], _e689[0][2], (_e689[0][2] < _e689[1][2]));
+                                                    let _e784 = select(_e689[1][2], _e689[0][2], (_e689[0][2] > _e689[1][2]));
+                                                    let _e789 = ((select(_e689[2][0], _e764, (_e764 < _e689[2][0])) - _e305) * _e308);
+                                                    let _e790 = ((select(_e689[2][0], _e768, (_e768 > _e689[2][0])) - _e306) * _e308);
+                                                    let _e793 = ((select(_e689[2][1], _e772, (_e772 < _e689[2][1])) - _e371) * _e374);
+                                                    let _e794 = ((select(_e689[2][1], _e776, (_e776 > _e689[2][1])) - _e372) * _e374);
+                                                    let _e797 = ((select(_e689[2][2], _e780, (_e780 < _e689[2][2])) - _e437) * _e440);
+                                                    let _e798 = ((select(_e689[2][2], _e784, (_e784 > _e689[2][2])) - _e438) * _e440);
+                                                    let _e800 = select(_e798, _e797, (_e797 < _e798));
+                                                    let _e802 = select(_e798, _e797, (_e797 > _e798));
+                                                    let _e804 = select(_e790, _e789, (_e789 < _e790));
+                                                    let _e806 = select(_e794, _e793, (_e793 < _e794));
+                                                    let _e808 = select(_e806, _e804, (_e804 > _e806));
+                                                    let _e810 = select(_e800, _e808, (_e808 > _e800));
+                                                    let _e812 = select(_e790, _e789, (_e789 > _e790));
+                                                    let _e814 = select(_e794, _e793, (_e793 > _e794));
+                                                    let _e816 = select(_e814, _e812, (_e812 < _e814));
+                                                    let _e818 = select(_e802, _e816, (_e816 < _e802));
+                                                    let _e819 = -(_e800);
+                                                    let _e825 = select(_e543, _e810, (_e810 > _e543));
+                                                    let _e829 = select(_e717, _e708, (_e708 < _e717));
+                                                    let _e834 = select(_e717, _e708, (_e708 > _e717));
+                                                    let _e841 = select(_e720, _e711, (_e711 < _e720));
+                                                    let _e846 = select(_e720, _e711, (_e711 > _e720));
+                                                    let _e855 = (((((_e746 && (_e762 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e726, _e829, (_e829 < _e726)) <= 0f) && (select(_e726, _e834, (_e834 > _e726)) >= 0f))) && ((select(_e729, _e841, (_e841 < _e729)) <= 0f) && (select(_e729, _e846, (_e846 > _e729)) >= 0f))) && (_e825 <= (_e818 + (select(_e819, _e802, (_e802 > _e819)) * 0.0000019073523f)))) && (_e825 <= _e590.member_1));
+                                                    if _e855 {
+                                                        let _e860 = (_e689[1][0] - _e689[0][0]);
+                                                        let _e861 = (_e689[1][1] - _e689[0][1]);
+                                                        let _e862 = (_e689[1][2] - _e689[0][2]);
+                                                        let _e863 = vec3<f32>(_e860, _e861, _e862);
+                                                        let _e864 = (_e689[2][0] - _e689[1][0]);
+                                                        let _e865 = (_e689[2][1] - _e689[1][1]);
+                                                        let _e866 = (_e689[2][2] - _e689[1][2]);
+                                                        let _e867 = vec3<f32>(_e864, _e865, _e866);
+                                                        let _e868 = (_e689[0][0] - _e689[2][0]);
+                                                        let _e869 = (_e689[0][1] - _e689[2][1]);
+                                                        let _e870 = (_e689[0][2] - _e689[2][2]);
+                                                        let _e871 = vec3<f32>(_e868, _e869, _e870);
+                                                        let _e872 = abs(_e860);
+                                                        let _e873 = abs(_e861);
+                                                        if (_e872 != _e872) {
+                                                            phi_2637_ = true;
+                                                        } else {
+                                                            phi_2637_ = (_e873 >= _e872);
+                                                        }
+                                                        let _e877 = phi_2637_;
+                                                        let _e878 = select(_e872, _e873, _e877);
+                                                        let _e879 = abs(_e862);
+                                                        if (_e878 != _e878) {
+                                                            phi_2652_ = true;
+                                                        } else {
+                                                            phi_2652_ = (_e879 >= _e878);
+                                                        }
+                                                        let _e883 = phi_2652_;
+                                                        let _e884 = select(_e878, _e879, _e883);
+                                                        let _e885 = abs(_e864);
+                                                        let _e886 = abs(_e865);
+                                                        if (_e885 != _e885) {
+                                                            phi_2667_ = true;
+                                                        } else {
+                                                            phi_2667_ = (_e886 >= _e885);
+                                                        }
+                                                        let _e890 = phi_2667_;
+                                                        let _e891 = select(_e885, _e886, _e890);
+                                                        let _e892 = abs(_e866);
+                                                        if (_e891 != _e891) {
+                                                            phi_2682_ = true;
+                                                        } else {
+                                                            phi_2682_ = (_e892 >= _e891);
+                                                        }
+                                                        let _e896 = phi_2682_;
+                                                        let _e897 = select(_e891, _e892, _e896);
+                                                        let _e898 = abs(_e868);
+                                                        let _e899 = abs(_e869);
+                                                        if (_e898 != _e898) {
+                                                            phi_2697_ = true;
+                                                        } else {
+                                                            phi_2697_ = (_e899 >= _e898);
+                                                        }
+                                                        let _e903 = phi_2697_;
+                                                        let _e904 = select(_e898, _e899, _e903);
+                                                        let _e905 = abs(_e870);
+                                                        if (_e904 != _e904) {
+                                                            phi_2712_ = true;
+                                                        } else {
+                                                            phi_2712_ = (_e905 >= _e904);
+                                                        }
+                                                        let _e909 = phi_2712_;
+                                                        let _e910 = select(_e904, _e905, _e909);
+                                                        let _e912 = select(_e897, _e884, (_e884 > _e897));
+                                                        let _e914 = select(_e910, _e912, (_e912 > _e910));
+                                                        if (_e884 == _e914) {
+                                                            phi_1742_ = _e720;
+                                                            phi_1743_ = _e717;
+                                                            phi_1744_ = _e711;
+                                                            phi_1745_ = _e708;
+                                                            phi_1746_ = vec3<f32>(_e689[0][0], _e689[0][1], _e689[0][2]);
+                                                            phi_1747_ = _e871;
+                                                            phi_1748_ = _e867;
+                                                            phi_1749_ = _e863;
+                                                        } else {
+                                                            let _e916 = (_e897 == _e914);
+                                                            let _e921 = vec3(_e916);
+                                                            phi_1742_ = select(_e711, _e729, _e916);
+                                                            phi_1743_ = select(_e708, _e726, _e916);
+                                                            phi_1744_ = select(_e729, _e720, _e916);
+                                                            phi_1745_ = select(_e726, _e717, _e916);
+                                                            phi_1746_ = select(vec3<f32>(_e689[2][0], _e689[2][1], _e689[2][2]), vec3<f32>(_e689[1][0], _e689[1][1], _e689[1][2]), _e921);
+                                                            phi_1747_ = select(_e867, _e863, _e921);
+                                                            phi_1748_ = select(_e863, _e871, _e921);
+                                                            phi_1749_ = select(_e871, _e867, _e921);
+                                                        }
+                                                        let _e927 = phi_1742_;
+                                                        let _e929 = phi_1743_;
+                                                        let _e931 = phi_1744_;
+                                                        let _e933 = phi_1745_;
+                                                        let _e935 = phi_1746_;
+                                                        let _e937 = phi_1747_;
+                                                        let _e939 = phi_1748_;
+                                                        let _e941 = phi_1749_;
+                                                        let _e948 = ((_e939.y * _e937.z) - (_e937.y * _e939.z));
+                                                        let _e953 = ((_e939.z * _e937.x) - (_e937.z * _e939.x));
+                                                        let _e956 = ((_e939.x * _e937.y) - (_e937.x * _e939.y));
+                                                        let _e959 = ((_e752 >= _e756) && (_e752 >= _e760));
+                                                        let _e960 = (_e756 >= _e760);
+                                                        let _e974 = (((_e948 * (select(select(_e689[2][0], _e689[1][0], _e960), _e689[0][0], _e959) - _e267)) + (_e953 * (select(select(_e689[2][1], _e689[1][1], _e960), _e689[0][1], _e959) - _e334))) + (_e956 * (select(select(_e689[2][2], _e689[1][2], _e960), _e689[0][2], _e959) - _e400)));
+                                                        let _e979 = (((_e948 * _e304) + (_e953 * _e370)) + (_e956 * _e436));
+                                                        let _e980 = (_e929 - _e933);
+                                                        let _e981 = (_e927 - _e931);
+                                                        let _e984 = ((_e980 * _e980) + (_e981 * _e981));
+                                                        let _e991 = (-(((_e933 * _e980) + (_e931 * _e981))) / select(0.000000000000000000000000000000000000011754944f, _e984, (_e984 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e993 = select(1f, _e991, (_e991 < 1f));
+                                                        let _e995 = select(0f, _e993, (_e993 > 0f));
+                                                        let _e1004 = ((_e935.x + (_e941.x * _e995)) - _e267);
+                                                        let _e1007 = ((_e935.y + (_e941.y * _e995)) - _e334);
+                                                        let _e1010 = ((_e935.z + (_e941.z * _e995)) - _e400);
+                                                        let _e1013 = bitcast<f32>((bitcast<u32>(_e1004) & 2147483647u));
+                                                        let _e1016 = bitcast<f32>((bitcast<u32>(_e1007) & 2147483647u));
+                                                        let _e1018 = select(_e1016, _e1013, (_e1013 > _e1016));
+                                                        let _e1021 = bitcast<f32>((bitcast<u32>(_e1010) & 2147483647u));
+                                                        let _e1023 = select(_e1021, _e1018, (_e1018 > _e1021));
+                                                        let _e1027 = abs(_e948);
+                                                        let _e1028 = abs(_e953);
+                                                        if (_e1027 != _e1027) {
+                                                            phi_2727_ = true;
+                                                        } else {
+                                                            phi_2727_ = (_e1028 >= _e1027);
+                                                        }
+                                                        let _e1032 = phi_2727_;
+                                                        let _e1033 = select(_e1027, _e1028, _e1032);
+                                                        let _e1034 = abs(_e956);
+                                                        if (_e1033 != _e1033) {
+                                                            phi_2742_ = true;
+                                                        } else {
+                                                            phi_2742_ = (_e1034 >= _e1033);
+                                                        }
+                                                        let _e1038 = phi_2742_;
+                                                        let _e1054 = abs(_e939.x);
+                                                        let _e1055 = abs(_e939.y);
+                                                        if (_e1054 != _e1054) {
+                                                            phi_2757_ = true;
+                                                        } else {
+                                                            phi_2757_ = (_e1055 >= _e1054);
+                                                        }
+                                                        let _e1059 = phi_2757_;
+                                                        let _e1060 = select(_e1054, _e1055, _e1059);
+                                                        let _e1061 = abs(_e939.z);
+                                                        if (_e1060 != _e1060) {
+                                                            phi_2772_ = true;
+                                                        } else {
+                                                            phi_2772_ = (_e1061 >= _e1060);
+                                                        }
+                                                        let _e1065 = phi_2772_;
+                                                        let _e1068 = abs(_e937.x);
+                                                        let _e1069 = abs(_e937.y);
+                                                        if (_e1068 != _e1068) {
+                                                            phi_2787_ = true;
+                                                        } else {
+                                                            phi_2787_ = (_e1069 >= _e1068);
+                                                        }
+                                                        let _e1073 = phi_2787_;
+                                                        let _e1074 = select(_e1068, _e1069, _e1073);
+                                                        let _e1075 = abs(_e937.z);
+                                                        if (_e1074 != _e1074) {
+                                                            phi_2802_ = true;
+                                                        } else {
+                                                            phi_2802_ = (_e1075 >= _e1074);
+                                                        }
+                                                        let _e1079 = phi_2802_;
+                                                        let _e1084 = ((bitcast<f32>((bitcast<u32>(((((_e948 * _e1004) + (_e953 * _e1007)) + (_e956 * _e1010)) - _e974)) & 2147483647u)) <= ((0.0000009536743f * select(_e914, _e1023, (_e1023 > _e914))) * select(_e1033, _e1034, _e1038))) && !((bitcast<f32>((bitcast<u32>(_e979) & 2147483647u)) <= ((0.0000038146973f * select(_e1060, _e1061, _e1065)) * select(_e1074, _e1075, _e1079)))));
+                                                        let _e1085 = (_e974 / _e979);
+                                                        if (_e855 && !(_e1084)) {
+                                                            let _e1088 = (_e1010 / _e436);
+                                                            let _e1096 = (((_e948 * (_e1004 - (_e304 * _e1088))) + (_e953 * (_e1007 - (_e370 * _e1088)))) / _e979);
+                                                            phi_1957_ = select(select(_e1088, (_e1088 + _e1096), (bitcast<f32>((bitcast<u32>(_e1096) & 2147483647u)) <= _e914)), _e1085, _e1084);
+                                                        } else {
+                                                            phi_1957_ = _e1085;
+                                                        }
+                                                        let _e1105 = phi_1957_;
+                                                        let _e1107 = select(_e818, _e1105, (_e1105 < _e818));
+                                                        let _e1109 = select(_e810, _e1107, (_e1107 > _e810));
+                                                        let _e1110 = (1f / _e762);
+                                                        phi_1977_ = type_44(_e1109, (_e756 * _e1110), (_e760 * _e1110), ((_e855 && (_e1109 >= _e543)) && (_e1109 <= _e590.member_1)));
+                                                        phi_1978_ = type_44();
                                                     } else {
-                                                        let _e779 = select(_e728, _e715, (_e715 < _e728));
-                                                        if (select(_e741, _e779, (_e779 < _e741)) > 0f) {
-                                                            phi_1332_ = true;
-                                                        } else {
-                                                            let _e784 = select(_e728, _e715, (_e715 > _e728));
-                                                            phi_1332_ = (select(_e741, _e784, (_e784 > _e741)) < 0f);
-                                                        }
-                                                        let _e789 = phi_1332_;
-                                                        if _e789 {
-                                                            phi_2061_ = type_23();
-                                                            phi_2062_ = true;
-                                                            phi_2063_ = false;
-                                                        } else {
-                                                            let _e791 = select(_e731, _e718, (_e718 < _e731));
-                                                            if (select(_e744, _e791, (_e791 < _e744)) > 0f) {
-                                                                phi_1361_ = true;
-                                                            } else {
-                                                                let _e796 = select(_e731, _e718, (_e718 > _e731));
-                                                                phi_1361_ = (select(_e744, _e796, (_e796 > _e744)) < 0f);
-                                                            }
-                                                            let _e801 = phi_1361_;
-                                                            if _e801 {
-                                                                phi_2059_ = type_23();
-                                                                phi_2060_ = false;
-                                                            } else {
-                                                                let _e803 = select(_e704[1][0], _e704[0][0], (_e704[0][0] < _e704[1][0]));
-                                                                let _e807 = select(_e704[1][0], _e704[0][0], (_e704[0][0] > _e704[1][0]));
-                                                                let _e811 = select(_e704[1][1], _e704[0][1], (_e704[0][1] < _e704[1][1]));
-                                                                let _e815 = select(_e704[1][1], _e704[0][1], (_e704[0][1] > _e704[1][1]));
-                                                                let _e819 = select(_e704[1][2], _e704[0][2], (_e704[0][2] < _e704[1][2]));
-                                                                let _e823 = select(_e704[1][2], _e704[0][2], (_e704[0][2] > _e704[1][2]));
-                                                                let _e828 = ((select(_e704[2][0], _e803, (_e803 < _e704[2][0])) - _e305) * _e310);
-                                                                let _e829 = ((select(_e704[2][0], _e807, (_e807 > _e704[2][0])) - _e306) * _e310);
-                                                                let _e832 = ((select(_e704[2][1], _e811, (_e811 < _e704[2][1])) - _e373) * _e378);
-                                                                let _e833 = ((select(_e704[2][1], _e815, (_e815 > _e704[2][1])) - _e374) * _e378);
-                                                                let _e836 = ((select(_e704[2][2], _e819, (_e819 < _e704[2][2])) - _e441) * _e446);
-                                                                let _e837 = ((select(_e704[2][2], _e823, (_e823 > _e704[2][2])) - _e442) * _e446);
-                                                                let _e839 = select(_e837, _e836, (_e836 < _e837));
-                                                                let _e841 = select(_e837, _e836, (_e836 > _e837));
-                                                                let _e843 = select(_e829, _e828, (_e828 < _e829));
-                                                                let _e845 = select(_e833, _e832, (_e832 < _e833));
-                                                                let _e847 = select(_e845, _e843, (_e843 > _e845));
-                                                                let _e849 = select(_e839, _e847, (_e847 > _e839));
-                                                                let _e851 = select(_e829, _e828, (_e828 > _e829));
-                                                                let _e853 = select(_e833, _e832, (_e832 > _e833));
-                                                                let _e855 = select(_e853, _e851, (_e851 < _e853));
-                                                                let _e857 = select(_e841, _e855, (_e855 < _e841));
-                                                                let _e858 = -(_e839);
-                                                                let _e864 = select(_e558, _e849, (_e849 > _e558));
-                                                                if (_e864 > (_e857 + (select(_e858, _e841, (_e841 > _e858)) * 0.0000019073523f))) {
-                                                                    phi_2054_ = type_23();
-                                                                    phi_2055_ = true;
-                                                                } else {
-                                                                    let _e866 = (_e864 > _e605.member_1);
-                                                                    if _e866 {
-                                                                        phi_2053_ = type_23();
-                                                                    } else {
-                                                                        let _e867 = vec3<f32>(_e704[0][0], _e704[0][1], _e704[0][2]);
-                                                                        let _e868 = vec3<f32>(_e704[1][0], _e704[1][1], _e704[1][2]);
-                                                                        let _e869 = vec3<f32>(_e704[2][0], _e704[2][1], _e704[2][2]);
-                                                                        let _e870 = (_e704[1][0] - _e704[0][0]);
-                                                                        let _e871 = (_e704[1][1] - _e704[0][1]);
-                                                                        let _e872 = (_e704[1][2] - _e704[0][2]);
-                                                                        let _e873 = vec3<f32>(_e870, _e871, _e872);
-                                                                        let _e874 = (_e704[2][0] - _e704[1][0]);
-                                                                        let _e875 = (_e704[2][1] - _e704[1][1]);
-                                                                        let _e876 = (_e704[2][2] - _e704[1][2]);
-                                                                        let _e877 = vec3<f32>(_e874, _e875, _e876);
-                                                                        let _e878 = (_e704[0][0] - _e704[2][0]);
-                                                                        let _e879 = (_e704[0][1] - _e704[2][1]);
-                                                                        let _e880 = (_e704[0][2] - _e704[2][2]);
-                                                                        let _e881 = vec3<f32>(_e878, _e879, _e880);
-                                                                        let _e884 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
-                                                                        let _e887 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
-                                                                        let _e889 = select(_e887, _e884, (_e884 > _e887));
-                                                                        let _e892 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
-                                                                        let _e894 = select(_e892, _e889, (_e889 > _e892));
-                                                                        let _e897 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
-                                                                        let _e900 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
-                                                                        let _e902 = select(_e900, _e897, (_e897 > _e900));
-                                                                        let _e905 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
-                                                                        let _e907 = select(_e905, _e902, (_e902 > _e905));
-                                                                        let _e910 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
-                                                                        let _e913 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
-                                                                        let _e915 = select(_e913, _e910, (_e910 > _e913));
-                                                                        let _e918 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
-                                                                        let _e920 = select(_e918, _e915, (_e915 > _e918));
-                                                                        let _e922 = select(_e907, _e894, (_e894 > _e907));
-                                                                        let _e924 = select(_e920, _e922, (_e922 > _e920));
-                                                                        if (_e894 == _e924) {
-                                                                            phi_1780_ = _e731;
-                                                                            phi_1781_ = _e728;
-                                                                            phi_1782_ = _e718;
-                                                                            phi_1783_ = _e715;
-                                                                            phi_1784_ = _e867;
-                                                                            phi_1785_ = _e881;
-                                                                            phi_1786_ = _e877;
-                                                                            phi_1787_ = _e873;
-                                                                        } else {
-                                                                            let _e926 = (_e907 == _e924);
-                                                                            let _e931 = vec3(_e926);
-                                                                            phi_1780_ = select(_e718, _e744, _e926);
-                                                                            phi_1781_ = select(_e715, _e741, _e926);
-                                                                            phi_1782_ = select(_e744, _e731, _e926);
-                                                                            phi_1783_ = select(_e741, _e728, _e926);
-                                                                            phi_1784_ = select(_e869, _e868, _e931);
-                                                                            phi_1785_ = select(_e877, _e873, _e931);
-                                                                            phi_1786_ = select(_e873, _e881, _e931);
-                                                                            phi_1787_ = select(_e881, _e877, _e931);
-                                                                        }
-                                                                        let _e937 = phi_1780_;
-                                                                        let _e939 = phi_1781_;
-                                                                        let _e941 = phi_1782_;
-                                                                        let _e943 = phi_1783_;
-                                                                        let _e945 = phi_1784_;
-                                                                        let _e947 = phi_1785_;
-                                                                        let _e949 = phi_1786_;
-                                                                        let _e951 = phi_1787_;
-                                                                        let _e958 = ((_e949.y * _e947.z) - (_e947.y * _e949.z));
-                                                                        let _e963 = ((_e949.z * _e947.x) - (_e947.z * _e949.x));
-                                                                        let _e966 = ((_e949.x * _e947.y) - (_e947.x * _e949.y));
-                                                                        if (_e766 >= _e770) {
-                                                                            phi_1824_ = select(true, false, (_e766 >= _e774));
-                                                                        } else {
-                                                                            phi_1824_ = true;
-                                                                        }
-                                                                        let _e971 = phi_1824_;
-                                                                        if _e971 {
-                                                                            phi_1833_ = select(_e869, _e868, vec3((_e770 >= _e774)));
-                                                                        } else {
-                                                                            phi_1833_ = _e867;
-                                                                        }
-                                                                        let _e976 = phi_1833_;
-                                                                        let _e987 = (((_e958 * (_e976.x - _e267)) + (_e963 * (_e976.y - _e336))) + (_e966 * (_e976.z - _e404)));
-                                                                        let _e992 = (((_e958 * _e307) + (_e963 * _e375)) + (_e966 * _e443));
-                                                                        let _e993 = (_e939 - _e943);
-                                                                        let _e994 = (_e937 - _e941);
-                                                                        let _e1002 = (-(((_e943 * _e993) + (_e941 * _e994))) / ((_e993 * _e993) + (_e994 * _e994)));
-                                                                        let _e1004 = select(1f, _e1002, (_e1002 < 1f));
-                                                                        let _e1006 = select(0f, _e1004, (_e1004 > 0f));
-                                                                        let _e1019 = ((_e945.x + (_e951.x * _e1006)) - _e267);
-                                                                        let _e1020 = ((_e945.y + (_e951.y * _e1006)) - _e336);
-                                                                        let _e1021 = ((_e945.z + (_e951.z * _e1006)) - _e404);
-                                                                        let _e1022 = (_e1021 / _e443);
-                                                                        let _e1034 = bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u));
-                                                                        let _e1037 = bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u));
-                                                                        let _e1039 = select(_e1037, _e1034, (_e1034 > _e1037));
-                                                                        let _e1042 = bitcast<f32>((bitcast<u32>(_e1021) & 2147483647u));
-                                                                        let _e1044 = select(_e1042, _e1039, (_e1039 > _e1042));
-                                                                        let _e1050 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
-                                                                        let _e1053 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
-                                                                        let _e1055 = select(_e1053, _e1050, (_e1050 > _e1053));
-                                                                        let _e1058 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e958 * _e1019) + (_e963 * _e1020)) + (_e966 * _e1021)) - _e987)) & 2147483647u)) <= ((0.0000009536743f * select(_e924, _e1044, (_e1044 > _e924))) * select(_e1058, _e1055, (_e1055 > _e1058)))) {
-                                                                            let _e1068 = bitcast<f32>((bitcast<u32>(_e949.x) & 2147483647u));
-                                                                            let _e1071 = bitcast<f32>((bitcast<u32>(_e949.y) & 2147483647u));
-                                                                            let _e1073 = select(_e1071, _e1068, (_e1068 > _e1071));
-                                                                            let _e1076 = bitcast<f32>((bitcast<u32>(_e949.z) & 2147483647u));
-                                                                            let _e1082 = bitcast<f32>((bitcast<u32>(_e947.x) & 2147483647u));
-                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e947.y) & 2147483647u));
-                                                                            let _e1087 = select(_e1085, _e1082, (_e1082 > _e1085));
-                                                                            let _e1090 = bitcast<f32>((bitcast<u32>(_e947.z) & 2147483647u));
-                                                                            let _e1094 = (bitcast<f32>((bitcast<u32>(_e992) & 2147483647u)) > ((0.0000038146973f * select(_e1076, _e1073, (_e1073 > _e1076))) * select(_e1090, _e1087, (_e1087 > _e1090))));
-                                                                            if _e1094 {
-                                                                                phi_1998_ = (_e987 / _e992);
-                                                                            } else {
-                                                                                phi_1998_ = f32();
-                                                                            }
-                                                                            let _e1097 = phi_1998_;
-                                                                            phi_2000_ = _e1097;
-                                                                            phi_2001_ = select(true, false, _e1094);
-                                                                        } else {
-                                                                            phi_2000_ = f32();
-                                                                            phi_2001_ = true;
-                                                                        }
-                                                                        let _e1100 = phi_2000_;
-                                                                        let _e1102 = phi_2001_;
-                                                                        if _e1102 {
-                                                                            let _e1110 = (((_e958 * (_e1019 - (_e307 * _e1022))) + (_e963 * (_e1020 - (_e375 * _e1022)))) / _e992);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u)) <= _e924) {
-                                                                                phi_2021_ = (_e1022 + _e1110);
-                                                                            } else {
-                                                                                phi_2021_ = _e1022;
-                                                                            }
-                                                                            let _e1117 = phi_2021_;
-                                                                            phi_2022_ = _e1117;
-                                                                        } else {
-                                                                            phi_2022_ = _e1100;
-                                                                        }
-                                                                        let _e1119 = phi_2022_;
-                                                                        let _e1121 = select(_e857, _e1119, (_e1119 < _e857));
-                                                                        let _e1123 = select(_e849, _e1121, (_e1121 > _e849));
-                                                                        if (_e1123 >= _e558) {
-                                                                            let _e1125 = (_e1123 <= _e605.member_1);
-                                                                            if _e1125 {
-                                                                                let _e1126 = (1f / _e776);
-                                                                                phi_2045_ = type_23(_e1123, (_e770 * _e1126), (_e774 * _e1126), _e634);
-                                                                            } else {
-                                                                                phi_2045_ = type_23();
-                                                                            }
-                                                                            let _e1131 = phi_2045_;
-                                                                            phi_2047_ = _e1131;
-                                                                            phi_2048_ = select(true, false, _e1125);
-                                                                        } else {
-                                                                            phi_2047_ = type_23();
-                                                                            phi_2048_ = true;
-                                                                        }
-                                                                        let _e1134 = phi_2047_;
-                                                                        let _e1136 = phi_2048_;
-                                                                        if _e1136 {
-                                                                            phi_2052_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2052_ = _e1134;
-                                                                        }
-                                                                        let _e1138 = phi_2052_;
-                                                                        phi_2053_ = _e1138;
-                                                                    }
-                                                                    let _e1140 = phi_2053_;
-                                                                    phi_2054_ = _e1140;
-                                                                    phi_2055_ = _e866;
-                                                                }
-                                                                let _e1142 = phi_2054_;
-                                                                let _e1144 = phi_2055_;
-                                                                phi_2059_ = _e1142;
-                                                                phi_2060_ = _e1144;
-                                                            }
-                                                            let _e1146 = phi_2059_;
-                                                            let _e1148 = phi_2060_;
-                                                            phi_2061_ = _e1146;
-                                                            phi_2062_ = _e801;
-                                                            phi_2063_ = _e1148;
-                                                        }
-                                                        let _e1150 = phi_2061_;
-                                                        let _e1152 = phi_2062_;
-                                                        let _e1154 = phi_2063_;
-                                                        phi_2064_ = _e1150;
-                                                        phi_2065_ = _e1152;
-                                                        phi_2066_ = _e1154;
+                                                        phi_1977_ = type_44();
+                                                        phi_1978_ = type_44(0f, 0f, 0f, _e855);
                                                     }
-                                                    let _e1156 = phi_2064_;
-                                                    let _e1158 = phi_2065_;
-                                                    let _e1160 = phi_2066_;
-                                                    phi_2074_ = _e1156;
-                                                    phi_2075_ = select(_e1160, true, _e1158);
+                                                    let _e1119 = phi_1977_;
+                                                    let _e1121 = phi_1978_;
+                                                    phi_1981_ = _e1119;
+                                                    phi_1982_ = _e1121;
+                                                    phi_1983_ = select(true, false, _e855);
                                                 } else {
-                                                    phi_2074_ = type_23();
-                                                    phi_2075_ = true;
+                                                    phi_1981_ = type_44();
+                                                    phi_1982_ = type_44(0f, 0f, 0f, _e746);
+                                                    phi_1983_ = true;
                                                 }
-                                                let _e1163 = phi_2074_;
-                                                let _e1165 = phi_2075_;
-                                                if _e1165 {
-                                                    phi_2079_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1124 = phi_1981_;
+                                                let _e1126 = phi_1982_;
+                                                let _e1128 = phi_1983_;
+                                                if _e1128 {
+                                                    phi_1987_ = _e1126;
                                                 } else {
-                                                    phi_2079_ = _e1163;
+                                                    phi_1987_ = _e1124;
                                                 }
-                                                let _e1167 = phi_2079_;
-                                                if (_e1167.member_3 != 4294967295u) {
-                                                    if (_e634 != 4294967295u) {
-                                                        if (_e1167.member < _e605.member.member) {
-                                                            phi_2105_ = true;
+                                                let _e1130 = phi_1987_;
+                                                if _e1130.member_3 {
+                                                    phi_1996_ = type_23(_e1130.member, _e1130.member_1, _e1130.member_2, _e619);
+                                                } else {
+                                                    phi_1996_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1137 = phi_1996_;
+                                                if (_e1137.member_3 != 4294967295u) {
+                                                    if (_e619 != 4294967295u) {
+                                                        if (_e1137.member < _e590.member.member) {
+                                                            phi_2022_ = true;
                                                         } else {
-                                                            if (_e1167.member == _e605.member.member) {
-                                                                phi_2104_ = (_e1167.member_3 < _e605.member.member_3);
+                                                            if (_e1137.member == _e590.member.member) {
+                                                                phi_2021_ = (_e1137.member_3 < _e590.member.member_3);
                                                             } else {
-                                                                phi_2104_ = false;
+                                                                phi_2021_ = false;
                                                             }
-                                                            let _e1180 = phi_2104_;
-                                                            phi_2105_ = _e1180;
+                                                            let _e1150 = phi_2021_;
+                                                            phi_2022_ = _e1150;
                                                         }
-                                                        let _e1182 = phi_2105_;
-                                                        if _e1182 {
-                                                            phi_2111_ = type_40(_e1167, _e1167.member);
+                                                        let _e1152 = phi_2022_;
+                                                        if _e1152 {
+                                                            phi_2028_ = type_40(_e1137, _e1137.member);
                                                         } else {
-                                                            phi_2111_ = _e605;
+                                                            phi_2028_ = _e590;
                                                         }
-                                                        let _e1185 = phi_2111_;
-                                                        phi_2112_ = _e1185;
+                                                        let _e1155 = phi_2028_;
+                                                        phi_2029_ = _e1155;
                                                     } else {
-                                                        phi_2112_ = _e605;
+                                                        phi_2029_ = _e590;
                                                     }
-                                                    let _e1187 = phi_2112_;
-                                                    phi_2113_ = _e1187;
+                                                    let _e1157 = phi_2029_;
+                                                    phi_2030_ = _e1157;
                                                 } else {
-                                                    phi_2113_ = _e605;
+                                                    phi_2030_ = _e590;
                                                 }
-                                                let _e1189 = phi_2113_;
-                                                phi_1042_ = _e1189;
+                                                let _e1159 = phi_2030_;
+                                                phi_1062_ = _e1159;
                                             } else {
-                                                phi_1042_ = type_40();
+                                                phi_1062_ = type_40();
                                             }
-                                            let _e1191 = phi_1042_;
+                                            let _e1161 = phi_1062_;
                                             continue;
                                             continuing {
-                                                phi_1041_ = _e1191;
-                                                phi_1044_ = _e620;
-                                                phi_2788_ = _e566;
-                                                break if !(_e626);
+                                                phi_1061_ = _e1161;
+                                                phi_1064_ = _e605;
+                                                phi_2885_ = _e551;
+                                                break if !(_e611);
                                             }
                                         }
-                                        let _e1194 = phi_2788_;
-                                        phi_2948_ = _e1194;
-                                        if _e1194 {
+                                        let _e1164 = phi_2885_;
+                                        phi_3050_ = _e1164;
+                                        if _e1164 {
                                             break;
                                         }
-                                        phi_2983_ = _e1194;
-                                        let _e1659 = local_3;
-                                        phi_2114_ = _e1659;
+                                        phi_3085_ = _e1164;
+                                        let _e1616 = local_3;
+                                        phi_2031_ = _e1616;
                                     } else {
-                                        phi_2983_ = _e566;
-                                        phi_2114_ = _e568;
+                                        phi_3085_ = _e551;
+                                        phi_2031_ = _e553;
                                     }
-                                    let _e1196 = phi_2983_;
-                                    let _e1198 = phi_2114_;
-                                    if _e598 {
-                                        phi_2594_ = bool();
-                                        phi_2595_ = u32();
-                                        phi_2596_ = u32();
+                                    let _e1166 = phi_3085_;
+                                    let _e1168 = phi_2031_;
+                                    if _e583 {
+                                        phi_2511_ = bool();
+                                        phi_2512_ = u32();
+                                        phi_2513_ = u32();
                                     } else {
-                                        if (_e595 >= _e75) {
-                                            phi_2179_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e580 >= _e75) {
+                                            phi_2096_ = type_45(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e595 < _e75) {
+                                            if (_e580 < _e75) {
                                             } else {
-                                                phi_2948_ = true;
+                                                phi_3050_ = true;
                                                 break;
                                             }
-                                            let _e1201 = (_e203 % 3u);
-                                            if (_e1201 < 3u) {
+                                            let _e1171 = (_e203 % 3u);
+                                            if (_e1171 < 3u) {
                                             } else {
-                                                phi_2948_ = true;
+                                                phi_3050_ = true;
                                                 break;
                                             }
-                                            let _e1207 = global_2.member[_e595].member[_e1201];
-                                            let _e1213 = (_e202 % 3u);
-                                            if (_e1213 < 3u) {
+                                            let _e1177 = global_2.member[_e580].member[_e1171];
+                                            let _e1183 = (_e202 % 3u);
+                                            if (_e1183 < 3u) {
                                             } else {
-                                                phi_2948_ = true;
+                                                phi_3050_ = true;
                                                 break;
                                             }
-                                            let _e1219 = global_2.member[_e595].member[_e1213];
-                                            let _e1225 = (_e204 % 3u);
-                                            if (_e1225 < 3u) {
+                                            let _e1189 = global_2.member[_e580].member[_e1183];
+                                            let _e1195 = (_e204 % 3u);
+                                            if (_e1195 < 3u) {
                                             } else {
-                                                phi_2948_ = true;
+                                                phi_3050_ = true;
                                                 break;
                                             }
-                                            let _e1231 = global_2.member[_e595].member[_e1225];
-                                            let _e1241 = global_2.member[_e595].member_1;
-                                            let _e1245 = global_2.member[_e595].member_2;
-                                            phi_2179_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e1207[0], _e1207[1], _e1207[2], _e1207[3]), vec4<f32>(_e1219[0], _e1219[1], _e1219[2], _e1219[3]), vec4<f32>(_e1231[0], _e1231[1], _e1231[2], _e1231[3])), _e1241, _e1245);
+                                            let _e1201 = global_2.member[_e580].member[_e1195];
+                                            let _e1211 = global_2.member[_e580].member_1;
+                                            let _e1215 = global_2.member[_e580].member_2;
+                                            phi_2096_ = type_45(array<vec4<f32>, 3>(vec4<f32>(_e1177[0], _e1177[1], _e1177[2], _e1177[3]), vec4<f32>(_e1189[0], _e1189[1], _e1189[2], _e1189[3]), vec4<f32>(_e1201[0], _e1201[1], _e1201[2], _e1201[3])), _e1211, _e1215);
                                         }
-                                        let _e1248 = phi_2179_;
-                                        let _e1260 = ((_e1248.member[0].x - _e305) * _e310);
-                                        let _e1261 = ((_e1248.member[0].y - _e305) * _e310);
-                                        let _e1262 = ((_e1248.member[0].z - _e306) * _e310);
-                                        let _e1263 = ((_e1248.member[0].w - _e306) * _e310);
-                                        let _e1273 = ((_e1248.member[1].x - _e373) * _e378);
-                                        let _e1274 = ((_e1248.member[1].y - _e373) * _e378);
-                                        let _e1275 = ((_e1248.member[1].z - _e374) * _e378);
-                                        let _e1276 = ((_e1248.member[1].w - _e374) * _e378);
-                                        let _e1286 = ((_e1248.member[2].x - _e441) * _e446);
-                                        let _e1287 = ((_e1248.member[2].y - _e441) * _e446);
-                                        let _e1288 = ((_e1248.member[2].z - _e442) * _e446);
-                                        let _e1289 = ((_e1248.member[2].w - _e442) * _e446);
-                                        let _e1291 = select(_e1288, _e1286, (_e1286 < _e1288));
-                                        let _e1293 = select(_e1289, _e1287, (_e1287 < _e1289));
-                                        let _e1295 = select(_e1288, _e1286, (_e1286 > _e1288));
-                                        let _e1297 = select(_e1289, _e1287, (_e1287 > _e1289));
-                                        let _e1299 = select(_e1262, _e1260, (_e1260 < _e1262));
-                                        let _e1301 = select(_e1263, _e1261, (_e1261 < _e1263));
-                                        let _e1303 = select(_e1275, _e1273, (_e1273 < _e1275));
-                                        let _e1305 = select(_e1276, _e1274, (_e1274 < _e1276));
-                                        let _e1307 = select(_e1303, _e1299, (_e1299 > _e1303));
-                                        let _e1309 = select(_e1305, _e1301, (_e1301 > _e1305));
-                                        let _e1311 = select(_e1291, _e1307, (_e1307 > _e1291));
-                                        let _e1313 = select(_e1293, _e1309, (_e1309 > _e1293));
-                                        let _e1315 = select(_e1262, _e1260, (_e1260 > _e1262));
-                                        let _e1317 = select(_e1263, _e1261, (_e1261 > _e1263));
-                                        let _e1319 = select(_e1275, _e1273, (_e1273 > _e1275));
-                                        let _e1321 = select(_e1276, _e1274, (_e1274 > _e1276));
-                                        let _e1323 = select(_e1319, _e1315, (_e1315 < _e1319));
-                                        let _e1325 = select(_e1321, _e1317, (_e1317 < _e1321));
-                                        let _e1330 = -(_e1291);
-                                        let _e1331 = -(_e1293);
-                                        let _e1338 = (select(_e1295, _e1323, (_e1323 < _e1295)) + (select(_e1330, _e1295, (_e1295 > _e1330)) * 0.0000019073523f));
-                                        let _e1339 = (select(_e1297, _e1325, (_e1325 < _e1297)) + (select(_e1331, _e1297, (_e1297 > _e1331)) * 0.0000019073523f));
-                                        let _e1341 = select(_e558, _e1311, (_e1311 > _e558));
-                                        let _e1343 = select(_e558, _e1313, (_e1313 > _e558));
-                                        let _e1348 = (_e1341 <= select(_e1198.member_1, _e1338, (_e1338 < _e1198.member_1)));
-                                        let _e1349 = (_e1343 <= select(_e1198.member_1, _e1339, (_e1339 < _e1198.member_1)));
-                                        let _e1350 = (_e1341 <= _e1343);
-                                        if _e1348 {
-                                            if _e1349 {
-                                                if _e1350 {
-                                                    phi_2541_ = _e1248.member_2;
+                                        let _e1218 = phi_2096_;
+                                        let _e1230 = ((_e1218.member[0].x - _e305) * _e308);
+                                        let _e1231 = ((_e1218.member[0].y - _e305) * _e308);
+                                        let _e1232 = ((_e1218.member[0].z - _e306) * _e308);
+                                        let _e1233 = ((_e1218.member[0].w - _e306) * _e308);
+                                        let _e1243 = ((_e1218.member[1].x - _e371) * _e374);
+                                        let _e1244 = ((_e1218.member[1].y - _e371) * _e374);
+                                        let _e1245 = ((_e1218.member[1].z - _e372) * _e374);
+                                        let _e1246 = ((_e1218.member[1].w - _e372) * _e374);
+                                        let _e1256 = ((_e1218.member[2].x - _e437) * _e440);
+                                        let _e1257 = ((_e1218.member[2].y - _e437) * _e440);
+                                        let _e1258 = ((_e1218.member[2].z - _e438) * _e440);
+                                        let _e1259 = ((_e1218.member[2].w - _e438) * _e440);
+                                        let _e1261 = select(_e1258, _e1256, (_e1256 < _e1258));
+                                        let _e1263 = select(_e1259, _e1257, (_e1257 < _e1259));
+                                        let _e1265 = select(_e1258, _e1256, (_e1256 > _e1258));
+                                        let _e1267 = select(_e1259, _e1257, (_e1257 > _e1259));
+                                        let _e1269 = select(_e1232, _e1230, (_e1230 < _e1232));
+                                        let _e1271 = select(_e1233, _e1231, (_e1231 < _e1233));
+                                        let _e1273 = select(_e1245, _e1243, (_e1243 < _e1245));
+                                        let _e1275 = select(_e1246, _e1244, (_e1244 < _e1246));
+                                        let _e1277 = select(_e1273, _e1269, (_e1269 > _e1273));
+                                        let _e1279 = select(_e1275, _e1271, (_e1271 > _e1275));
+                                        let _e1281 = select(_e1261, _e1277, (_e1277 > _e1261));
+                                        let _e1283 = select(_e1263, _e1279, (_e1279 > _e1263));
+                                        let _e1285 = select(_e1232, _e1230, (_e1230 > _e1232));
+                                        let _e1287 = select(_e1233, _e1231, (_e1231 > _e1233));
+                                        let _e1289 = select(_e1245, _e1243, (_e1243 > _e1245));
+                                        let _e1291 = select(_e1246, _e1244, (_e1244 > _e1246));
+                                        let _e1293 = select(_e1289, _e1285, (_e1285 < _e1289));
+                                        let _e1295 = select(_e1291, _e1287, (_e1287 < _e1291));
+                                        let _e1300 = -(_e1261);
+                                        let _e1301 = -(_e1263);
+                                        let _e1308 = (select(_e1265, _e1293, (_e1293 < _e1265)) + (select(_e1300, _e1265, (_e1265 > _e1300)) * 0.0000019073523f));
+                                        let _e1309 = (select(_e1267, _e1295, (_e1295 < _e1267)) + (select(_e1301, _e1267, (_e1267 > _e1301)) * 0.0000019073523f));
+                                        let _e1311 = select(_e543, _e1281, (_e1281 > _e543));
+                                        let _e1313 = select(_e543, _e1283, (_e1283 > _e543));
+                                        let _e1318 = (_e1311 <= select(_e1168.member_1, _e1308, (_e1308 < _e1168.member_1)));
+                                        let _e1319 = (_e1313 <= select(_e1168.member_1, _e1309, (_e1309 < _e1168.member_1)));
+                                        let _e1320 = (_e1311 <= _e1313);
+                                        if _e1318 {
+                                            if _e1319 {
+                                                if _e1320 {
+                                                    phi_2458_ = _e1218.member_2;
                                                 } else {
-                                                    phi_2541_ = _e1248.member_1;
+                                                    phi_2458_ = _e1218.member_1;
                                                 }
-                                                let _e1354 = phi_2541_;
-                                                let _e1356 = (_e593 % 128u);
-                                                let _e1357 = (_e1356 < 128u);
-                                                if _e1357 {
+                                                let _e1324 = phi_2458_;
+                                                let _e1326 = (_e578 % 128u);
+                                                let _e1327 = (_e1326 < 128u);
+                                                if _e1327 {
                                                 } else {
-                                                    phi_2948_ = true;
+                                                    phi_3050_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1356] = _e1354;
-                                                if _e1357 {
+                                                local_1[_e1326] = _e1324;
+                                                if _e1327 {
                                                 } else {
-                                                    phi_2948_ = true;
+                                                    phi_3050_ = true;
                                                     break;
                                                 }
-                                                local[_e1356] = select(_e1341, _e1343, _e1350);
-                                                if _e1350 {
-                                                    phi_2568_ = _e1248.member_1;
+                                                local[_e1326] = select(_e1311, _e1313, _e1320);
+                                                if _e1320 {
+                                                    phi_2485_ = _e1218.member_1;
                                                 } else {
-                                                    phi_2568_ = _e1248.member_2;
+                                                    phi_2485_ = _e1218.member_2;
                                                 }
-                                                let _e1364 = phi_2568_;
-                                                phi_2569_ = (_e593 + 1u);
-                                                phi_2570_ = _e1364;
+                                                let _e1334 = phi_2485_;
+                                                phi_2486_ = (_e578 + 1u);
+                                                phi_2487_ = _e1334;
                                             } else {
-                                                phi_2569_ = u32();
-                                                phi_2570_ = u32();
+                                                phi_2486_ = u32();
+                                                phi_2487_ = u32();
                                             }
-                                            let _e1366 = phi_2569_;
-                                            let _e1368 = phi_2570_;
-                                            phi_2572_ = _e1366;
-                                            phi_2573_ = _e1368;
-                                            phi_2574_ = select(true, false, _e1349);
+                                            let _e1336 = phi_2486_;
+                                            let _e1338 = phi_2487_;
+                                            phi_2489_ = _e1336;
+                                            phi_2490_ = _e1338;
+                                            phi_2491_ = select(true, false, _e1319);
                                         } else {
-                                            phi_2572_ = u32();
-                                            phi_2573_ = u32();
-                                            phi_2574_ = true;
+                                            phi_2489_ = u32();
+                                            phi_2490_ = u32();
+                                            phi_2491_ = true;
                                         }
-                                        let _e1371 = phi_2572_;
-                                        let _e1373 = phi_2573_;
-                                        let _e1375 = phi_2574_;
-                                        if _e1375 {
-                                            if _e1348 {
-                                                phi_2583_ = _e1248.member_1;
+                                        let _e1341 = phi_2489_;
+                                        let _e1343 = phi_2490_;
+                                        let _e1345 = phi_2491_;
+                                        if _e1345 {
+                                            if _e1318 {
+                                                phi_2500_ = _e1218.member_1;
                                             } else {
-                                                phi_2583_ = _e1248.member_2;
+                                                phi_2500_ = _e1218.member_2;
                                             }
-                                            let _e1379 = phi_2583_;
-                                            phi_2588_ = select(_e1349, true, _e1348);
-                                            phi_2590_ = _e1379;
+                                            let _e1349 = phi_2500_;
+                                            phi_2505_ = select(_e1319, true, _e1318);
+                                            phi_2507_ = _e1349;
                                         } else {
-                                            phi_2588_ = _e591;
-                                            phi_2590_ = _e1373;
+                                            phi_2505_ = _e576;
+                                            phi_2507_ = _e1343;
                                         }
-                                        let _e1382 = phi_2588_;
-                                        let _e1384 = phi_2590_;
-                                        phi_2594_ = _e1382;
-                                        phi_2595_ = select(_e1371, _e593, _e1375);
-                                        phi_2596_ = _e1384;
+                                        let _e1352 = phi_2505_;
+                                        let _e1354 = phi_2507_;
+                                        phi_2511_ = _e1352;
+                                        phi_2512_ = select(_e1341, _e578, _e1345);
+                                        phi_2513_ = _e1354;
                                     }
-                                    let _e1387 = phi_2594_;
-                                    let _e1389 = phi_2595_;
-                                    let _e1391 = phi_2596_;
-                                    phi_2951_ = _e1196;
-                                    phi_2607_ = _e1198;
-                                    phi_2608_ = (_e570 - 1u);
-                                    phi_2609_ = select(_e1387, false, _e598);
-                                    phi_2610_ = select(_e1389, _e593, _e598);
-                                    phi_2611_ = select(_e1391, _e595, _e598);
+                                    let _e1357 = phi_2511_;
+                                    let _e1359 = phi_2512_;
+                                    let _e1361 = phi_2513_;
+                                    phi_3053_ = _e1166;
+                                    phi_2524_ = _e1168;
+                                    phi_2525_ = (_e555 - 1u);
+                                    phi_2526_ = select(_e1357, false, _e583);
+                                    phi_2527_ = select(_e1359, _e578, _e583);
+                                    phi_2528_ = select(_e1361, _e580, _e583);
                                 } else {
-                                    phi_2951_ = _e566;
-                                    phi_2607_ = _e568;
-                                    phi_2608_ = _e570;
-                                    phi_2609_ = _e591;
-                                    phi_2610_ = _e593;
-                                    phi_2611_ = _e595;
+                                    phi_3053_ = _e551;
+                                    phi_2524_ = _e553;
+                                    phi_2525_ = _e555;
+                                    phi_2526_ = _e576;
+                                    phi_2527_ = _e578;
+                                    phi_2528_ = _e580;
                                 }
-                                let _e1396 = phi_2951_;
-                                let _e1398 = phi_2607_;
-                                let _e1400 = phi_2608_;
-                                let _e1402 = phi_2609_;
-                                let _e1404 = phi_2610_;
-                                let _e1406 = phi_2611_;
-                                phi_2950_ = _e1396;
-                                phi_2612_ = _e1398;
-                                phi_2613_ = _e1400;
-                                phi_2614_ = _e1402;
-                                phi_2615_ = _e1404;
-                                phi_2616_ = _e1406;
+                                let _e1366 = phi_3053_;
+                                let _e1368 = phi_2524_;
+                                let _e1370 = phi_2525_;
+                                let _e1372 = phi_2526_;
+                                let _e1374 = phi_2527_;
+                                let _e1376 = phi_2528_;
+                                phi_3052_ = _e1366;
+                                phi_2529_ = _e1368;
+                                phi_2530_ = _e1370;
+                                phi_2531_ = _e1372;
+                                phi_2532_ = _e1374;
+                                phi_2533_ = _e1376;
                             } else {
-                                phi_2950_ = _e566;
-                                phi_2612_ = type_40();
-                                phi_2613_ = u32();
-                                phi_2614_ = bool();
-                                phi_2615_ = u32();
-                                phi_2616_ = u32();
+                                phi_3052_ = _e551;
+                                phi_2529_ = type_40();
+                                phi_2530_ = u32();
+                                phi_2531_ = bool();
+                                phi_2532_ = u32();
+                                phi_2533_ = u32();
                             }
-                            let _e1408 = phi_2950_;
-                            let _e1410 = phi_2612_;
-                            let _e1412 = phi_2613_;
-                            let _e1414 = phi_2614_;
-                            let _e1416 = phi_2615_;
-                            let _e1418 = phi_2616_;
-                            phi_2949_ = _e1408;
-                            phi_973_ = _e1410;
-                            phi_976_ = _e1412;
-                            phi_978_ = _e1414;
-                            phi_980_ = _e1416;
-                            phi_982_ = _e1418;
-                            phi_2617_ = _e580;
+                            let _e1378 = phi_3052_;
+                            let _e1380 = phi_2529_;
+                            let _e1382 = phi_2530_;
+                            let _e1384 = phi_2531_;
+                            let _e1386 = phi_2532_;
+                            let _e1388 = phi_2533_;
+                            phi_3051_ = _e1378;
+                            phi_993_ = _e1380;
+                            phi_996_ = _e1382;
+                            phi_998_ = _e1384;
+                            phi_1000_ = _e1386;
+                            phi_1002_ = _e1388;
+                            phi_2534_ = _e565;
                         } else {
-                            phi_2949_ = _e566;
-                            phi_973_ = type_40();
-                            phi_976_ = u32();
-                            phi_978_ = bool();
-                            phi_980_ = u32();
-                            phi_982_ = u32();
-                            phi_2617_ = false;
+                            phi_3051_ = _e551;
+                            phi_993_ = type_40();
+                            phi_996_ = u32();
+                            phi_998_ = bool();
+                            phi_1000_ = u32();
+                            phi_1002_ = u32();
+                            phi_2534_ = false;
                         }
-                        let _e1420 = phi_2949_;
-                        let _e1422 = phi_973_;
-                        let _e1424 = phi_976_;
-                        let _e1426 = phi_978_;
-                        let _e1428 = phi_980_;
-                        let _e1430 = phi_982_;
-                        let _e1432 = phi_2617_;
+                        let _e1390 = phi_3051_;
+                        let _e1392 = phi_993_;
+                        let _e1394 = phi_996_;
+                        let _e1396 = phi_998_;
+                        let _e1398 = phi_1000_;
+                        let _e1400 = phi_1002_;
+                        let _e1402 = phi_2534_;
                         continue;
                         continuing {
-                            phi_2794_ = _e1420;
-                            phi_972_ = _e1422;
-                            phi_975_ = _e1424;
-                            phi_977_ = _e1426;
-                            phi_979_ = _e1428;
-                            phi_981_ = _e1430;
-                            phi_2948_ = _e1420;
-                            break if !(_e1432);
+                            phi_2891_ = _e1390;
+                            phi_992_ = _e1392;
+                            phi_995_ = _e1394;
+                            phi_997_ = _e1396;
+                            phi_999_ = _e1398;
+                            phi_1001_ = _e1400;
+                            phi_3050_ = _e1390;
+                            break if !(_e1402);
                         }
                     }
-                    let _e1435 = phi_2948_;
-                    if _e1435 {
+                    let _e1405 = phi_3050_;
+                    if _e1405 {
                         break;
                     }
-                    let _e1437 = local_2;
-                    if (_e1437.member.member_3 != 4294967295u) {
-                        let _e1442 = -(_e460);
-                        let _e1443 = bitcast<u32>(_e1437.member.member);
-                        let _e1447 = (bitcast<i32>((_e1443 >> bitcast<u32>(23i))) & 255i);
-                        let _e1448 = (_e1447 + _e1442);
-                        if (_e1447 == 255i) {
-                            phi_2676_ = _e1437.member.member;
+                    let _e1407 = local_2;
+                    if (_e1407.member.member_3 != 4294967295u) {
+                        let _e1412 = -(_e445);
+                        let _e1413 = bitcast<u32>(_e1407.member.member);
+                        let _e1417 = (bitcast<i32>((_e1413 >> bitcast<u32>(23i))) & 255i);
+                        let _e1418 = (_e1417 + _e1412);
+                        if (_e1417 == 255i) {
+                            phi_2593_ = _e1407.member.member;
                         } else {
-                            if (_e1447 > 0i) {
-                                if (_e1448 > 0i) {
-                                    let _e1452 = (_e1448 < 255i);
-                                    if _e1452 {
-                                        phi_2655_ = bitcast<f32>((_e1443 + bitcast<u32>((_e1442 << bitcast<u32>(23i)))));
+                            if (_e1417 > 0i) {
+                                if (_e1418 > 0i) {
+                                    let _e1422 = (_e1418 < 255i);
+                                    if _e1422 {
+                                        phi_2572_ = bitcast<f32>((_e1413 + bitcast<u32>((_e1412 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_2655_ = f32();
+                                        phi_2572_ = f32();
                                     }
-                                    let _e1459 = phi_2655_;
-                                    phi_2657_ = _e1459;
-                                    phi_2658_ = select(true, false, _e1452);
+                                    let _e1429 = phi_2572_;
+                                    phi_2574_ = _e1429;
+                                    phi_2575_ = select(true, false, _e1422);
                                 } else {
-                                    phi_2657_ = f32();
-                                    phi_2658_ = true;
+                                    phi_2574_ = f32();
+                                    phi_2575_ = true;
                                 }
-                                let _e1462 = phi_2657_;
-                                let _e1464 = phi_2658_;
-                                phi_2659_ = _e1462;
-                                phi_2660_ = _e1464;
+                                let _e1432 = phi_2574_;
+                                let _e1434 = phi_2575_;
+                                phi_2576_ = _e1432;
+                                phi_2577_ = _e1434;
                             } else {
-                                phi_2659_ = f32();
-                                phi_2660_ = true;
+                                phi_2576_ = f32();
+                                phi_2577_ = true;
                             }
-                            let _e1466 = phi_2659_;
-                            let _e1468 = phi_2660_;
-                            if _e1468 {
-                                let _e1469 = (_e1443 & 2147483648u);
-                                let _e1476 = ((_e1443 & 8388607u) | (select(0u, 1u, ((_e1443 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1480 = (_e1476 == 0u);
-                                if _e1480 {
-                                    phi_2783_ = bitcast<f32>(_e1469);
+                            let _e1436 = phi_2576_;
+                            let _e1438 = phi_2577_;
+                            if _e1438 {
+                                let _e1439 = (_e1413 & 2147483648u);
+                                let _e1446 = ((_e1413 & 8388607u) | (select(0u, 1u, ((_e1413 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1450 = (_e1446 == 0u);
+                                if _e1450 {
+                                    phi_2880_ = bitcast<f32>(_e1439);
                                 } else {
-                                    let _e1485 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1476)), 32u, _e1480) - 8u);
-                                    let _e1488 = (_e1476 << bitcast<u32>((_e1485 & 31u)));
-                                    let _e1490 = ((_e1448 + select(0i, 1i, (_e1447 == 0i))) - bitcast<i32>(_e1485));
-                                    if (_e1490 >= 255i) {
-                                        phi_2773_ = bitcast<f32>((_e1469 | 2139095040u));
-                                        phi_2774_ = f32();
-                                        phi_2775_ = true;
+                                    let _e1455 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1446)), 32u, _e1450) - 8u);
+                                    let _e1458 = (_e1446 << bitcast<u32>((_e1455 & 31u)));
+                                    let _e1460 = ((_e1418 + select(0i, 1i, (_e1417 == 0i))) - bitcast<i32>(_e1455));
+                                    if (_e1460 >= 255i) {
+                                        phi_2870_ = bitcast<f32>((_e1439 | 2139095040u));
+                                        phi_2871_ = f32();
+                                        phi_2872_ = true;
                                     } else {
-                                        let _e1492 = (_e1490 > 0i);
-                                        if _e1492 {
-                                            phi_2767_ = bitcast<f32>(((_e1469 | (bitcast<u32>(_e1490) << bitcast<u32>(23i))) | (_e1488 & 8388607u)));
-                                            phi_2768_ = f32();
+                                        let _e1462 = (_e1460 > 0i);
+                                        if _e1462 {
+                                            phi_2864_ = bitcast<f32>(((_e1439 | (bitcast<u32>(_e1460) << bitcast<u32>(23i))) | (_e1458 & 8388607u)));
+                                            phi_2865_ = f32();
                                         } else {
-                                            if (_e1490 < -24i) {
-                                                phi_2733_ = 26u;
+                                            if (_e1460 < -24i) {
+                                                phi_2830_ = 26u;
                                             } else {
-                                                phi_2733_ = bitcast<u32>((1i - _e1490));
+                                                phi_2830_ = bitcast<u32>((1i - _e1460));
                                             }
-                                            let _e1497 = phi_2733_;
-                                            let _e1498 = (_e1497 & 31u);
-                                            let _e1500 = (_e1488 >> bitcast<u32>(_e1498));
-                                            let _e1504 = (_e1488 & ((1u << bitcast<u32>(_e1498)) - 1u));
-                                            let _e1508 = (1u << bitcast<u32>(((_e1497 - 1u) & 31u)));
-                                            if (_e1504 > _e1508) {
-                                                phi_2754_ = true;
+                                            let _e1467 = phi_2830_;
+                                            let _e1468 = (_e1467 & 31u);
+                                            let _e1470 = (_e1458 >> bitcast<u32>(_e1468));
+                                            let _e1474 = (_e1458 & ((1u << bitcast<u32>(_e1468)) - 1u));
+                                            let _e1478 = (1u << bitcast<u32>(((_e1467 - 1u) & 31u)));
+                                            if (_e1474 > _e1478) {
+                                                phi_2851_ = true;
                                             } else {
-                                                if (_e1504 == _e1508) {
-                                                    phi_2751_ = ((_e1500 & 1u) == 1u);
+                                                if (_e1474 == _e1478) {
+                                                    phi_2848_ = ((_e1470 & 1u) == 1u);
                                                 } else {
-                                                    phi_2751_ = false;
+                                                    phi_2848_ = false;
                                                 }
-                                                let _e1514 = phi_2751_;
-                                                phi_2754_ = _e1514;
+                                                let _e1484 = phi_2848_;
+                                                phi_2851_ = _e1484;
                                             }
-                                            let _e1516 = phi_2754_;
-                                            phi_2767_ = f32();
-                                            phi_2768_ = bitcast<f32>((_e1469 | (_e1500 + select(0u, 1u, _e1516))));
+                                            let _e1486 = phi_2851_;
+                                            phi_2864_ = f32();
+                                            phi_2865_ = bitcast<f32>((_e1439 | (_e1470 + select(0u, 1u, _e1486))));
                                         }
-                                        let _e1529 = phi_2767_;
-                                        let _e1531 = phi_2768_;
-                                        phi_2773_ = _e1529;
-                                        phi_2774_ = _e1531;
-                                        phi_2775_ = _e1492;
+                                        let _e1499 = phi_2864_;
+                                        let _e1501 = phi_2865_;
+                                        phi_2870_ = _e1499;
+                                        phi_2871_ = _e1501;
+                                        phi_2872_ = _e1462;
                                     }
-                                    let _e1535 = phi_2773_;
-                                    let _e1537 = phi_2774_;
-                                    let _e1539 = phi_2775_;
-                                    phi_2783_ = select(_e1537, _e1535, _e1539);
+                                    let _e1505 = phi_2870_;
+                                    let _e1507 = phi_2871_;
+                                    let _e1509 = phi_2872_;
+                                    phi_2880_ = select(_e1507, _e1505, _e1509);
                                 }
-                                let _e1543 = phi_2783_;
-                                phi_2675_ = _e1543;
+                                let _e1513 = phi_2880_;
+                                phi_2592_ = _e1513;
                             } else {
-                                phi_2675_ = _e1466;
+                                phi_2592_ = _e1436;
                             }
-                            let _e1545 = phi_2675_;
-                            phi_2676_ = _e1545;
+                            let _e1515 = phi_2592_;
+                            phi_2593_ = _e1515;
                         }
-                        let _e1547 = phi_2676_;
-                        let _e1548 = bitcast<u32>(_e1547);
-                        if ((_e1548 & 2147483647u) >= 2139095040u) {
-                            phi_2688_ = bitcast<f32>(((_e1548 & 2147483648u) | 2139095039u));
+                        let _e1517 = phi_2593_;
+                        let _e1518 = bitcast<u32>(_e1517);
+                        if ((_e1518 & 2147483647u) >= 2139095040u) {
+                            phi_2605_ = bitcast<f32>(((_e1518 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_2688_ = _e1547;
+                            phi_2605_ = _e1517;
                         }
-                        let _e1555 = phi_2688_;
-                        phi_2693_ = type_23(_e1555, _e1437.member.member_1, _e1437.member.member_2, _e1437.member.member_3);
+                        let _e1525 = phi_2605_;
+                        phi_2610_ = type_23(_e1525, _e1407.member.member_1, _e1407.member.member_2, _e1407.member.member_3);
                     } else {
-                        phi_2693_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2610_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1560 = phi_2693_;
+                    let _e1530 = phi_2610_;
                     if _e91 {
                     } else {
                         break;
                     }
-                    global_5.member[_e85] = _e1560;
+                    global_5.member[_e85] = _e1530;
                 }
             }
             break;

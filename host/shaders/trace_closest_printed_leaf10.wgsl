@@ -30,41 +30,48 @@ struct type_29 {
     member_1: f32,
 }
 
-struct type_32 {
+struct type_31 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_33 {
     member: array<type_22>,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_37 {
+struct type_38 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_39 {
-    member: array<type_37>,
+struct type_40 {
+    member: array<type_38>,
 }
 
-struct type_42 {
+struct type_43 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_46 {
-    member: array<type_44>,
+struct type_47 {
+    member: array<type_45>,
 }
 
-struct type_50 {
-    member: type_42,
+struct type_51 {
+    member: type_43,
     member_1: u32,
 }
 
@@ -72,15 +79,15 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_8;
 @group(0) @binding(1) 
-var<uniform> global_2: type_35;
+var<uniform> global_2: type_36;
 @group(0) @binding(4) 
-var<storage> global_3: type_32;
+var<storage> global_3: type_33;
 @group(0) @binding(2) 
-var<storage> global_4: type_39;
+var<storage> global_4: type_40;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_20;
 @group(0) @binding(3) 
-var<storage> global_6: type_46;
+var<storage> global_6: type_47;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -93,155 +100,142 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_425_: i32;
-    var phi_426_: i32;
-    var phi_436_: bool;
-    var phi_446_: u32;
-    var phi_447_: u32;
-    var phi_449_: bool;
-    var phi_454_: u32;
-    var phi_467_: i32;
+    var phi_445_: i32;
+    var phi_446_: i32;
+    var phi_456_: bool;
+    var phi_466_: u32;
+    var phi_467_: u32;
+    var phi_469_: bool;
+    var phi_474_: u32;
     var phi_487_: i32;
-    var phi_505_: f32;
-    var phi_511_: f32;
-    var phi_551_: f32;
-    var phi_557_: f32;
-    var phi_609_: f32;
-    var phi_621_: f32;
-    var phi_630_: f32;
-    var phi_636_: f32;
-    var phi_676_: f32;
-    var phi_682_: f32;
-    var phi_734_: f32;
-    var phi_746_: f32;
-    var phi_755_: f32;
-    var phi_761_: f32;
-    var phi_801_: f32;
-    var phi_807_: f32;
-    var phi_859_: f32;
-    var phi_871_: f32;
-    var phi_926_: i32;
-    var phi_948_: u32;
-    var phi_949_: u32;
-    var phi_986_: i32;
-    var phi_1008_: u32;
-    var phi_1009_: u32;
-    var phi_1017_: f32;
-    var phi_1018_: f32;
-    var phi_3723_: bool;
-    var phi_1101_: type_29;
-    var phi_1104_: u32;
-    var phi_1106_: bool;
-    var phi_1108_: u32;
-    var phi_1110_: type_50;
-    var phi_1121_: bool;
-    var phi_1207_: bool;
-    var phi_1208_: u32;
-    var phi_1209_: type_50;
-    var phi_1228_: type_29;
-    var phi_1231_: type_4;
-    var phi_1232_: type_4;
-    var phi_1254_: type_4;
-    var phi_1279_: u32;
-    var phi_1295_: type_44;
-    var phi_1733_: bool;
-    var phi_1762_: bool;
-    var phi_2157_: f32;
-    var phi_2158_: f32;
-    var phi_2159_: f32;
-    var phi_2160_: f32;
-    var phi_2161_: vec3<f32>;
-    var phi_2162_: vec3<f32>;
-    var phi_2163_: vec3<f32>;
-    var phi_2164_: vec3<f32>;
-    var phi_2201_: bool;
-    var phi_2210_: vec3<f32>;
-    var phi_2375_: f32;
-    var phi_2377_: f32;
-    var phi_2378_: bool;
-    var phi_2398_: f32;
-    var phi_2399_: f32;
-    var phi_2422_: type_18;
-    var phi_2424_: type_18;
-    var phi_2425_: bool;
-    var phi_2429_: type_18;
-    var phi_2430_: type_18;
-    var phi_2431_: type_18;
-    var phi_2432_: bool;
-    var phi_2436_: type_18;
-    var phi_2437_: bool;
-    var phi_2438_: type_18;
-    var phi_2439_: bool;
-    var phi_2440_: bool;
-    var phi_2441_: type_18;
-    var phi_2442_: bool;
-    var phi_2443_: bool;
-    var phi_2451_: type_18;
-    var phi_2452_: bool;
-    var phi_2456_: type_18;
-    var phi_2481_: bool;
-    var phi_2482_: bool;
-    var phi_2488_: type_29;
-    var phi_2489_: type_29;
-    var phi_2490_: type_29;
-    var phi_1229_: type_29;
-    var phi_3717_: bool;
-    var phi_3954_: bool;
-    var phi_2491_: type_29;
-    var phi_2512_: type_37;
-    var phi_3398_: type_50;
-    var phi_3474_: type_50;
-    var phi_3475_: u32;
-    var phi_3476_: type_50;
-    var phi_3478_: u32;
-    var phi_3479_: type_50;
-    var phi_3480_: bool;
-    var phi_3487_: type_50;
-    var phi_3492_: bool;
-    var phi_3494_: type_50;
-    var phi_3498_: bool;
-    var phi_3499_: u32;
-    var phi_3500_: type_50;
-    var phi_3510_: type_50;
-    var phi_3898_: bool;
-    var phi_3511_: type_29;
-    var phi_3512_: u32;
-    var phi_3513_: bool;
-    var phi_3514_: u32;
-    var phi_3515_: type_50;
-    var phi_3897_: bool;
-    var phi_3516_: type_29;
-    var phi_3517_: u32;
-    var phi_3518_: bool;
-    var phi_3519_: u32;
-    var phi_3520_: type_50;
-    var phi_3896_: bool;
-    var phi_1102_: type_29;
-    var phi_1105_: u32;
-    var phi_1107_: bool;
-    var phi_1109_: u32;
-    var phi_1111_: type_50;
-    var phi_3521_: bool;
-    var phi_3895_: bool;
-    var local_10: type_29;
-    var phi_3559_: f32;
-    var phi_3561_: f32;
-    var phi_3562_: bool;
-    var phi_3563_: f32;
-    var phi_3564_: bool;
-    var phi_3637_: u32;
-    var phi_3655_: bool;
-    var phi_3658_: bool;
-    var phi_3671_: f32;
-    var phi_3672_: f32;
-    var phi_3677_: f32;
-    var phi_3678_: f32;
+    var phi_507_: i32;
+    var phi_525_: f32;
+    var phi_531_: f32;
+    var phi_571_: f32;
+    var phi_577_: f32;
+    var phi_650_: f32;
+    var phi_656_: f32;
+    var phi_696_: f32;
+    var phi_702_: f32;
+    var phi_775_: f32;
+    var phi_781_: f32;
+    var phi_821_: f32;
+    var phi_827_: f32;
+    var phi_946_: i32;
+    var phi_968_: u32;
+    var phi_969_: u32;
+    var phi_1006_: i32;
+    var phi_1028_: u32;
+    var phi_1029_: u32;
+    var phi_1037_: f32;
+    var phi_1038_: f32;
+    var phi_3823_: bool;
+    var phi_1121_: type_29;
+    var phi_1124_: u32;
+    var phi_1126_: bool;
+    var phi_1128_: u32;
+    var phi_1130_: type_51;
+    var phi_1141_: bool;
+    var phi_1227_: bool;
+    var phi_1228_: u32;
+    var phi_1229_: type_51;
+    var phi_1248_: type_29;
+    var phi_1251_: type_4;
+    var phi_1252_: type_4;
+    var phi_1274_: type_4;
+    var phi_1299_: u32;
+    var phi_1315_: type_45;
+    var phi_3544_: bool;
+    var phi_3559_: bool;
+    var phi_3574_: bool;
+    var phi_3589_: bool;
+    var phi_3604_: bool;
+    var phi_3619_: bool;
+    var phi_2122_: f32;
+    var phi_2123_: f32;
+    var phi_2124_: f32;
+    var phi_2125_: f32;
+    var phi_2126_: vec3<f32>;
+    var phi_2127_: vec3<f32>;
+    var phi_2128_: vec3<f32>;
+    var phi_2129_: vec3<f32>;
+    var phi_3634_: bool;
+    var phi_3649_: bool;
+    var phi_3664_: bool;
     var phi_3679_: bool;
-    var phi_3687_: f32;
-    var phi_3579_: f32;
-    var phi_3580_: f32;
-    var phi_3592_: f32;
-    var phi_3597_: type_18;
+    var phi_3694_: bool;
+    var phi_3709_: bool;
+    var phi_2337_: f32;
+    var phi_2357_: type_31;
+    var phi_2358_: type_31;
+    var phi_2361_: type_31;
+    var phi_2362_: type_31;
+    var phi_2363_: bool;
+    var phi_2367_: type_31;
+    var phi_2376_: type_18;
+    var phi_2401_: bool;
+    var phi_2402_: bool;
+    var phi_2408_: type_29;
+    var phi_2409_: type_29;
+    var phi_2410_: type_29;
+    var phi_1249_: type_29;
+    var phi_3817_: bool;
+    var phi_4059_: bool;
+    var phi_2411_: type_29;
+    var phi_2432_: type_38;
+    var phi_3318_: type_51;
+    var phi_3394_: type_51;
+    var phi_3395_: u32;
+    var phi_3396_: type_51;
+    var phi_3398_: u32;
+    var phi_3399_: type_51;
+    var phi_3400_: bool;
+    var phi_3407_: type_51;
+    var phi_3412_: bool;
+    var phi_3414_: type_51;
+    var phi_3418_: bool;
+    var phi_3419_: u32;
+    var phi_3420_: type_51;
+    var phi_3430_: type_51;
+    var phi_4003_: bool;
+    var phi_3431_: type_29;
+    var phi_3432_: u32;
+    var phi_3433_: bool;
+    var phi_3434_: u32;
+    var phi_3435_: type_51;
+    var phi_4002_: bool;
+    var phi_3436_: type_29;
+    var phi_3437_: u32;
+    var phi_3438_: bool;
+    var phi_3439_: u32;
+    var phi_3440_: type_51;
+    var phi_4001_: bool;
+    var phi_1122_: type_29;
+    var phi_1125_: u32;
+    var phi_1127_: bool;
+    var phi_1129_: u32;
+    var phi_1131_: type_51;
+    var phi_3441_: bool;
+    var phi_4000_: bool;
+    var local_10: type_29;
+    var phi_3479_: f32;
+    var phi_3481_: f32;
+    var phi_3482_: bool;
+    var phi_3483_: f32;
+    var phi_3484_: bool;
+    var phi_3737_: u32;
+    var phi_3755_: bool;
+    var phi_3758_: bool;
+    var phi_3771_: f32;
+    var phi_3772_: f32;
+    var phi_3777_: f32;
+    var phi_3778_: f32;
+    var phi_3779_: bool;
+    var phi_3787_: f32;
+    var phi_3499_: f32;
+    var phi_3500_: f32;
+    var phi_3512_: f32;
+    var phi_3517_: type_18;
     var local_11: type_29;
 
     switch bitcast<i32>(0u) {
@@ -293,271 +287,241 @@ fn function_() {
                     if _e210 {
                         let _e213 = (bitcast<u32>(bitcast<f32>(_e185)) & 2147483647u);
                         if (_e213 >= 8388608u) {
-                            phi_425_ = (bitcast<i32>((_e213 >> bitcast<u32>(23i))) - 127i);
+                            phi_445_ = (bitcast<i32>((_e213 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_425_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e213)), 32u, (_e213 == 0u))));
+                            phi_445_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e213)), 32u, (_e213 == 0u))));
                         }
-                        let _e227 = phi_425_;
-                        phi_426_ = _e227;
+                        let _e227 = phi_445_;
+                        phi_446_ = _e227;
                     } else {
-                        phi_426_ = 0i;
+                        phi_446_ = 0i;
                     }
-                    let _e229 = phi_426_;
+                    let _e229 = phi_446_;
                     let _e230 = (_e146 == _e185);
                     if _e230 {
-                        phi_436_ = true;
+                        phi_456_ = true;
                     } else {
-                        phi_436_ = (_e153 == _e185);
+                        phi_456_ = (_e153 == _e185);
                     }
-                    let _e233 = phi_436_;
+                    let _e233 = phi_456_;
                     let _e234 = select(1u, 0u, _e230);
                     if _e233 {
                         let _e235 = (_e234 + 1u);
-                        phi_446_ = _e235;
-                        phi_447_ = _e235;
-                        phi_449_ = select(true, false, (_e235 == 2u));
+                        phi_466_ = _e235;
+                        phi_467_ = _e235;
+                        phi_469_ = select(true, false, (_e235 == 2u));
                     } else {
-                        phi_446_ = u32();
-                        phi_447_ = 0u;
-                        phi_449_ = true;
+                        phi_466_ = u32();
+                        phi_467_ = 0u;
+                        phi_469_ = true;
                     }
-                    let _e239 = phi_446_;
-                    let _e241 = phi_447_;
-                    let _e243 = phi_449_;
+                    let _e239 = phi_466_;
+                    let _e241 = phi_467_;
+                    let _e243 = phi_469_;
                     if _e243 {
-                        phi_454_ = (_e241 + 1u);
+                        phi_474_ = (_e241 + 1u);
                     } else {
-                        phi_454_ = 0u;
+                        phi_474_ = 0u;
                     }
-                    let _e247 = phi_454_;
+                    let _e247 = phi_474_;
                     let _e248 = select(_e239, _e241, _e243);
                     let _e249 = select(_e234, select(2u, _e234, _e233), _e243);
                     if (_e124 < -126i) {
-                        phi_467_ = -126i;
+                        phi_487_ = -126i;
                     } else {
-                        phi_467_ = select(_e124, 127i, (_e124 > 127i));
+                        phi_487_ = select(_e124, 127i, (_e124 > 127i));
                     }
-                    let _e254 = phi_467_;
+                    let _e254 = phi_487_;
                     let _e259 = bitcast<f32>((bitcast<u32>((_e254 + 127i)) << bitcast<u32>(23i)));
                     let _e265 = bitcast<f32>((bitcast<u32>(((_e124 - _e254) + 127i)) << bitcast<u32>(23i)));
                     let _e266 = -(_e229);
                     if (_e266 < -126i) {
-                        phi_487_ = -126i;
+                        phi_507_ = -126i;
                     } else {
-                        phi_487_ = select(_e266, 127i, (_e266 > 127i));
+                        phi_507_ = select(_e266, 127i, (_e266 > 127i));
                     }
-                    let _e271 = phi_487_;
+                    let _e271 = phi_507_;
                     let _e276 = bitcast<f32>((bitcast<u32>((_e271 + 127i)) << bitcast<u32>(23i)));
                     let _e282 = bitcast<f32>((bitcast<u32>(((_e266 - _e271) + 127i)) << bitcast<u32>(23i)));
                     let _e286 = global_3.member[_e134].member;
                     let _e287 = (_e248 == 0u);
                     if _e287 {
-                        phi_505_ = _e286[0];
+                        phi_525_ = _e286[0];
                     } else {
-                        phi_505_ = _e286[1];
+                        phi_525_ = _e286[1];
                     }
-                    let _e291 = phi_505_;
+                    let _e291 = phi_525_;
                     let _e292 = (_e248 == 2u);
                     if _e292 {
-                        phi_511_ = _e286[2];
+                        phi_531_ = _e286[2];
                     } else {
-                        phi_511_ = _e291;
+                        phi_531_ = _e291;
                     }
-                    let _e295 = phi_511_;
+                    let _e295 = phi_531_;
                     let _e296 = bitcast<u32>(_e295);
                     let _e298 = ((_e296 & 2139095040u) != 0u);
                     let _e312 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e296 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e296 & 2147483648u))), _e295, _e298) * _e259) * select(0.00000011920929f, 1f, _e298)) * _e265);
                     let _e313 = global_3.member[_e134].member_2;
                     if _e287 {
-                        phi_551_ = _e313[0];
+                        phi_571_ = _e313[0];
                     } else {
-                        phi_551_ = _e313[1];
+                        phi_571_ = _e313[1];
                     }
-                    let _e317 = phi_551_;
+                    let _e317 = phi_571_;
                     if _e292 {
-                        phi_557_ = _e313[2];
+                        phi_577_ = _e313[2];
                     } else {
-                        phi_557_ = _e317;
+                        phi_577_ = _e317;
                     }
-                    let _e320 = phi_557_;
+                    let _e320 = phi_577_;
                     let _e321 = bitcast<u32>(_e320);
                     let _e323 = ((_e321 & 2139095040u) != 0u);
                     let _e337 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e320, _e323) * _e276) * select(0.00000011920929f, 1f, _e323)) * _e282);
-                    let _e341 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e341 {
-                        let _e345 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
-                        phi_609_ = select(0.00000000000011368684f, _e345, (_e345 > 0.00000000000011368684f));
+                    let _e341 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e344 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
+                    let _e345 = (_e344 * 0.00000011920929f);
+                    let _e348 = select(select(0.00000000000011368684f, _e345, (_e345 > 0.00000000000011368684f)), 0f, _e341);
+                    let _e349 = select(0f, _e337, _e341);
+                    let _e350 = (_e312 + _e348);
+                    let _e351 = (_e312 - _e348);
+                    let _e353 = select(38685626000000000000000000f, (1f / _e337), _e341);
+                    let _e354 = (_e247 == 0u);
+                    if _e354 {
+                        phi_650_ = _e286[0];
                     } else {
-                        phi_609_ = 0f;
+                        phi_650_ = _e286[1];
                     }
-                    let _e349 = phi_609_;
-                    let _e350 = (_e312 + _e349);
-                    let _e351 = (_e312 - _e349);
-                    let _e352 = select(_e337, 0f, _e341);
-                    if _e341 {
-                        phi_621_ = 38685626000000000000000000f;
+                    let _e358 = phi_650_;
+                    let _e359 = (_e247 == 2u);
+                    if _e359 {
+                        phi_656_ = _e286[2];
                     } else {
-                        phi_621_ = (1f / _e337);
+                        phi_656_ = _e358;
                     }
-                    let _e355 = phi_621_;
-                    let _e356 = (_e247 == 0u);
-                    if _e356 {
-                        phi_630_ = _e286[0];
+                    let _e362 = phi_656_;
+                    let _e363 = bitcast<u32>(_e362);
+                    let _e365 = ((_e363 & 2139095040u) != 0u);
+                    let _e379 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e363 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e363 & 2147483648u))), _e362, _e365) * _e259) * select(0.00000011920929f, 1f, _e365)) * _e265);
+                    if _e354 {
+                        phi_696_ = _e313[0];
                     } else {
-                        phi_630_ = _e286[1];
+                        phi_696_ = _e313[1];
                     }
-                    let _e360 = phi_630_;
-                    let _e361 = (_e247 == 2u);
-                    if _e361 {
-                        phi_636_ = _e286[2];
+                    let _e383 = phi_696_;
+                    if _e359 {
+                        phi_702_ = _e313[2];
                     } else {
-                        phi_636_ = _e360;
+                        phi_702_ = _e383;
                     }
-                    let _e364 = phi_636_;
-                    let _e365 = bitcast<u32>(_e364);
-                    let _e367 = ((_e365 & 2139095040u) != 0u);
-                    let _e381 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e365 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e365 & 2147483648u))), _e364, _e367) * _e259) * select(0.00000011920929f, 1f, _e367)) * _e265);
-                    if _e356 {
-                        phi_676_ = _e313[0];
+                    let _e386 = phi_702_;
+                    let _e387 = bitcast<u32>(_e386);
+                    let _e389 = ((_e387 & 2139095040u) != 0u);
+                    let _e403 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * _e276) * select(0.00000011920929f, 1f, _e389)) * _e282);
+                    let _e407 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e410 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
+                    let _e411 = (_e410 * 0.00000011920929f);
+                    let _e414 = select(select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f)), 0f, _e407);
+                    let _e415 = select(0f, _e403, _e407);
+                    let _e416 = (_e379 + _e414);
+                    let _e417 = (_e379 - _e414);
+                    let _e419 = select(38685626000000000000000000f, (1f / _e403), _e407);
+                    let _e420 = (_e249 == 0u);
+                    if _e420 {
+                        phi_775_ = _e286[0];
                     } else {
-                        phi_676_ = _e313[1];
+                        phi_775_ = _e286[1];
                     }
-                    let _e385 = phi_676_;
-                    if _e361 {
-                        phi_682_ = _e313[2];
+                    let _e424 = phi_775_;
+                    let _e425 = (_e249 == 2u);
+                    if _e425 {
+                        phi_781_ = _e286[2];
                     } else {
-                        phi_682_ = _e385;
+                        phi_781_ = _e424;
                     }
-                    let _e388 = phi_682_;
-                    let _e389 = bitcast<u32>(_e388);
-                    let _e391 = ((_e389 & 2139095040u) != 0u);
-                    let _e405 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e389 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e389 & 2147483648u))), _e388, _e391) * _e276) * select(0.00000011920929f, 1f, _e391)) * _e282);
-                    let _e409 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e409 {
-                        let _e413 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) * 0.00000011920929f);
-                        phi_734_ = select(0.00000000000011368684f, _e413, (_e413 > 0.00000000000011368684f));
+                    let _e428 = phi_781_;
+                    let _e429 = bitcast<u32>(_e428);
+                    let _e431 = ((_e429 & 2139095040u) != 0u);
+                    let _e445 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e429 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e429 & 2147483648u))), _e428, _e431) * _e259) * select(0.00000011920929f, 1f, _e431)) * _e265);
+                    if _e420 {
+                        phi_821_ = _e313[0];
                     } else {
-                        phi_734_ = 0f;
+                        phi_821_ = _e313[1];
                     }
-                    let _e417 = phi_734_;
-                    let _e418 = (_e381 + _e417);
-                    let _e419 = (_e381 - _e417);
-                    let _e420 = select(_e405, 0f, _e409);
-                    if _e409 {
-                        phi_746_ = 38685626000000000000000000f;
+                    let _e449 = phi_821_;
+                    if _e425 {
+                        phi_827_ = _e313[2];
                     } else {
-                        phi_746_ = (1f / _e405);
+                        phi_827_ = _e449;
                     }
-                    let _e423 = phi_746_;
-                    let _e424 = (_e249 == 0u);
-                    if _e424 {
-                        phi_755_ = _e286[0];
-                    } else {
-                        phi_755_ = _e286[1];
-                    }
-                    let _e428 = phi_755_;
-                    let _e429 = (_e249 == 2u);
-                    if _e429 {
-                        phi_761_ = _e286[2];
-                    } else {
-                        phi_761_ = _e428;
-                    }
-                    let _e432 = phi_761_;
-                    let _e433 = bitcast<u32>(_e432);
-                    let _e435 = ((_e433 & 2139095040u) != 0u);
-                    let _e449 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e433 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e433 & 2147483648u))), _e432, _e435) * _e259) * select(0.00000011920929f, 1f, _e435)) * _e265);
-                    if _e424 {
-                        phi_801_ = _e313[0];
-                    } else {
-                        phi_801_ = _e313[1];
-                    }
-                    let _e453 = phi_801_;
-                    if _e429 {
-                        phi_807_ = _e313[2];
-                    } else {
-                        phi_807_ = _e453;
-                    }
-                    let _e456 = phi_807_;
-                    let _e457 = bitcast<u32>(_e456);
-                    let _e459 = ((_e457 & 2139095040u) != 0u);
-                    let _e473 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e457 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e457 & 2147483648u))), _e456, _e459) * _e276) * select(0.00000011920929f, 1f, _e459)) * _e282);
-                    let _e477 = (bitcast<f32>((bitcast<u32>(_e473) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e477 {
-                        let _e481 = (bitcast<f32>((bitcast<u32>(_e449) & 2147483647u)) * 0.00000011920929f);
-                        phi_859_ = select(0.00000000000011368684f, _e481, (_e481 > 0.00000000000011368684f));
-                    } else {
-                        phi_859_ = 0f;
-                    }
-                    let _e485 = phi_859_;
-                    let _e486 = (_e449 + _e485);
-                    let _e487 = (_e449 - _e485);
-                    let _e488 = select(_e473, 0f, _e477);
-                    if _e477 {
-                        phi_871_ = 38685626000000000000000000f;
-                    } else {
-                        phi_871_ = (1f / _e473);
-                    }
-                    let _e491 = phi_871_;
-                    let _e494 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
-                    let _e497 = bitcast<f32>((bitcast<u32>(_e381) & 2147483647u));
-                    let _e499 = select(_e497, _e494, (_e494 > _e497));
-                    let _e502 = bitcast<f32>((bitcast<u32>(_e449) & 2147483647u));
-                    let _e505 = (_e124 + _e229);
-                    if (_e210 && (select(_e502, _e499, (_e499 > _e502)) <= 1099511600000f)) {
-                        let _e515 = ((_e197 & 8388607u) | (select(0u, 1u, ((_e197 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e518 = bitcast<i32>((_e197 >> bitcast<u32>(23i)));
-                        let _e522 = (_e515 == 0u);
-                        let _e525 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e515)), 32u, _e522)) - 8i);
-                        if (_e518 == 255i) {
-                            phi_926_ = 255i;
+                    let _e452 = phi_827_;
+                    let _e453 = bitcast<u32>(_e452);
+                    let _e455 = ((_e453 & 2139095040u) != 0u);
+                    let _e469 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e453 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e453 & 2147483648u))), _e452, _e455) * _e276) * select(0.00000011920929f, 1f, _e455)) * _e282);
+                    let _e473 = (bitcast<f32>((bitcast<u32>(_e469) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e476 = bitcast<f32>((bitcast<u32>(_e445) & 2147483647u));
+                    let _e477 = (_e476 * 0.00000011920929f);
+                    let _e480 = select(select(0.00000000000011368684f, _e477, (_e477 > 0.00000000000011368684f)), 0f, _e473);
+                    let _e481 = select(0f, _e469, _e473);
+                    let _e482 = (_e445 + _e480);
+                    let _e483 = (_e445 - _e480);
+                    let _e485 = select(38685626000000000000000000f, (1f / _e469), _e473);
+                    let _e487 = select(_e410, _e344, (_e344 > _e410));
+                    let _e490 = (_e124 + _e229);
+                    if (_e210 && (select(_e476, _e487, (_e487 > _e476)) <= 1099511600000f)) {
+                        let _e500 = ((_e197 & 8388607u) | (select(0u, 1u, ((_e197 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e503 = bitcast<i32>((_e197 >> bitcast<u32>(23i)));
+                        let _e507 = (_e500 == 0u);
+                        let _e510 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e500)), 32u, _e507)) - 8i);
+                        if (_e503 == 255i) {
+                            phi_946_ = 255i;
                         } else {
-                            phi_926_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e505);
+                            phi_946_ = (((_e503 + select(0i, 1i, (_e503 == 0i))) - _e510) + _e490);
                         }
-                        let _e533 = phi_926_;
-                        let _e543 = (_e533 <= 0i);
-                        if _e543 {
-                            phi_949_ = u32();
+                        let _e518 = phi_946_;
+                        let _e528 = (_e518 <= 0i);
+                        if _e528 {
+                            phi_969_ = u32();
                         } else {
-                            if _e522 {
-                                phi_948_ = u32();
+                            if _e507 {
+                                phi_968_ = u32();
                             } else {
-                                phi_948_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
+                                phi_968_ = select(((bitcast<u32>(_e518) << bitcast<u32>(23i)) | ((_e500 << bitcast<u32>(((_e510 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e518 >= 255i));
                             }
-                            let _e547 = phi_948_;
-                            phi_949_ = _e547;
+                            let _e532 = phi_968_;
+                            phi_969_ = _e532;
                         }
-                        let _e549 = phi_949_;
-                        let _e561 = ((_e206 & 8388607u) | (select(0u, 1u, ((_e206 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e564 = bitcast<i32>((_e206 >> bitcast<u32>(23i)));
-                        let _e568 = (_e561 == 0u);
-                        let _e571 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e561)), 32u, _e568)) - 8i);
-                        if (_e564 == 255i) {
-                            phi_986_ = 255i;
+                        let _e534 = phi_969_;
+                        let _e546 = ((_e206 & 8388607u) | (select(0u, 1u, ((_e206 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e549 = bitcast<i32>((_e206 >> bitcast<u32>(23i)));
+                        let _e553 = (_e546 == 0u);
+                        let _e556 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e546)), 32u, _e553)) - 8i);
+                        if (_e549 == 255i) {
+                            phi_1006_ = 255i;
                         } else {
-                            phi_986_ = (((_e564 + select(0i, 1i, (_e564 == 0i))) - _e571) + _e505);
+                            phi_1006_ = (((_e549 + select(0i, 1i, (_e549 == 0i))) - _e556) + _e490);
                         }
-                        let _e579 = phi_986_;
-                        let _e589 = (_e579 <= 0i);
-                        if _e589 {
-                            phi_1009_ = u32();
+                        let _e564 = phi_1006_;
+                        let _e574 = (_e564 <= 0i);
+                        if _e574 {
+                            phi_1029_ = u32();
                         } else {
-                            if _e568 {
-                                phi_1008_ = u32();
+                            if _e553 {
+                                phi_1028_ = u32();
                             } else {
-                                phi_1008_ = select(((bitcast<u32>(_e579) << bitcast<u32>(23i)) | ((_e561 << bitcast<u32>(((_e571 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e579 >= 255i));
+                                phi_1028_ = select(((bitcast<u32>(_e564) << bitcast<u32>(23i)) | ((_e546 << bitcast<u32>(((_e556 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e564 >= 255i));
                             }
-                            let _e593 = phi_1008_;
-                            phi_1009_ = _e593;
+                            let _e578 = phi_1028_;
+                            phi_1029_ = _e578;
                         }
-                        let _e595 = phi_1009_;
-                        phi_1017_ = bitcast<f32>(((_e205 & 2147483648u) | select(_e595, 0u, select(_e568, true, _e589))));
-                        phi_1018_ = bitcast<f32>(((_e196 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
+                        let _e580 = phi_1029_;
+                        phi_1037_ = bitcast<f32>(((_e205 & 2147483648u) | select(_e580, 0u, select(_e553, true, _e574))));
+                        phi_1038_ = bitcast<f32>(((_e196 & 2147483648u) | select(_e534, 0u, select(_e507, true, _e528))));
                     } else {
-                        phi_1017_ = 0f;
-                        phi_1018_ = 1f;
+                        phi_1037_ = 0f;
+                        phi_1038_ = 1f;
                     }
-                    let _e601 = phi_1017_;
-                    let _e603 = phi_1018_;
+                    let _e586 = phi_1037_;
+                    let _e588 = phi_1038_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -567,958 +531,935 @@ fn function_() {
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 3>(bitcast<f32>(_e96), bitcast<f32>(_e100), bitcast<f32>(_e104));
-                    let _e608 = (_e248 % 3u);
-                    let _e609 = (_e608 < 3u);
-                    if _e609 {
+                    let _e593 = (_e248 % 3u);
+                    let _e594 = (_e593 < 3u);
+                    if _e594 {
                     } else {
                         break;
                     }
-                    let _e611 = local_9[_e608];
-                    let _e612 = (_e247 % 3u);
-                    let _e613 = (_e612 < 3u);
-                    if _e613 {
+                    let _e596 = local_9[_e593];
+                    let _e597 = (_e247 % 3u);
+                    let _e598 = (_e597 < 3u);
+                    if _e598 {
                     } else {
                         break;
                     }
-                    let _e615 = local_9[_e612];
-                    let _e616 = (_e249 % 3u);
-                    let _e617 = (_e616 < 3u);
-                    if _e617 {
+                    let _e600 = local_9[_e597];
+                    let _e601 = (_e249 % 3u);
+                    let _e602 = (_e601 < 3u);
+                    if _e602 {
                     } else {
                         break;
                     }
-                    let _e619 = local_9[_e616];
+                    let _e604 = local_9[_e601];
                     local_8 = array<f32, 3>(bitcast<f32>(_e108), bitcast<f32>(_e112), bitcast<f32>(_e116));
-                    if _e609 {
+                    if _e594 {
                     } else {
                         break;
                     }
-                    let _e623 = local_8[_e608];
-                    if _e613 {
+                    let _e608 = local_8[_e593];
+                    if _e598 {
                     } else {
                         break;
                     }
-                    let _e625 = local_8[_e612];
-                    if _e617 {
+                    let _e610 = local_8[_e597];
+                    if _e602 {
                     } else {
                         break;
                     }
-                    let _e627 = local_8[_e616];
-                    phi_3723_ = false;
-                    phi_1101_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e601);
-                    phi_1104_ = ((3u * _e85) + 1u);
-                    phi_1106_ = (_e603 <= _e601);
-                    phi_1108_ = 0u;
-                    phi_1110_ = type_50(type_42(array<f32, 3>(_e611, _e615, _e619), array<f32, 3>(_e623, _e625, _e627)), select(0u, 2147483648u, (_e85 == 0u)));
+                    let _e612 = local_8[_e601];
+                    phi_3823_ = false;
+                    phi_1121_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e586);
+                    phi_1124_ = ((3u * _e85) + 1u);
+                    phi_1126_ = (_e588 <= _e586);
+                    phi_1128_ = 0u;
+                    phi_1130_ = type_51(type_43(array<f32, 3>(_e596, _e600, _e604), array<f32, 3>(_e608, _e610, _e612)), select(0u, 2147483648u, (_e85 == 0u)));
                     loop {
-                        let _e635 = phi_3723_;
-                        let _e637 = phi_1101_;
-                        let _e639 = phi_1104_;
-                        let _e641 = phi_1106_;
-                        let _e643 = phi_1108_;
-                        let _e645 = phi_1110_;
-                        local_10 = _e637;
-                        if _e641 {
-                            phi_1121_ = true;
+                        let _e620 = phi_3823_;
+                        let _e622 = phi_1121_;
+                        let _e624 = phi_1124_;
+                        let _e626 = phi_1126_;
+                        let _e628 = phi_1128_;
+                        let _e630 = phi_1130_;
+                        local_10 = _e622;
+                        if _e626 {
+                            phi_1141_ = true;
                         } else {
-                            phi_1121_ = (_e643 > 0u);
+                            phi_1141_ = (_e628 > 0u);
                         }
-                        let _e648 = phi_1121_;
-                        if _e648 {
-                            let _e649 = (_e639 > 0u);
-                            if _e649 {
-                                if _e641 {
-                                    phi_1207_ = _e641;
-                                    phi_1208_ = _e643;
-                                    phi_1209_ = _e645;
+                        let _e633 = phi_1141_;
+                        if _e633 {
+                            let _e634 = (_e624 > 0u);
+                            if _e634 {
+                                if _e626 {
+                                    phi_1227_ = _e626;
+                                    phi_1228_ = _e628;
+                                    phi_1229_ = _e630;
                                 } else {
-                                    let _e650 = (_e643 - 1u);
-                                    let _e651 = (_e650 % 128u);
-                                    let _e652 = (_e651 < 128u);
-                                    if _e652 {
+                                    let _e635 = (_e628 - 1u);
+                                    let _e636 = (_e635 % 128u);
+                                    let _e637 = (_e636 < 128u);
+                                    if _e637 {
                                     } else {
-                                        phi_3895_ = true;
+                                        phi_4000_ = true;
                                         break;
                                     }
-                                    let _e654 = local_6[_e651];
-                                    if _e652 {
+                                    let _e639 = local_6[_e636];
+                                    if _e637 {
                                     } else {
-                                        phi_3895_ = true;
+                                        phi_4000_ = true;
                                         break;
                                     }
-                                    let _e656 = local_5[_e651];
-                                    if _e652 {
+                                    let _e641 = local_5[_e636];
+                                    if _e637 {
                                     } else {
-                                        phi_3895_ = true;
+                                        phi_4000_ = true;
                                         break;
                                     }
-                                    let _e658 = local_4[_e651];
-                                    if _e652 {
+                                    let _e643 = local_4[_e636];
+                                    if _e637 {
                                     } else {
-                                        phi_3895_ = true;
+                                        phi_4000_ = true;
                                         break;
                                     }
-                                    let _e660 = local_3[_e651];
-                                    if _e652 {
+                                    let _e645 = local_3[_e636];
+                                    if _e637 {
                                     } else {
-                                        phi_3895_ = true;
+                                        phi_4000_ = true;
                                         break;
                                     }
-                                    let _e663 = local_2[_e651];
-                                    if _e652 {
+                                    let _e648 = local_2[_e636];
+                                    if _e637 {
                                     } else {
-                                        phi_3895_ = true;
+                                        phi_4000_ = true;
                                         break;
                                     }
-                                    let _e665 = local_1[_e651];
-                                    if _e652 {
+                                    let _e650 = local_1[_e636];
+                                    if _e637 {
                                     } else {
-                                        phi_3895_ = true;
+                                        phi_4000_ = true;
                                         break;
                                     }
-                                    let _e667 = local[_e651];
-                                    if _e652 {
+                                    let _e652 = local[_e636];
+                                    if _e637 {
                                     } else {
-                                        phi_3895_ = true;
+                                        phi_4000_ = true;
                                         break;
                                     }
-                                    let _e672 = local_7[_e651];
-                                    phi_1207_ = (_e672 <= _e637.member_1);
-                                    phi_1208_ = _e650;
-                                    phi_1209_ = type_50(type_42(array<f32, 3>(_e656, _e658, _e660), array<f32, 3>(_e663, _e665, _e667)), _e654);
+                                    let _e657 = local_7[_e636];
+                                    phi_1227_ = (_e657 <= _e622.member_1);
+                                    phi_1228_ = _e635;
+                                    phi_1229_ = type_51(type_43(array<f32, 3>(_e641, _e643, _e645), array<f32, 3>(_e648, _e650, _e652)), _e639);
                                 }
-                                let _e676 = phi_1207_;
-                                let _e678 = phi_1208_;
-                                let _e680 = phi_1209_;
-                                if _e676 {
-                                    let _e684 = ((_e680.member_1 & 2147483648u) != 0u);
-                                    if _e684 {
-                                        phi_1228_ = _e637;
-                                        phi_1231_ = type_4(0u, ((_e680.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e661 = phi_1227_;
+                                let _e663 = phi_1228_;
+                                let _e665 = phi_1229_;
+                                if _e661 {
+                                    let _e669 = ((_e665.member_1 & 2147483648u) != 0u);
+                                    if _e669 {
+                                        phi_1248_ = _e622;
+                                        phi_1251_ = type_4(0u, ((_e665.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e692 = phi_1228_;
-                                            let _e694 = phi_1231_;
-                                            local_11 = _e692;
-                                            if (_e694.member < _e694.member_1) {
-                                                phi_1232_ = type_4((_e694.member + 1u), _e694.member_1);
-                                                phi_1254_ = type_4(1u, _e694.member);
+                                            let _e677 = phi_1248_;
+                                            let _e679 = phi_1251_;
+                                            local_11 = _e677;
+                                            if (_e679.member < _e679.member_1) {
+                                                phi_1252_ = type_4((_e679.member + 1u), _e679.member_1);
+                                                phi_1274_ = type_4(1u, _e679.member);
                                             } else {
-                                                phi_1232_ = _e694;
-                                                phi_1254_ = type_4(0u, type_4().member_1);
+                                                phi_1252_ = _e679;
+                                                phi_1274_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e707 = phi_1232_;
-                                            let _e709 = phi_1254_;
-                                            let _e713 = (bitcast<i32>(_e709.member) != 0i);
-                                            if _e713 {
-                                                let _e714 = ((_e680.member_1 & 268435455u) + _e709.member_1);
-                                                let _e715 = (_e714 < arrayLength((&global_6.member)));
-                                                if _e715 {
-                                                    if _e715 {
+                                            let _e692 = phi_1252_;
+                                            let _e694 = phi_1274_;
+                                            let _e698 = (bitcast<i32>(_e694.member) != 0i);
+                                            if _e698 {
+                                                let _e699 = ((_e665.member_1 & 268435455u) + _e694.member_1);
+                                                let _e700 = (_e699 < arrayLength((&global_6.member)));
+                                                if _e700 {
+                                                    if _e700 {
                                                     } else {
-                                                        phi_3717_ = true;
+                                                        phi_3817_ = true;
                                                         break;
                                                     }
-                                                    let _e718 = global_6.member[_e714].member_1;
-                                                    phi_1279_ = _e718;
+                                                    let _e703 = global_6.member[_e699].member_1;
+                                                    phi_1299_ = _e703;
                                                 } else {
-                                                    phi_1279_ = 4294967295u;
+                                                    phi_1299_ = 4294967295u;
                                                 }
-                                                let _e720 = phi_1279_;
-                                                if _e715 {
-                                                    if _e715 {
+                                                let _e705 = phi_1299_;
+                                                if _e700 {
+                                                    if _e700 {
                                                     } else {
-                                                        phi_3717_ = true;
+                                                        phi_3817_ = true;
                                                         break;
                                                     }
-                                                    let _e722 = global_6.member[_e714];
-                                                    phi_1295_ = _e722;
+                                                    let _e707 = global_6.member[_e699];
+                                                    phi_1315_ = _e707;
                                                 } else {
-                                                    phi_1295_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1315_ = type_45(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e724 = phi_1295_;
-                                                let _e736 = ((10u * _e248) & 31u);
-                                                let _e739 = ((_e724.member[0] >> bitcast<u32>(_e736)) & 1023u);
-                                                let _e747 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e120));
-                                                let _e752 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e739)) - 8388608f) * _e747)) ^ _e120)));
-                                                let _e756 = select(select(_e680.member.member_1[0], _e752, (_e752 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e739 == 1023u));
-                                                let _e758 = ((10u * _e247) & 31u);
-                                                let _e761 = ((_e724.member[0] >> bitcast<u32>(_e758)) & 1023u);
-                                                let _e769 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e120));
-                                                let _e774 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e761)) - 8388608f) * _e769)) ^ _e120)));
-                                                let _e778 = select(select(_e680.member.member_1[1], _e774, (_e774 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e761 == 1023u));
-                                                let _e780 = ((10u * _e249) & 31u);
-                                                let _e783 = ((_e724.member[0] >> bitcast<u32>(_e780)) & 1023u);
-                                                let _e791 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e120));
-                                                let _e796 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e783)) - 8388608f) * _e791)) ^ _e120)));
-                                                let _e800 = select(select(_e680.member.member_1[2], _e796, (_e796 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e783 == 1023u));
-                                                let _e804 = ((_e724.member[1] >> bitcast<u32>(_e736)) & 1023u);
-                                                let _e812 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e804)) - 8388608f) * _e747)) ^ _e120)));
-                                                let _e816 = select(select(_e680.member.member_1[0], _e812, (_e812 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e804 == 1023u));
-                                                let _e819 = ((_e724.member[1] >> bitcast<u32>(_e758)) & 1023u);
-                                                let _e827 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e819)) - 8388608f) * _e769)) ^ _e120)));
-                                                let _e831 = select(select(_e680.member.member_1[1], _e827, (_e827 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e819 == 1023u));
-                                                let _e834 = ((_e724.member[1] >> bitcast<u32>(_e780)) & 1023u);
-                                                let _e842 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e834)) - 8388608f) * _e791)) ^ _e120)));
-                                                let _e846 = select(select(_e680.member.member_1[2], _e842, (_e842 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e834 == 1023u));
-                                                let _e850 = ((_e724.member[2] >> bitcast<u32>(_e736)) & 1023u);
-                                                let _e858 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e850)) - 8388608f) * _e747)) ^ _e120)));
-                                                let _e862 = select(select(_e680.member.member_1[0], _e858, (_e858 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e850 == 1023u));
-                                                let _e865 = ((_e724.member[2] >> bitcast<u32>(_e758)) & 1023u);
-                                                let _e873 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e865)) - 8388608f) * _e769)) ^ _e120)));
-                                                let _e877 = select(select(_e680.member.member_1[1], _e873, (_e873 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e865 == 1023u));
-                                                let _e880 = ((_e724.member[2] >> bitcast<u32>(_e780)) & 1023u);
-                                                let _e888 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e880)) - 8388608f) * _e791)) ^ _e120)));
-                                                let _e892 = select(select(_e680.member.member_1[2], _e888, (_e888 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e880 == 1023u));
-                                                let _e896 = (_e800 - _e449);
-                                                let _e899 = (((_e756 - _e312) * _e488) - (_e896 * _e352));
-                                                let _e902 = (((_e778 - _e381) * _e488) - (_e896 * _e420));
-                                                let _e905 = (_e846 - _e449);
-                                                let _e908 = (((_e816 - _e312) * _e488) - (_e905 * _e352));
-                                                let _e911 = (((_e831 - _e381) * _e488) - (_e905 * _e420));
-                                                let _e914 = (_e892 - _e449);
-                                                let _e917 = (((_e862 - _e312) * _e488) - (_e914 * _e352));
-                                                let _e920 = (((_e877 - _e381) * _e488) - (_e914 * _e420));
-                                                let _e921 = (_e917 * _e911);
-                                                let _e922 = (_e920 * _e908);
-                                                let _e923 = (_e899 * _e920);
-                                                let _e924 = (_e902 * _e917);
-                                                let _e925 = (_e908 * _e902);
-                                                let _e926 = (_e911 * _e899);
-                                                let _e931 = (((_e921 >= _e922) && (_e923 >= _e924)) && (_e925 >= _e926));
-                                                if (_e931 || (((_e921 <= _e922) && (_e923 <= _e924)) && (_e925 <= _e926))) {
-                                                    let _e938 = select(-1f, 1f, _e931);
-                                                    let _e940 = ((_e921 - _e922) * _e938);
-                                                    let _e942 = select(0f, _e940, (_e940 > 0f));
-                                                    let _e944 = ((_e923 - _e924) * _e938);
-                                                    let _e946 = select(0f, _e944, (_e944 > 0f));
-                                                    let _e948 = ((_e925 - _e926) * _e938);
-                                                    let _e950 = select(0f, _e948, (_e948 > 0f));
-                                                    let _e952 = ((_e942 + _e946) + _e950);
-                                                    if (_e952 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2441_ = type_18();
-                                                        phi_2442_ = true;
-                                                        phi_2443_ = false;
+                                                let _e709 = phi_1315_;
+                                                let _e721 = ((10u * _e248) & 31u);
+                                                let _e724 = ((_e709.member[0] >> bitcast<u32>(_e721)) & 1023u);
+                                                let _e732 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[0] - _e665.member.member[0]) * 0.0009775171f)) ^ _e120));
+                                                let _e737 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e724)) - 8388608f) * _e732)) ^ _e120)));
+                                                let _e741 = select(select(_e665.member.member_1[0], _e737, (_e737 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e724 == 1023u));
+                                                let _e743 = ((10u * _e247) & 31u);
+                                                let _e746 = ((_e709.member[0] >> bitcast<u32>(_e743)) & 1023u);
+                                                let _e754 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[1] - _e665.member.member[1]) * 0.0009775171f)) ^ _e120));
+                                                let _e759 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e746)) - 8388608f) * _e754)) ^ _e120)));
+                                                let _e763 = select(select(_e665.member.member_1[1], _e759, (_e759 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e746 == 1023u));
+                                                let _e765 = ((10u * _e249) & 31u);
+                                                let _e768 = ((_e709.member[0] >> bitcast<u32>(_e765)) & 1023u);
+                                                let _e776 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[2] - _e665.member.member[2]) * 0.0009775171f)) ^ _e120));
+                                                let _e781 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e768)) - 8388608f) * _e776)) ^ _e120)));
+                                                let _e785 = select(select(_e665.member.member_1[2], _e781, (_e781 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e768 == 1023u));
+                                                let _e789 = ((_e709.member[1] >> bitcast<u32>(_e721)) & 1023u);
+                                                let _e797 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e789)) - 8388608f) * _e732)) ^ _e120)));
+                                                let _e801 = select(select(_e665.member.member_1[0], _e797, (_e797 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e789 == 1023u));
+                                                let _e804 = ((_e709.member[1] >> bitcast<u32>(_e743)) & 1023u);
+                                                let _e812 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e804)) - 8388608f) * _e754)) ^ _e120)));
+                                                let _e816 = select(select(_e665.member.member_1[1], _e812, (_e812 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e804 == 1023u));
+                                                let _e819 = ((_e709.member[1] >> bitcast<u32>(_e765)) & 1023u);
+                                                let _e827 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e819)) - 8388608f) * _e776)) ^ _e120)));
+                                                let _e831 = select(select(_e665.member.member_1[2], _e827, (_e827 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e819 == 1023u));
+                                                let _e835 = ((_e709.member[2] >> bitcast<u32>(_e721)) & 1023u);
+                                                let _e843 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e835)) - 8388608f) * _e732)) ^ _e120)));
+                                                let _e847 = select(select(_e665.member.member_1[0], _e843, (_e843 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e835 == 1023u));
+                                                let _e850 = ((_e709.member[2] >> bitcast<u32>(_e743)) & 1023u);
+                                                let _e858 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e850)) - 8388608f) * _e754)) ^ _e120)));
+                                                let _e862 = select(select(_e665.member.member_1[1], _e858, (_e858 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e850 == 1023u));
+                                                let _e865 = ((_e709.member[2] >> bitcast<u32>(_e765)) & 1023u);
+                                                let _e873 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e865)) - 8388608f) * _e776)) ^ _e120)));
+                                                let _e877 = select(select(_e665.member.member_1[2], _e873, (_e873 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e865 == 1023u));
+                                                let _e881 = (_e785 - _e445);
+                                                let _e884 = (((_e741 - _e312) * _e481) - (_e881 * _e349));
+                                                let _e887 = (((_e763 - _e379) * _e481) - (_e881 * _e415));
+                                                let _e890 = (_e831 - _e445);
+                                                let _e893 = (((_e801 - _e312) * _e481) - (_e890 * _e349));
+                                                let _e896 = (((_e816 - _e379) * _e481) - (_e890 * _e415));
+                                                let _e899 = (_e877 - _e445);
+                                                let _e902 = (((_e847 - _e312) * _e481) - (_e899 * _e349));
+                                                let _e905 = (((_e862 - _e379) * _e481) - (_e899 * _e415));
+                                                let _e906 = (_e902 * _e896);
+                                                let _e907 = (_e905 * _e893);
+                                                let _e908 = (_e884 * _e905);
+                                                let _e909 = (_e887 * _e902);
+                                                let _e910 = (_e893 * _e887);
+                                                let _e911 = (_e896 * _e884);
+                                                let _e916 = (((_e906 >= _e907) && (_e908 >= _e909)) && (_e910 >= _e911));
+                                                let _e922 = (_e916 || (((_e906 <= _e907) && (_e908 <= _e909)) && (_e910 <= _e911)));
+                                                if _e922 {
+                                                    let _e924 = select(-1f, 1f, _e916);
+                                                    let _e926 = ((_e906 - _e907) * _e924);
+                                                    let _e928 = select(0f, _e926, (_e926 > 0f));
+                                                    let _e930 = ((_e908 - _e909) * _e924);
+                                                    let _e932 = select(0f, _e930, (_e930 > 0f));
+                                                    let _e934 = ((_e910 - _e911) * _e924);
+                                                    let _e936 = select(0f, _e934, (_e934 > 0f));
+                                                    let _e938 = ((_e928 + _e932) + _e936);
+                                                    let _e940 = select(_e801, _e741, (_e741 < _e801));
+                                                    let _e944 = select(_e801, _e741, (_e741 > _e801));
+                                                    let _e948 = select(_e816, _e763, (_e763 < _e816));
+                                                    let _e952 = select(_e816, _e763, (_e763 > _e816));
+                                                    let _e956 = select(_e831, _e785, (_e785 < _e831));
+                                                    let _e960 = select(_e831, _e785, (_e785 > _e831));
+                                                    let _e965 = ((select(_e847, _e940, (_e940 < _e847)) - _e350) * _e353);
+                                                    let _e966 = ((select(_e847, _e944, (_e944 > _e847)) - _e351) * _e353);
+                                                    let _e969 = ((select(_e862, _e948, (_e948 < _e862)) - _e416) * _e419);
+                                                    let _e970 = ((select(_e862, _e952, (_e952 > _e862)) - _e417) * _e419);
+                                                    let _e973 = ((select(_e877, _e956, (_e956 < _e877)) - _e482) * _e485);
+                                                    let _e974 = ((select(_e877, _e960, (_e960 > _e877)) - _e483) * _e485);
+                                                    let _e976 = select(_e974, _e973, (_e973 < _e974));
+                                                    let _e978 = select(_e974, _e973, (_e973 > _e974));
+                                                    let _e980 = select(_e966, _e965, (_e965 < _e966));
+                                                    let _e982 = select(_e970, _e969, (_e969 < _e970));
+                                                    let _e984 = select(_e982, _e980, (_e980 > _e982));
+                                                    let _e986 = select(_e976, _e984, (_e984 > _e976));
+                                                    let _e988 = select(_e966, _e965, (_e965 > _e966));
+                                                    let _e990 = select(_e970, _e969, (_e969 > _e970));
+                                                    let _e992 = select(_e990, _e988, (_e988 < _e990));
+                                                    let _e994 = select(_e978, _e992, (_e992 < _e978));
+                                                    let _e995 = -(_e976);
+                                                    let _e1001 = select(_e588, _e986, (_e986 > _e588));
+                                                    let _e1005 = select(_e893, _e884, (_e884 < _e893));
+                                                    let _e1010 = select(_e893, _e884, (_e884 > _e893));
+                                                    let _e1017 = select(_e896, _e887, (_e887 < _e896));
+                                                    let _e1022 = select(_e896, _e887, (_e887 > _e896));
+                                                    let _e1031 = (((((_e922 && (_e938 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e902, _e1005, (_e1005 < _e902)) <= 0f) && (select(_e902, _e1010, (_e1010 > _e902)) >= 0f))) && ((select(_e905, _e1017, (_e1017 < _e905)) <= 0f) && (select(_e905, _e1022, (_e1022 > _e905)) >= 0f))) && (_e1001 <= (_e994 + (select(_e995, _e978, (_e978 > _e995)) * 0.0000019073523f)))) && (_e1001 <= _e677.member_1));
+                                                    if _e1031 {
+                                                        let _e1036 = (_e801 - _e741);
+                                                        let _e1037 = (_e816 - _e763);
+                                                        let _e1038 = (_e831 - _e785);
+                                                        let _e1039 = vec3<f32>(_e1036, _e1037, _e1038);
+                                                        let _e1040 = (_e847 - _e801);
+                                                        let _e1041 = (_e862 - _e816);
+                                                        let _e1042 = (_e877 - _e831);
+                                                        let _e1043 = vec3<f32>(_e1040, _e1041, _e1042);
+                                                        let _e1044 = (_e741 - _e847);
+                                                        let _e1045 = (_e763 - _e862);
+                                                        let _e1046 = (_e785 - _e877);
+                                                        let _e1047 = vec3<f32>(_e1044, _e1045, _e1046);
+                                                        let _e1048 = abs(_e1036);
+                                                        let _e1049 = abs(_e1037);
+                                                        if (_e1048 != _e1048) {
+                                                            phi_3544_ = true;
+                                                        } else {
+                                                            phi_3544_ = (_e1049 >= _e1048);
+                                                        }
+                                                        let _e1053 = phi_3544_;
+                                                        let _e1054 = select(_e1048, _e1049, _e1053);
+                                                        let _e1055 = abs(_e1038);
+                                                        if (_e1054 != _e1054) {
+                                                            phi_3559_ = true;
+                                                        } else {
+                                                            phi_3559_ = (_e1055 >= _e1054);
+                                                        }
+                                                        let _e1059 = phi_3559_;
+                                                        let _e1060 = select(_e1054, _e1055, _e1059);
+                                                        let _e1061 = abs(_e1040);
+                                                        let _e1062 = abs(_e1041);
+                                                        if (_e1061 != _e1061) {
+                                                            phi_3574_ = true;
+                                                        } else {
+                                                            phi_3574_ = (_e1062 >= _e1061);
+                                                        }
+                                                        let _e1066 = phi_3574_;
+                                                        let _e1067 = select(_e1061, _e1062, _e1066);
+                                                        let _e1068 = abs(_e1042);
+                                                        if (_e1067 != _e1067) {
+                                                            phi_3589_ = true;
+                                                        } else {
+                                                            phi_3589_ = (_e1068 >= _e1067);
+                                                        }
+                                                        let _e1072 = phi_3589_;
+                                                        let _e1073 = select(_e1067, _e1068, _e1072);
+                                                        let _e1074 = abs(_e1044);
+                                                        let _e1075 = abs(_e1045);
+                                                        if (_e1074 != _e1074) {
+                                                            phi_3604_ = true;
+                                                        } else {
+                                                            phi_3604_ = (_e1075 >= _e1074);
+                                                        }
+                                                        let _e1079 = phi_3604_;
+                                                        let _e1080 = select(_e1074, _e1075, _e1079);
+                                                        let _e1081 = abs(_e1046);
+                                                        if (_e1080 != _e1080) {
+                                                            phi_3619_ = true;
+                                                        } else {
+                                                            phi_3619_ = (_e1081 >= _e1080);
+                                                        }
+                                                        let _e1085 = phi_3619_;
+                                                        let _e1086 = select(_e1080, _e1081, _e1085);
+                                                        let _e1088 = select(_e1073, _e1060, (_e1060 > _e1073));
+                                                        let _e1090 = select(_e1086, _e1088, (_e1088 > _e1086));
+                                                        if (_e1060 == _e1090) {
+                                                            phi_2122_ = _e896;
+                                                            phi_2123_ = _e893;
+                                                            phi_2124_ = _e887;
+                                                            phi_2125_ = _e884;
+                                                            phi_2126_ = vec3<f32>(_e741, _e763, _e785);
+                                                            phi_2127_ = _e1047;
+                                                            phi_2128_ = _e1043;
+                                                            phi_2129_ = _e1039;
+                                                        } else {
+                                                            let _e1092 = (_e1073 == _e1090);
+                                                            let _e1097 = vec3(_e1092);
+                                                            phi_2122_ = select(_e887, _e905, _e1092);
+                                                            phi_2123_ = select(_e884, _e902, _e1092);
+                                                            phi_2124_ = select(_e905, _e896, _e1092);
+                                                            phi_2125_ = select(_e902, _e893, _e1092);
+                                                            phi_2126_ = select(vec3<f32>(_e847, _e862, _e877), vec3<f32>(_e801, _e816, _e831), _e1097);
+                                                            phi_2127_ = select(_e1043, _e1039, _e1097);
+                                                            phi_2128_ = select(_e1039, _e1047, _e1097);
+                                                            phi_2129_ = select(_e1047, _e1043, _e1097);
+                                                        }
+                                                        let _e1103 = phi_2122_;
+                                                        let _e1105 = phi_2123_;
+                                                        let _e1107 = phi_2124_;
+                                                        let _e1109 = phi_2125_;
+                                                        let _e1111 = phi_2126_;
+                                                        let _e1113 = phi_2127_;
+                                                        let _e1115 = phi_2128_;
+                                                        let _e1117 = phi_2129_;
+                                                        let _e1124 = ((_e1115.y * _e1113.z) - (_e1113.y * _e1115.z));
+                                                        let _e1129 = ((_e1115.z * _e1113.x) - (_e1113.z * _e1115.x));
+                                                        let _e1132 = ((_e1115.x * _e1113.y) - (_e1113.x * _e1115.y));
+                                                        let _e1135 = ((_e928 >= _e932) && (_e928 >= _e936));
+                                                        let _e1136 = (_e932 >= _e936);
+                                                        let _e1150 = (((_e1124 * (select(select(_e847, _e801, _e1136), _e741, _e1135) - _e312)) + (_e1129 * (select(select(_e862, _e816, _e1136), _e763, _e1135) - _e379))) + (_e1132 * (select(select(_e877, _e831, _e1136), _e785, _e1135) - _e445)));
+                                                        let _e1155 = (((_e1124 * _e349) + (_e1129 * _e415)) + (_e1132 * _e481));
+                                                        let _e1156 = (_e1105 - _e1109);
+                                                        let _e1157 = (_e1103 - _e1107);
+                                                        let _e1160 = ((_e1156 * _e1156) + (_e1157 * _e1157));
+                                                        let _e1167 = (-(((_e1109 * _e1156) + (_e1107 * _e1157))) / select(0.000000000000000000000000000000000000011754944f, _e1160, (_e1160 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1169 = select(1f, _e1167, (_e1167 < 1f));
+                                                        let _e1171 = select(0f, _e1169, (_e1169 > 0f));
+                                                        let _e1180 = ((_e1111.x + (_e1117.x * _e1171)) - _e312);
+                                                        let _e1183 = ((_e1111.y + (_e1117.y * _e1171)) - _e379);
+                                                        let _e1186 = ((_e1111.z + (_e1117.z * _e1171)) - _e445);
+                                                        let _e1189 = bitcast<f32>((bitcast<u32>(_e1180) & 2147483647u));
+                                                        let _e1192 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
+                                                        let _e1194 = select(_e1192, _e1189, (_e1189 > _e1192));
+                                                        let _e1197 = bitcast<f32>((bitcast<u32>(_e1186) & 2147483647u));
+                                                        let _e1199 = select(_e1197, _e1194, (_e1194 > _e1197));
+                                                        let _e1203 = abs(_e1124);
+                                                        let _e1204 = abs(_e1129);
+                                                        if (_e1203 != _e1203) {
+                                                            phi_3634_ = true;
+                                                        } else {
+                                                            phi_3634_ = (_e1204 >= _e1203);
+                                                        }
+                                                        let _e1208 = phi_3634_;
+                                                        let _e1209 = select(_e1203, _e1204, _e1208);
+                                                        let _e1210 = abs(_e1132);
+                                                        if (_e1209 != _e1209) {
+                                                            phi_3649_ = true;
+                                                        } else {
+                                                            phi_3649_ = (_e1210 >= _e1209);
+                                                        }
+                                                        let _e1214 = phi_3649_;
+                                                        let _e1230 = abs(_e1115.x);
+                                                        let _e1231 = abs(_e1115.y);
+                                                        if (_e1230 != _e1230) {
+                                                            phi_3664_ = true;
+                                                        } else {
+                                                            phi_3664_ = (_e1231 >= _e1230);
+                                                        }
+                                                        let _e1235 = phi_3664_;
+                                                        let _e1236 = select(_e1230, _e1231, _e1235);
+                                                        let _e1237 = abs(_e1115.z);
+                                                        if (_e1236 != _e1236) {
+                                                            phi_3679_ = true;
+                                                        } else {
+                                                            phi_3679_ = (_e1237 >= _e1236);
+                                                        }
+                                                        let _e1241 = phi_3679_;
+                                                        let _e1244 = abs(_e1113.x);
+                                                        let _e1245 = abs(_e1113.y);
+                                                        if (_e1244 != _e1244) {
+                                                            phi_3694_ = true;
+                                                        } else {
+                                                            phi_3694_ = (_e1245 >= _e1244);
+                                                        }
+                                                        let _e1249 = phi_3694_;
+                                                        let _e1250 = select(_e1244, _e1245, _e1249);
+                                                        let _e1251 = abs(_e1113.z);
+                                                        if (_e1250 != _e1250) {
+                                                            phi_3709_ = true;
+                                                        } else {
+                                                            phi_3709_ = (_e1251 >= _e1250);
+                                                        }
+                                                        let _e1255 = phi_3709_;
+                                                        let _e1260 = ((bitcast<f32>((bitcast<u32>(((((_e1124 * _e1180) + (_e1129 * _e1183)) + (_e1132 * _e1186)) - _e1150)) & 2147483647u)) <= ((0.0000009536743f * select(_e1090, _e1199, (_e1199 > _e1090))) * select(_e1209, _e1210, _e1214))) && !((bitcast<f32>((bitcast<u32>(_e1155) & 2147483647u)) <= ((0.0000038146973f * select(_e1236, _e1237, _e1241)) * select(_e1250, _e1251, _e1255)))));
+                                                        let _e1261 = (_e1150 / _e1155);
+                                                        if (_e1031 && !(_e1260)) {
+                                                            let _e1264 = (_e1186 / _e481);
+                                                            let _e1272 = (((_e1124 * (_e1180 - (_e349 * _e1264))) + (_e1129 * (_e1183 - (_e415 * _e1264)))) / _e1155);
+                                                            phi_2337_ = select(select(_e1264, (_e1264 + _e1272), (bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u)) <= _e1090)), _e1261, _e1260);
+                                                        } else {
+                                                            phi_2337_ = _e1261;
+                                                        }
+                                                        let _e1281 = phi_2337_;
+                                                        let _e1283 = select(_e994, _e1281, (_e1281 < _e994));
+                                                        let _e1285 = select(_e986, _e1283, (_e1283 > _e986));
+                                                        let _e1286 = (1f / _e938);
+                                                        phi_2357_ = type_31(_e1285, (_e932 * _e1286), (_e936 * _e1286), ((_e1031 && (_e1285 >= _e588)) && (_e1285 <= _e677.member_1)));
+                                                        phi_2358_ = type_31();
                                                     } else {
-                                                        let _e955 = select(_e908, _e899, (_e899 < _e908));
-                                                        if (select(_e917, _e955, (_e955 < _e917)) > 0f) {
-                                                            phi_1733_ = true;
-                                                        } else {
-                                                            let _e960 = select(_e908, _e899, (_e899 > _e908));
-                                                            phi_1733_ = (select(_e917, _e960, (_e960 > _e917)) < 0f);
-                                                        }
-                                                        let _e965 = phi_1733_;
-                                                        if _e965 {
-                                                            phi_2438_ = type_18();
-                                                            phi_2439_ = true;
-                                                            phi_2440_ = false;
-                                                        } else {
-                                                            let _e967 = select(_e911, _e902, (_e902 < _e911));
-                                                            if (select(_e920, _e967, (_e967 < _e920)) > 0f) {
-                                                                phi_1762_ = true;
-                                                            } else {
-                                                                let _e972 = select(_e911, _e902, (_e902 > _e911));
-                                                                phi_1762_ = (select(_e920, _e972, (_e972 > _e920)) < 0f);
-                                                            }
-                                                            let _e977 = phi_1762_;
-                                                            if _e977 {
-                                                                phi_2436_ = type_18();
-                                                                phi_2437_ = false;
-                                                            } else {
-                                                                let _e979 = select(_e816, _e756, (_e756 < _e816));
-                                                                let _e983 = select(_e816, _e756, (_e756 > _e816));
-                                                                let _e987 = select(_e831, _e778, (_e778 < _e831));
-                                                                let _e991 = select(_e831, _e778, (_e778 > _e831));
-                                                                let _e995 = select(_e846, _e800, (_e800 < _e846));
-                                                                let _e999 = select(_e846, _e800, (_e800 > _e846));
-                                                                let _e1004 = ((select(_e862, _e979, (_e979 < _e862)) - _e350) * _e355);
-                                                                let _e1005 = ((select(_e862, _e983, (_e983 > _e862)) - _e351) * _e355);
-                                                                let _e1008 = ((select(_e877, _e987, (_e987 < _e877)) - _e418) * _e423);
-                                                                let _e1009 = ((select(_e877, _e991, (_e991 > _e877)) - _e419) * _e423);
-                                                                let _e1012 = ((select(_e892, _e995, (_e995 < _e892)) - _e486) * _e491);
-                                                                let _e1013 = ((select(_e892, _e999, (_e999 > _e892)) - _e487) * _e491);
-                                                                let _e1015 = select(_e1013, _e1012, (_e1012 < _e1013));
-                                                                let _e1017 = select(_e1013, _e1012, (_e1012 > _e1013));
-                                                                let _e1019 = select(_e1005, _e1004, (_e1004 < _e1005));
-                                                                let _e1021 = select(_e1009, _e1008, (_e1008 < _e1009));
-                                                                let _e1023 = select(_e1021, _e1019, (_e1019 > _e1021));
-                                                                let _e1025 = select(_e1015, _e1023, (_e1023 > _e1015));
-                                                                let _e1027 = select(_e1005, _e1004, (_e1004 > _e1005));
-                                                                let _e1029 = select(_e1009, _e1008, (_e1008 > _e1009));
-                                                                let _e1031 = select(_e1029, _e1027, (_e1027 < _e1029));
-                                                                let _e1033 = select(_e1017, _e1031, (_e1031 < _e1017));
-                                                                let _e1034 = -(_e1015);
-                                                                let _e1040 = select(_e603, _e1025, (_e1025 > _e603));
-                                                                if (_e1040 > (_e1033 + (select(_e1034, _e1017, (_e1017 > _e1034)) * 0.0000019073523f))) {
-                                                                    phi_2431_ = type_18();
-                                                                    phi_2432_ = true;
-                                                                } else {
-                                                                    let _e1042 = (_e1040 > _e692.member_1);
-                                                                    if _e1042 {
-                                                                        phi_2430_ = type_18();
-                                                                    } else {
-                                                                        let _e1043 = vec3<f32>(_e756, _e778, _e800);
-                                                                        let _e1044 = vec3<f32>(_e816, _e831, _e846);
-                                                                        let _e1045 = vec3<f32>(_e862, _e877, _e892);
-                                                                        let _e1046 = (_e816 - _e756);
-                                                                        let _e1047 = (_e831 - _e778);
-                                                                        let _e1048 = (_e846 - _e800);
-                                                                        let _e1049 = vec3<f32>(_e1046, _e1047, _e1048);
-                                                                        let _e1050 = (_e862 - _e816);
-                                                                        let _e1051 = (_e877 - _e831);
-                                                                        let _e1052 = (_e892 - _e846);
-                                                                        let _e1053 = vec3<f32>(_e1050, _e1051, _e1052);
-                                                                        let _e1054 = (_e756 - _e862);
-                                                                        let _e1055 = (_e778 - _e877);
-                                                                        let _e1056 = (_e800 - _e892);
-                                                                        let _e1057 = vec3<f32>(_e1054, _e1055, _e1056);
-                                                                        let _e1060 = bitcast<f32>((bitcast<u32>(_e1046) & 2147483647u));
-                                                                        let _e1063 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
-                                                                        let _e1065 = select(_e1063, _e1060, (_e1060 > _e1063));
-                                                                        let _e1068 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
-                                                                        let _e1070 = select(_e1068, _e1065, (_e1065 > _e1068));
-                                                                        let _e1073 = bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u));
-                                                                        let _e1076 = bitcast<f32>((bitcast<u32>(_e1051) & 2147483647u));
-                                                                        let _e1078 = select(_e1076, _e1073, (_e1073 > _e1076));
-                                                                        let _e1081 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
-                                                                        let _e1083 = select(_e1081, _e1078, (_e1078 > _e1081));
-                                                                        let _e1086 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
-                                                                        let _e1089 = bitcast<f32>((bitcast<u32>(_e1055) & 2147483647u));
-                                                                        let _e1091 = select(_e1089, _e1086, (_e1086 > _e1089));
-                                                                        let _e1094 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
-                                                                        let _e1096 = select(_e1094, _e1091, (_e1091 > _e1094));
-                                                                        let _e1098 = select(_e1083, _e1070, (_e1070 > _e1083));
-                                                                        let _e1100 = select(_e1096, _e1098, (_e1098 > _e1096));
-                                                                        if (_e1070 == _e1100) {
-                                                                            phi_2157_ = _e911;
-                                                                            phi_2158_ = _e908;
-                                                                            phi_2159_ = _e902;
-                                                                            phi_2160_ = _e899;
-                                                                            phi_2161_ = _e1043;
-                                                                            phi_2162_ = _e1057;
-                                                                            phi_2163_ = _e1053;
-                                                                            phi_2164_ = _e1049;
-                                                                        } else {
-                                                                            let _e1102 = (_e1083 == _e1100);
-                                                                            let _e1107 = vec3(_e1102);
-                                                                            phi_2157_ = select(_e902, _e920, _e1102);
-                                                                            phi_2158_ = select(_e899, _e917, _e1102);
-                                                                            phi_2159_ = select(_e920, _e911, _e1102);
-                                                                            phi_2160_ = select(_e917, _e908, _e1102);
-                                                                            phi_2161_ = select(_e1045, _e1044, _e1107);
-                                                                            phi_2162_ = select(_e1053, _e1049, _e1107);
-                                                                            phi_2163_ = select(_e1049, _e1057, _e1107);
-                                                                            phi_2164_ = select(_e1057, _e1053, _e1107);
-                                                                        }
-                                                                        let _e1113 = phi_2157_;
-                                                                        let _e1115 = phi_2158_;
-                                                                        let _e1117 = phi_2159_;
-                                                                        let _e1119 = phi_2160_;
-                                                                        let _e1121 = phi_2161_;
-                                                                        let _e1123 = phi_2162_;
-                                                                        let _e1125 = phi_2163_;
-                                                                        let _e1127 = phi_2164_;
-                                                                        let _e1134 = ((_e1125.y * _e1123.z) - (_e1123.y * _e1125.z));
-                                                                        let _e1139 = ((_e1125.z * _e1123.x) - (_e1123.z * _e1125.x));
-                                                                        let _e1142 = ((_e1125.x * _e1123.y) - (_e1123.x * _e1125.y));
-                                                                        if (_e942 >= _e946) {
-                                                                            phi_2201_ = select(true, false, (_e942 >= _e950));
-                                                                        } else {
-                                                                            phi_2201_ = true;
-                                                                        }
-                                                                        let _e1147 = phi_2201_;
-                                                                        if _e1147 {
-                                                                            phi_2210_ = select(_e1045, _e1044, vec3((_e946 >= _e950)));
-                                                                        } else {
-                                                                            phi_2210_ = _e1043;
-                                                                        }
-                                                                        let _e1152 = phi_2210_;
-                                                                        let _e1163 = (((_e1134 * (_e1152.x - _e312)) + (_e1139 * (_e1152.y - _e381))) + (_e1142 * (_e1152.z - _e449)));
-                                                                        let _e1168 = (((_e1134 * _e352) + (_e1139 * _e420)) + (_e1142 * _e488));
-                                                                        let _e1169 = (_e1115 - _e1119);
-                                                                        let _e1170 = (_e1113 - _e1117);
-                                                                        let _e1178 = (-(((_e1119 * _e1169) + (_e1117 * _e1170))) / ((_e1169 * _e1169) + (_e1170 * _e1170)));
-                                                                        let _e1180 = select(1f, _e1178, (_e1178 < 1f));
-                                                                        let _e1182 = select(0f, _e1180, (_e1180 > 0f));
-                                                                        let _e1195 = ((_e1121.x + (_e1127.x * _e1182)) - _e312);
-                                                                        let _e1196 = ((_e1121.y + (_e1127.y * _e1182)) - _e381);
-                                                                        let _e1197 = ((_e1121.z + (_e1127.z * _e1182)) - _e449);
-                                                                        let _e1198 = (_e1197 / _e488);
-                                                                        let _e1210 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
-                                                                        let _e1213 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
-                                                                        let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
-                                                                        let _e1218 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
-                                                                        let _e1220 = select(_e1218, _e1215, (_e1215 > _e1218));
-                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
-                                                                        let _e1229 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
-                                                                        let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
-                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1134 * _e1195) + (_e1139 * _e1196)) + (_e1142 * _e1197)) - _e1163)) & 2147483647u)) <= ((0.0000009536743f * select(_e1100, _e1220, (_e1220 > _e1100))) * select(_e1234, _e1231, (_e1231 > _e1234)))) {
-                                                                            let _e1244 = bitcast<f32>((bitcast<u32>(_e1125.x) & 2147483647u));
-                                                                            let _e1247 = bitcast<f32>((bitcast<u32>(_e1125.y) & 2147483647u));
-                                                                            let _e1249 = select(_e1247, _e1244, (_e1244 > _e1247));
-                                                                            let _e1252 = bitcast<f32>((bitcast<u32>(_e1125.z) & 2147483647u));
-                                                                            let _e1258 = bitcast<f32>((bitcast<u32>(_e1123.x) & 2147483647u));
-                                                                            let _e1261 = bitcast<f32>((bitcast<u32>(_e1123.y) & 2147483647u));
-                                                                            let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
-                                                                            let _e1266 = bitcast<f32>((bitcast<u32>(_e1123.z) & 2147483647u));
-                                                                            let _e1270 = (bitcast<f32>((bitcast<u32>(_e1168) & 2147483647u)) > ((0.0000038146973f * select(_e1252, _e1249, (_e1249 > _e1252))) * select(_e1266, _e1263, (_e1263 > _e1266))));
-                                                                            if _e1270 {
-                                                                                phi_2375_ = (_e1163 / _e1168);
-                                                                            } else {
-                                                                                phi_2375_ = f32();
-                                                                            }
-                                                                            let _e1273 = phi_2375_;
-                                                                            phi_2377_ = _e1273;
-                                                                            phi_2378_ = select(true, false, _e1270);
-                                                                        } else {
-                                                                            phi_2377_ = f32();
-                                                                            phi_2378_ = true;
-                                                                        }
-                                                                        let _e1276 = phi_2377_;
-                                                                        let _e1278 = phi_2378_;
-                                                                        if _e1278 {
-                                                                            let _e1286 = (((_e1134 * (_e1195 - (_e352 * _e1198))) + (_e1139 * (_e1196 - (_e420 * _e1198)))) / _e1168);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1286) & 2147483647u)) <= _e1100) {
-                                                                                phi_2398_ = (_e1198 + _e1286);
-                                                                            } else {
-                                                                                phi_2398_ = _e1198;
-                                                                            }
-                                                                            let _e1293 = phi_2398_;
-                                                                            phi_2399_ = _e1293;
-                                                                        } else {
-                                                                            phi_2399_ = _e1276;
-                                                                        }
-                                                                        let _e1295 = phi_2399_;
-                                                                        let _e1297 = select(_e1033, _e1295, (_e1295 < _e1033));
-                                                                        let _e1299 = select(_e1025, _e1297, (_e1297 > _e1025));
-                                                                        if (_e1299 >= _e603) {
-                                                                            let _e1301 = (_e1299 <= _e692.member_1);
-                                                                            if _e1301 {
-                                                                                let _e1302 = (1f / _e952);
-                                                                                phi_2422_ = type_18(_e1299, (_e946 * _e1302), (_e950 * _e1302), _e720);
-                                                                            } else {
-                                                                                phi_2422_ = type_18();
-                                                                            }
-                                                                            let _e1307 = phi_2422_;
-                                                                            phi_2424_ = _e1307;
-                                                                            phi_2425_ = select(true, false, _e1301);
-                                                                        } else {
-                                                                            phi_2424_ = type_18();
-                                                                            phi_2425_ = true;
-                                                                        }
-                                                                        let _e1310 = phi_2424_;
-                                                                        let _e1312 = phi_2425_;
-                                                                        if _e1312 {
-                                                                            phi_2429_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2429_ = _e1310;
-                                                                        }
-                                                                        let _e1314 = phi_2429_;
-                                                                        phi_2430_ = _e1314;
-                                                                    }
-                                                                    let _e1316 = phi_2430_;
-                                                                    phi_2431_ = _e1316;
-                                                                    phi_2432_ = _e1042;
-                                                                }
-                                                                let _e1318 = phi_2431_;
-                                                                let _e1320 = phi_2432_;
-                                                                phi_2436_ = _e1318;
-                                                                phi_2437_ = _e1320;
-                                                            }
-                                                            let _e1322 = phi_2436_;
-                                                            let _e1324 = phi_2437_;
-                                                            phi_2438_ = _e1322;
-                                                            phi_2439_ = _e977;
-                                                            phi_2440_ = _e1324;
-                                                        }
-                                                        let _e1326 = phi_2438_;
-                                                        let _e1328 = phi_2439_;
-                                                        let _e1330 = phi_2440_;
-                                                        phi_2441_ = _e1326;
-                                                        phi_2442_ = _e1328;
-                                                        phi_2443_ = _e1330;
+                                                        phi_2357_ = type_31();
+                                                        phi_2358_ = type_31(0f, 0f, 0f, _e1031);
                                                     }
-                                                    let _e1332 = phi_2441_;
-                                                    let _e1334 = phi_2442_;
-                                                    let _e1336 = phi_2443_;
-                                                    phi_2451_ = _e1332;
-                                                    phi_2452_ = select(_e1336, true, _e1334);
+                                                    let _e1295 = phi_2357_;
+                                                    let _e1297 = phi_2358_;
+                                                    phi_2361_ = _e1295;
+                                                    phi_2362_ = _e1297;
+                                                    phi_2363_ = select(true, false, _e1031);
                                                 } else {
-                                                    phi_2451_ = type_18();
-                                                    phi_2452_ = true;
+                                                    phi_2361_ = type_31();
+                                                    phi_2362_ = type_31(0f, 0f, 0f, _e922);
+                                                    phi_2363_ = true;
                                                 }
-                                                let _e1339 = phi_2451_;
-                                                let _e1341 = phi_2452_;
-                                                if _e1341 {
-                                                    phi_2456_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1300 = phi_2361_;
+                                                let _e1302 = phi_2362_;
+                                                let _e1304 = phi_2363_;
+                                                if _e1304 {
+                                                    phi_2367_ = _e1302;
                                                 } else {
-                                                    phi_2456_ = _e1339;
+                                                    phi_2367_ = _e1300;
                                                 }
-                                                let _e1343 = phi_2456_;
-                                                if (_e1343.member_3 != 4294967295u) {
-                                                    if (_e720 != 4294967295u) {
-                                                        if (_e1343.member < _e692.member.member) {
-                                                            phi_2482_ = true;
+                                                let _e1306 = phi_2367_;
+                                                if _e1306.member_3 {
+                                                    phi_2376_ = type_18(_e1306.member, _e1306.member_1, _e1306.member_2, _e705);
+                                                } else {
+                                                    phi_2376_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1313 = phi_2376_;
+                                                if (_e1313.member_3 != 4294967295u) {
+                                                    if (_e705 != 4294967295u) {
+                                                        if (_e1313.member < _e677.member.member) {
+                                                            phi_2402_ = true;
                                                         } else {
-                                                            if (_e1343.member == _e692.member.member) {
-                                                                phi_2481_ = (_e1343.member_3 < _e692.member.member_3);
+                                                            if (_e1313.member == _e677.member.member) {
+                                                                phi_2401_ = (_e1313.member_3 < _e677.member.member_3);
                                                             } else {
-                                                                phi_2481_ = false;
+                                                                phi_2401_ = false;
                                                             }
-                                                            let _e1356 = phi_2481_;
-                                                            phi_2482_ = _e1356;
+                                                            let _e1326 = phi_2401_;
+                                                            phi_2402_ = _e1326;
                                                         }
-                                                        let _e1358 = phi_2482_;
-                                                        if _e1358 {
-                                                            phi_2488_ = type_29(_e1343, _e1343.member);
+                                                        let _e1328 = phi_2402_;
+                                                        if _e1328 {
+                                                            phi_2408_ = type_29(_e1313, _e1313.member);
                                                         } else {
-                                                            phi_2488_ = _e692;
+                                                            phi_2408_ = _e677;
                                                         }
-                                                        let _e1361 = phi_2488_;
-                                                        phi_2489_ = _e1361;
+                                                        let _e1331 = phi_2408_;
+                                                        phi_2409_ = _e1331;
                                                     } else {
-                                                        phi_2489_ = _e692;
+                                                        phi_2409_ = _e677;
                                                     }
-                                                    let _e1363 = phi_2489_;
-                                                    phi_2490_ = _e1363;
+                                                    let _e1333 = phi_2409_;
+                                                    phi_2410_ = _e1333;
                                                 } else {
-                                                    phi_2490_ = _e692;
+                                                    phi_2410_ = _e677;
                                                 }
-                                                let _e1365 = phi_2490_;
-                                                phi_1229_ = _e1365;
+                                                let _e1335 = phi_2410_;
+                                                phi_1249_ = _e1335;
                                             } else {
-                                                phi_1229_ = type_29();
+                                                phi_1249_ = type_29();
                                             }
-                                            let _e1367 = phi_1229_;
+                                            let _e1337 = phi_1249_;
                                             continue;
                                             continuing {
-                                                phi_1228_ = _e1367;
-                                                phi_1231_ = _e707;
-                                                phi_3717_ = _e635;
-                                                break if !(_e713);
+                                                phi_1248_ = _e1337;
+                                                phi_1251_ = _e692;
+                                                phi_3817_ = _e620;
+                                                break if !(_e698);
                                             }
                                         }
-                                        let _e1370 = phi_3717_;
-                                        phi_3895_ = _e1370;
-                                        if _e1370 {
+                                        let _e1340 = phi_3817_;
+                                        phi_4000_ = _e1340;
+                                        if _e1340 {
                                             break;
                                         }
-                                        phi_3954_ = _e1370;
-                                        let _e2013 = local_11;
-                                        phi_2491_ = _e2013;
+                                        phi_4059_ = _e1340;
+                                        let _e1970 = local_11;
+                                        phi_2411_ = _e1970;
                                     } else {
-                                        phi_3954_ = _e635;
-                                        phi_2491_ = _e637;
+                                        phi_4059_ = _e620;
+                                        phi_2411_ = _e622;
                                     }
-                                    let _e1372 = phi_3954_;
-                                    let _e1374 = phi_2491_;
-                                    if _e684 {
-                                        phi_3498_ = bool();
-                                        phi_3499_ = u32();
-                                        phi_3500_ = type_50();
+                                    let _e1342 = phi_4059_;
+                                    let _e1344 = phi_2411_;
+                                    if _e669 {
+                                        phi_3418_ = bool();
+                                        phi_3419_ = u32();
+                                        phi_3420_ = type_51();
                                     } else {
-                                        let _e1375 = (_e680.member_1 < _e85);
-                                        if _e1375 {
-                                            if _e1375 {
+                                        let _e1345 = (_e665.member_1 < _e85);
+                                        if _e1345 {
+                                            if _e1345 {
                                             } else {
-                                                phi_3895_ = true;
+                                                phi_4000_ = true;
                                                 break;
                                             }
-                                            let _e1377 = global_4.member[_e680.member_1];
-                                            phi_2512_ = _e1377;
+                                            let _e1347 = global_4.member[_e665.member_1];
+                                            phi_2432_ = _e1347;
                                         } else {
-                                            phi_2512_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2432_ = type_38(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1379 = phi_2512_;
-                                        let _e1394 = ((10u * _e248) & 31u);
-                                        let _e1397 = ((_e1379.member[0] >> bitcast<u32>(_e1394)) & 1023u);
-                                        let _e1405 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e120));
-                                        let _e1410 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1397)) - 8388608f) * _e1405)) ^ _e120)));
-                                        let _e1414 = select(select(_e680.member.member_1[0], _e1410, (_e1410 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1397 == 1023u));
-                                        let _e1416 = ((10u * _e247) & 31u);
-                                        let _e1419 = ((_e1379.member[0] >> bitcast<u32>(_e1416)) & 1023u);
-                                        let _e1427 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e120));
-                                        let _e1432 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1419)) - 8388608f) * _e1427)) ^ _e120)));
-                                        let _e1436 = select(select(_e680.member.member_1[1], _e1432, (_e1432 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1419 == 1023u));
-                                        let _e1438 = ((10u * _e249) & 31u);
-                                        let _e1441 = ((_e1379.member[0] >> bitcast<u32>(_e1438)) & 1023u);
-                                        let _e1449 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e120));
-                                        let _e1454 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1441)) - 8388608f) * _e1449)) ^ _e120)));
-                                        let _e1458 = select(select(_e680.member.member_1[2], _e1454, (_e1454 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1441 == 1023u));
-                                        let _e1461 = ((_e1379.member[1] >> bitcast<u32>(_e1394)) & 1023u);
-                                        let _e1469 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1461)) - 8388608f) * _e1405)) ^ _e120)));
-                                        let _e1473 = select(select(_e680.member.member_1[0], _e1469, (_e1469 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1461 == 1023u));
-                                        let _e1476 = ((_e1379.member[1] >> bitcast<u32>(_e1416)) & 1023u);
-                                        let _e1484 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1476)) - 8388608f) * _e1427)) ^ _e120)));
-                                        let _e1488 = select(select(_e680.member.member_1[1], _e1484, (_e1484 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1476 == 1023u));
-                                        let _e1491 = ((_e1379.member[1] >> bitcast<u32>(_e1438)) & 1023u);
-                                        let _e1499 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1491)) - 8388608f) * _e1449)) ^ _e120)));
-                                        let _e1503 = select(select(_e680.member.member_1[2], _e1499, (_e1499 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1491 == 1023u));
-                                        let _e1509 = ((_e1379.member_1[0] >> bitcast<u32>(_e1394)) & 1023u);
-                                        let _e1517 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1509)) - 8388608f) * _e1405)) ^ _e120)));
-                                        let _e1521 = select(select(_e680.member.member_1[0], _e1517, (_e1517 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1509 == 1023u));
-                                        let _e1524 = ((_e1379.member_1[0] >> bitcast<u32>(_e1416)) & 1023u);
-                                        let _e1532 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1524)) - 8388608f) * _e1427)) ^ _e120)));
-                                        let _e1536 = select(select(_e680.member.member_1[1], _e1532, (_e1532 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1524 == 1023u));
-                                        let _e1539 = ((_e1379.member_1[0] >> bitcast<u32>(_e1438)) & 1023u);
-                                        let _e1547 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1539)) - 8388608f) * _e1449)) ^ _e120)));
-                                        let _e1551 = select(select(_e680.member.member_1[2], _e1547, (_e1547 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1539 == 1023u));
-                                        let _e1554 = ((_e1379.member_1[1] >> bitcast<u32>(_e1394)) & 1023u);
-                                        let _e1562 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1554)) - 8388608f) * _e1405)) ^ _e120)));
-                                        let _e1566 = select(select(_e680.member.member_1[0], _e1562, (_e1562 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1554 == 1023u));
-                                        let _e1569 = ((_e1379.member_1[1] >> bitcast<u32>(_e1416)) & 1023u);
-                                        let _e1577 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1569)) - 8388608f) * _e1427)) ^ _e120)));
-                                        let _e1581 = select(select(_e680.member.member_1[1], _e1577, (_e1577 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1569 == 1023u));
-                                        let _e1584 = ((_e1379.member_1[1] >> bitcast<u32>(_e1438)) & 1023u);
-                                        let _e1592 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1584)) - 8388608f) * _e1449)) ^ _e120)));
-                                        let _e1596 = select(select(_e680.member.member_1[2], _e1592, (_e1592 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1584 == 1023u));
-                                        let _e1601 = type_50(type_42(array<f32, 3>(_e1414, _e1436, _e1458), array<f32, 3>(_e1473, _e1488, _e1503)), _e1379.member_2);
-                                        let _e1606 = type_50(type_42(array<f32, 3>(_e1521, _e1536, _e1551), array<f32, 3>(_e1566, _e1581, _e1596)), _e1379.member_3);
-                                        let _e1612 = ((_e1414 - _e350) * _e355);
-                                        let _e1613 = ((_e1521 - _e350) * _e355);
-                                        let _e1614 = ((_e1473 - _e351) * _e355);
-                                        let _e1615 = ((_e1566 - _e351) * _e355);
-                                        let _e1620 = ((_e1436 - _e418) * _e423);
-                                        let _e1621 = ((_e1536 - _e418) * _e423);
-                                        let _e1622 = ((_e1488 - _e419) * _e423);
-                                        let _e1623 = ((_e1581 - _e419) * _e423);
-                                        let _e1628 = ((_e1458 - _e486) * _e491);
-                                        let _e1629 = ((_e1551 - _e486) * _e491);
-                                        let _e1630 = ((_e1503 - _e487) * _e491);
-                                        let _e1631 = ((_e1596 - _e487) * _e491);
-                                        let _e1633 = select(_e1630, _e1628, (_e1628 < _e1630));
-                                        let _e1635 = select(_e1631, _e1629, (_e1629 < _e1631));
-                                        let _e1637 = select(_e1630, _e1628, (_e1628 > _e1630));
-                                        let _e1639 = select(_e1631, _e1629, (_e1629 > _e1631));
-                                        let _e1641 = select(_e1614, _e1612, (_e1612 < _e1614));
-                                        let _e1643 = select(_e1615, _e1613, (_e1613 < _e1615));
-                                        let _e1645 = select(_e1622, _e1620, (_e1620 < _e1622));
-                                        let _e1647 = select(_e1623, _e1621, (_e1621 < _e1623));
-                                        let _e1649 = select(_e1645, _e1641, (_e1641 > _e1645));
-                                        let _e1651 = select(_e1647, _e1643, (_e1643 > _e1647));
-                                        let _e1653 = select(_e1633, _e1649, (_e1649 > _e1633));
-                                        let _e1655 = select(_e1635, _e1651, (_e1651 > _e1635));
-                                        let _e1657 = select(_e1614, _e1612, (_e1612 > _e1614));
-                                        let _e1659 = select(_e1615, _e1613, (_e1613 > _e1615));
-                                        let _e1661 = select(_e1622, _e1620, (_e1620 > _e1622));
-                                        let _e1663 = select(_e1623, _e1621, (_e1621 > _e1623));
-                                        let _e1665 = select(_e1661, _e1657, (_e1657 < _e1661));
-                                        let _e1667 = select(_e1663, _e1659, (_e1659 < _e1663));
-                                        let _e1672 = -(_e1633);
-                                        let _e1673 = -(_e1635);
-                                        let _e1680 = (select(_e1637, _e1665, (_e1665 < _e1637)) + (select(_e1672, _e1637, (_e1637 > _e1672)) * 0.0000019073523f));
-                                        let _e1681 = (select(_e1639, _e1667, (_e1667 < _e1639)) + (select(_e1673, _e1639, (_e1639 > _e1673)) * 0.0000019073523f));
-                                        let _e1683 = select(_e603, _e1653, (_e1653 > _e603));
-                                        let _e1685 = select(_e603, _e1655, (_e1655 > _e603));
-                                        let _e1690 = (_e1683 <= select(_e1374.member_1, _e1680, (_e1680 < _e1374.member_1)));
-                                        let _e1691 = (_e1685 <= select(_e1374.member_1, _e1681, (_e1681 < _e1374.member_1)));
-                                        let _e1692 = (_e1683 <= _e1685);
-                                        if _e1690 {
-                                            if _e1691 {
-                                                if _e1692 {
-                                                    phi_3398_ = _e1606;
+                                        let _e1349 = phi_2432_;
+                                        let _e1364 = ((10u * _e248) & 31u);
+                                        let _e1367 = ((_e1349.member[0] >> bitcast<u32>(_e1364)) & 1023u);
+                                        let _e1375 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[0] - _e665.member.member[0]) * 0.0009775171f)) ^ _e120));
+                                        let _e1380 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1367)) - 8388608f) * _e1375)) ^ _e120)));
+                                        let _e1384 = select(select(_e665.member.member_1[0], _e1380, (_e1380 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e1367 == 1023u));
+                                        let _e1386 = ((10u * _e247) & 31u);
+                                        let _e1389 = ((_e1349.member[0] >> bitcast<u32>(_e1386)) & 1023u);
+                                        let _e1397 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[1] - _e665.member.member[1]) * 0.0009775171f)) ^ _e120));
+                                        let _e1402 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1389)) - 8388608f) * _e1397)) ^ _e120)));
+                                        let _e1406 = select(select(_e665.member.member_1[1], _e1402, (_e1402 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e1389 == 1023u));
+                                        let _e1408 = ((10u * _e249) & 31u);
+                                        let _e1411 = ((_e1349.member[0] >> bitcast<u32>(_e1408)) & 1023u);
+                                        let _e1419 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[2] - _e665.member.member[2]) * 0.0009775171f)) ^ _e120));
+                                        let _e1424 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1411)) - 8388608f) * _e1419)) ^ _e120)));
+                                        let _e1428 = select(select(_e665.member.member_1[2], _e1424, (_e1424 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e1411 == 1023u));
+                                        let _e1431 = ((_e1349.member[1] >> bitcast<u32>(_e1364)) & 1023u);
+                                        let _e1439 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1431)) - 8388608f) * _e1375)) ^ _e120)));
+                                        let _e1443 = select(select(_e665.member.member_1[0], _e1439, (_e1439 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e1431 == 1023u));
+                                        let _e1446 = ((_e1349.member[1] >> bitcast<u32>(_e1386)) & 1023u);
+                                        let _e1454 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1446)) - 8388608f) * _e1397)) ^ _e120)));
+                                        let _e1458 = select(select(_e665.member.member_1[1], _e1454, (_e1454 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e1446 == 1023u));
+                                        let _e1461 = ((_e1349.member[1] >> bitcast<u32>(_e1408)) & 1023u);
+                                        let _e1469 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1461)) - 8388608f) * _e1419)) ^ _e120)));
+                                        let _e1473 = select(select(_e665.member.member_1[2], _e1469, (_e1469 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e1461 == 1023u));
+                                        let _e1479 = ((_e1349.member_1[0] >> bitcast<u32>(_e1364)) & 1023u);
+                                        let _e1487 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1479)) - 8388608f) * _e1375)) ^ _e120)));
+                                        let _e1491 = select(select(_e665.member.member_1[0], _e1487, (_e1487 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e1479 == 1023u));
+                                        let _e1494 = ((_e1349.member_1[0] >> bitcast<u32>(_e1386)) & 1023u);
+                                        let _e1502 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1494)) - 8388608f) * _e1397)) ^ _e120)));
+                                        let _e1506 = select(select(_e665.member.member_1[1], _e1502, (_e1502 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e1494 == 1023u));
+                                        let _e1509 = ((_e1349.member_1[0] >> bitcast<u32>(_e1408)) & 1023u);
+                                        let _e1517 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1509)) - 8388608f) * _e1419)) ^ _e120)));
+                                        let _e1521 = select(select(_e665.member.member_1[2], _e1517, (_e1517 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e1509 == 1023u));
+                                        let _e1524 = ((_e1349.member_1[1] >> bitcast<u32>(_e1364)) & 1023u);
+                                        let _e1532 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1524)) - 8388608f) * _e1375)) ^ _e120)));
+                                        let _e1536 = select(select(_e665.member.member_1[0], _e1532, (_e1532 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e1524 == 1023u));
+                                        let _e1539 = ((_e1349.member_1[1] >> bitcast<u32>(_e1386)) & 1023u);
+                                        let _e1547 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1539)) - 8388608f) * _e1397)) ^ _e120)));
+                                        let _e1551 = select(select(_e665.member.member_1[1], _e1547, (_e1547 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e1539 == 1023u));
+                                        let _e1554 = ((_e1349.member_1[1] >> bitcast<u32>(_e1408)) & 1023u);
+                                        let _e1562 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1554)) - 8388608f) * _e1419)) ^ _e120)));
+                                        let _e1566 = select(select(_e665.member.member_1[2], _e1562, (_e1562 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e1554 == 1023u));
+                                        let _e1571 = type_51(type_43(array<f32, 3>(_e1384, _e1406, _e1428), array<f32, 3>(_e1443, _e1458, _e1473)), _e1349.member_2);
+                                        let _e1576 = type_51(type_43(array<f32, 3>(_e1491, _e1506, _e1521), array<f32, 3>(_e1536, _e1551, _e1566)), _e1349.member_3);
+                                        let _e1582 = ((_e1384 - _e350) * _e353);
+                                        let _e1583 = ((_e1491 - _e350) * _e353);
+                                        let _e1584 = ((_e1443 - _e351) * _e353);
+                                        let _e1585 = ((_e1536 - _e351) * _e353);
+                                        let _e1590 = ((_e1406 - _e416) * _e419);
+                                        let _e1591 = ((_e1506 - _e416) * _e419);
+                                        let _e1592 = ((_e1458 - _e417) * _e419);
+                                        let _e1593 = ((_e1551 - _e417) * _e419);
+                                        let _e1598 = ((_e1428 - _e482) * _e485);
+                                        let _e1599 = ((_e1521 - _e482) * _e485);
+                                        let _e1600 = ((_e1473 - _e483) * _e485);
+                                        let _e1601 = ((_e1566 - _e483) * _e485);
+                                        let _e1603 = select(_e1600, _e1598, (_e1598 < _e1600));
+                                        let _e1605 = select(_e1601, _e1599, (_e1599 < _e1601));
+                                        let _e1607 = select(_e1600, _e1598, (_e1598 > _e1600));
+                                        let _e1609 = select(_e1601, _e1599, (_e1599 > _e1601));
+                                        let _e1611 = select(_e1584, _e1582, (_e1582 < _e1584));
+                                        let _e1613 = select(_e1585, _e1583, (_e1583 < _e1585));
+                                        let _e1615 = select(_e1592, _e1590, (_e1590 < _e1592));
+                                        let _e1617 = select(_e1593, _e1591, (_e1591 < _e1593));
+                                        let _e1619 = select(_e1615, _e1611, (_e1611 > _e1615));
+                                        let _e1621 = select(_e1617, _e1613, (_e1613 > _e1617));
+                                        let _e1623 = select(_e1603, _e1619, (_e1619 > _e1603));
+                                        let _e1625 = select(_e1605, _e1621, (_e1621 > _e1605));
+                                        let _e1627 = select(_e1584, _e1582, (_e1582 > _e1584));
+                                        let _e1629 = select(_e1585, _e1583, (_e1583 > _e1585));
+                                        let _e1631 = select(_e1592, _e1590, (_e1590 > _e1592));
+                                        let _e1633 = select(_e1593, _e1591, (_e1591 > _e1593));
+                                        let _e1635 = select(_e1631, _e1627, (_e1627 < _e1631));
+                                        let _e1637 = select(_e1633, _e1629, (_e1629 < _e1633));
+                                        let _e1642 = -(_e1603);
+                                        let _e1643 = -(_e1605);
+                                        let _e1650 = (select(_e1607, _e1635, (_e1635 < _e1607)) + (select(_e1642, _e1607, (_e1607 > _e1642)) * 0.0000019073523f));
+                                        let _e1651 = (select(_e1609, _e1637, (_e1637 < _e1609)) + (select(_e1643, _e1609, (_e1609 > _e1643)) * 0.0000019073523f));
+                                        let _e1653 = select(_e588, _e1623, (_e1623 > _e588));
+                                        let _e1655 = select(_e588, _e1625, (_e1625 > _e588));
+                                        let _e1660 = (_e1653 <= select(_e1344.member_1, _e1650, (_e1650 < _e1344.member_1)));
+                                        let _e1661 = (_e1655 <= select(_e1344.member_1, _e1651, (_e1651 < _e1344.member_1)));
+                                        let _e1662 = (_e1653 <= _e1655);
+                                        if _e1660 {
+                                            if _e1661 {
+                                                if _e1662 {
+                                                    phi_3318_ = _e1576;
                                                 } else {
-                                                    phi_3398_ = _e1601;
+                                                    phi_3318_ = _e1571;
                                                 }
-                                                let _e1694 = phi_3398_;
-                                                let _e1701 = (_e678 % 128u);
-                                                let _e1702 = (_e1701 < 128u);
-                                                if _e1702 {
+                                                let _e1664 = phi_3318_;
+                                                let _e1671 = (_e663 % 128u);
+                                                let _e1672 = (_e1671 < 128u);
+                                                if _e1672 {
                                                 } else {
-                                                    phi_3895_ = true;
+                                                    phi_4000_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1701] = _e1694.member_1;
-                                                if _e1702 {
+                                                local_6[_e1671] = _e1664.member_1;
+                                                if _e1672 {
                                                 } else {
-                                                    phi_3895_ = true;
+                                                    phi_4000_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1701] = _e1694.member.member[0];
-                                                if _e1702 {
+                                                local_5[_e1671] = _e1664.member.member[0];
+                                                if _e1672 {
                                                 } else {
-                                                    phi_3895_ = true;
+                                                    phi_4000_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1701] = _e1694.member.member[1];
-                                                if _e1702 {
+                                                local_4[_e1671] = _e1664.member.member[1];
+                                                if _e1672 {
                                                 } else {
-                                                    phi_3895_ = true;
+                                                    phi_4000_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1701] = _e1694.member.member[2];
-                                                if _e1702 {
+                                                local_3[_e1671] = _e1664.member.member[2];
+                                                if _e1672 {
                                                 } else {
-                                                    phi_3895_ = true;
+                                                    phi_4000_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1701] = _e1694.member.member_1[0];
-                                                if _e1702 {
+                                                local_2[_e1671] = _e1664.member.member_1[0];
+                                                if _e1672 {
                                                 } else {
-                                                    phi_3895_ = true;
+                                                    phi_4000_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1701] = _e1694.member.member_1[1];
-                                                if _e1702 {
+                                                local_1[_e1671] = _e1664.member.member_1[1];
+                                                if _e1672 {
                                                 } else {
-                                                    phi_3895_ = true;
+                                                    phi_4000_ = true;
                                                     break;
                                                 }
-                                                local[_e1701] = _e1694.member.member_1[2];
-                                                if _e1702 {
+                                                local[_e1671] = _e1664.member.member_1[2];
+                                                if _e1672 {
                                                 } else {
-                                                    phi_3895_ = true;
+                                                    phi_4000_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1701] = select(_e1683, _e1685, _e1692);
-                                                if _e1692 {
-                                                    phi_3474_ = _e1601;
+                                                local_7[_e1671] = select(_e1653, _e1655, _e1662);
+                                                if _e1662 {
+                                                    phi_3394_ = _e1571;
                                                 } else {
-                                                    phi_3474_ = _e1606;
+                                                    phi_3394_ = _e1576;
                                                 }
-                                                let _e1719 = phi_3474_;
-                                                phi_3475_ = (_e678 + 1u);
-                                                phi_3476_ = _e1719;
+                                                let _e1689 = phi_3394_;
+                                                phi_3395_ = (_e663 + 1u);
+                                                phi_3396_ = _e1689;
                                             } else {
-                                                phi_3475_ = u32();
-                                                phi_3476_ = type_50();
+                                                phi_3395_ = u32();
+                                                phi_3396_ = type_51();
                                             }
-                                            let _e1721 = phi_3475_;
-                                            let _e1723 = phi_3476_;
-                                            phi_3478_ = _e1721;
-                                            phi_3479_ = _e1723;
-                                            phi_3480_ = select(true, false, _e1691);
+                                            let _e1691 = phi_3395_;
+                                            let _e1693 = phi_3396_;
+                                            phi_3398_ = _e1691;
+                                            phi_3399_ = _e1693;
+                                            phi_3400_ = select(true, false, _e1661);
                                         } else {
-                                            phi_3478_ = u32();
-                                            phi_3479_ = type_50();
-                                            phi_3480_ = true;
+                                            phi_3398_ = u32();
+                                            phi_3399_ = type_51();
+                                            phi_3400_ = true;
                                         }
-                                        let _e1726 = phi_3478_;
-                                        let _e1728 = phi_3479_;
-                                        let _e1730 = phi_3480_;
-                                        if _e1730 {
-                                            if _e1690 {
-                                                phi_3487_ = _e1601;
+                                        let _e1696 = phi_3398_;
+                                        let _e1698 = phi_3399_;
+                                        let _e1700 = phi_3400_;
+                                        if _e1700 {
+                                            if _e1660 {
+                                                phi_3407_ = _e1571;
                                             } else {
-                                                phi_3487_ = _e1606;
+                                                phi_3407_ = _e1576;
                                             }
-                                            let _e1732 = phi_3487_;
-                                            phi_3492_ = select(_e1691, true, _e1690);
-                                            phi_3494_ = _e1732;
+                                            let _e1702 = phi_3407_;
+                                            phi_3412_ = select(_e1661, true, _e1660);
+                                            phi_3414_ = _e1702;
                                         } else {
-                                            phi_3492_ = _e676;
-                                            phi_3494_ = _e1728;
+                                            phi_3412_ = _e661;
+                                            phi_3414_ = _e1698;
                                         }
-                                        let _e1735 = phi_3492_;
-                                        let _e1737 = phi_3494_;
-                                        phi_3498_ = _e1735;
-                                        phi_3499_ = select(_e1726, _e678, _e1730);
-                                        phi_3500_ = _e1737;
+                                        let _e1705 = phi_3412_;
+                                        let _e1707 = phi_3414_;
+                                        phi_3418_ = _e1705;
+                                        phi_3419_ = select(_e1696, _e663, _e1700);
+                                        phi_3420_ = _e1707;
                                     }
-                                    let _e1740 = phi_3498_;
-                                    let _e1742 = phi_3499_;
-                                    let _e1744 = phi_3500_;
-                                    if _e684 {
-                                        phi_3510_ = _e680;
+                                    let _e1710 = phi_3418_;
+                                    let _e1712 = phi_3419_;
+                                    let _e1714 = phi_3420_;
+                                    if _e669 {
+                                        phi_3430_ = _e665;
                                     } else {
-                                        phi_3510_ = _e1744;
+                                        phi_3430_ = _e1714;
                                     }
-                                    let _e1746 = phi_3510_;
-                                    phi_3898_ = _e1372;
-                                    phi_3511_ = _e1374;
-                                    phi_3512_ = (_e639 - 1u);
-                                    phi_3513_ = select(_e1740, false, _e684);
-                                    phi_3514_ = select(_e1742, _e678, _e684);
-                                    phi_3515_ = _e1746;
+                                    let _e1716 = phi_3430_;
+                                    phi_4003_ = _e1342;
+                                    phi_3431_ = _e1344;
+                                    phi_3432_ = (_e624 - 1u);
+                                    phi_3433_ = select(_e1710, false, _e669);
+                                    phi_3434_ = select(_e1712, _e663, _e669);
+                                    phi_3435_ = _e1716;
                                 } else {
-                                    phi_3898_ = _e635;
-                                    phi_3511_ = _e637;
-                                    phi_3512_ = _e639;
-                                    phi_3513_ = _e676;
-                                    phi_3514_ = _e678;
-                                    phi_3515_ = _e680;
+                                    phi_4003_ = _e620;
+                                    phi_3431_ = _e622;
+                                    phi_3432_ = _e624;
+                                    phi_3433_ = _e661;
+                                    phi_3434_ = _e663;
+                                    phi_3435_ = _e665;
                                 }
-                                let _e1750 = phi_3898_;
-                                let _e1752 = phi_3511_;
-                                let _e1754 = phi_3512_;
-                                let _e1756 = phi_3513_;
-                                let _e1758 = phi_3514_;
-                                let _e1760 = phi_3515_;
-                                phi_3897_ = _e1750;
-                                phi_3516_ = _e1752;
-                                phi_3517_ = _e1754;
-                                phi_3518_ = _e1756;
-                                phi_3519_ = _e1758;
-                                phi_3520_ = _e1760;
+                                let _e1720 = phi_4003_;
+                                let _e1722 = phi_3431_;
+                                let _e1724 = phi_3432_;
+                                let _e1726 = phi_3433_;
+                                let _e1728 = phi_3434_;
+                                let _e1730 = phi_3435_;
+                                phi_4002_ = _e1720;
+                                phi_3436_ = _e1722;
+                                phi_3437_ = _e1724;
+                                phi_3438_ = _e1726;
+                                phi_3439_ = _e1728;
+                                phi_3440_ = _e1730;
                             } else {
-                                phi_3897_ = _e635;
-                                phi_3516_ = type_29();
-                                phi_3517_ = u32();
-                                phi_3518_ = bool();
-                                phi_3519_ = u32();
-                                phi_3520_ = type_50();
+                                phi_4002_ = _e620;
+                                phi_3436_ = type_29();
+                                phi_3437_ = u32();
+                                phi_3438_ = bool();
+                                phi_3439_ = u32();
+                                phi_3440_ = type_51();
                             }
-                            let _e1762 = phi_3897_;
-                            let _e1764 = phi_3516_;
-                            let _e1766 = phi_3517_;
-                            let _e1768 = phi_3518_;
-                            let _e1770 = phi_3519_;
-                            let _e1772 = phi_3520_;
-                            phi_3896_ = _e1762;
-                            phi_1102_ = _e1764;
-                            phi_1105_ = _e1766;
-                            phi_1107_ = _e1768;
-                            phi_1109_ = _e1770;
-                            phi_1111_ = _e1772;
-                            phi_3521_ = _e649;
+                            let _e1732 = phi_4002_;
+                            let _e1734 = phi_3436_;
+                            let _e1736 = phi_3437_;
+                            let _e1738 = phi_3438_;
+                            let _e1740 = phi_3439_;
+                            let _e1742 = phi_3440_;
+                            phi_4001_ = _e1732;
+                            phi_1122_ = _e1734;
+                            phi_1125_ = _e1736;
+                            phi_1127_ = _e1738;
+                            phi_1129_ = _e1740;
+                            phi_1131_ = _e1742;
+                            phi_3441_ = _e634;
                         } else {
-                            phi_3896_ = _e635;
-                            phi_1102_ = type_29();
-                            phi_1105_ = u32();
-                            phi_1107_ = bool();
-                            phi_1109_ = u32();
-                            phi_1111_ = type_50();
-                            phi_3521_ = false;
+                            phi_4001_ = _e620;
+                            phi_1122_ = type_29();
+                            phi_1125_ = u32();
+                            phi_1127_ = bool();
+                            phi_1129_ = u32();
+                            phi_1131_ = type_51();
+                            phi_3441_ = false;
                         }
-                        let _e1774 = phi_3896_;
-                        let _e1776 = phi_1102_;
-                        let _e1778 = phi_1105_;
-                        let _e1780 = phi_1107_;
-                        let _e1782 = phi_1109_;
-                        let _e1784 = phi_1111_;
-                        let _e1786 = phi_3521_;
+                        let _e1744 = phi_4001_;
+                        let _e1746 = phi_1122_;
+                        let _e1748 = phi_1125_;
+                        let _e1750 = phi_1127_;
+                        let _e1752 = phi_1129_;
+                        let _e1754 = phi_1131_;
+                        let _e1756 = phi_3441_;
                         continue;
                         continuing {
-                            phi_3723_ = _e1774;
-                            phi_1101_ = _e1776;
-                            phi_1104_ = _e1778;
-                            phi_1106_ = _e1780;
-                            phi_1108_ = _e1782;
-                            phi_1110_ = _e1784;
-                            phi_3895_ = _e1774;
-                            break if !(_e1786);
+                            phi_3823_ = _e1744;
+                            phi_1121_ = _e1746;
+                            phi_1124_ = _e1748;
+                            phi_1126_ = _e1750;
+                            phi_1128_ = _e1752;
+                            phi_1130_ = _e1754;
+                            phi_4000_ = _e1744;
+                            break if !(_e1756);
                         }
                     }
-                    let _e1789 = phi_3895_;
-                    if _e1789 {
+                    let _e1759 = phi_4000_;
+                    if _e1759 {
                         break;
                     }
-                    let _e1791 = local_10;
-                    if (_e1791.member.member_3 != 4294967295u) {
-                        let _e1796 = -(_e505);
-                        let _e1797 = bitcast<u32>(_e1791.member.member);
-                        let _e1801 = (bitcast<i32>((_e1797 >> bitcast<u32>(23i))) & 255i);
-                        let _e1802 = (_e1801 + _e1796);
-                        if (_e1801 == 255i) {
-                            phi_3580_ = _e1791.member.member;
+                    let _e1761 = local_10;
+                    if (_e1761.member.member_3 != 4294967295u) {
+                        let _e1766 = -(_e490);
+                        let _e1767 = bitcast<u32>(_e1761.member.member);
+                        let _e1771 = (bitcast<i32>((_e1767 >> bitcast<u32>(23i))) & 255i);
+                        let _e1772 = (_e1771 + _e1766);
+                        if (_e1771 == 255i) {
+                            phi_3500_ = _e1761.member.member;
                         } else {
-                            if (_e1801 > 0i) {
-                                if (_e1802 > 0i) {
-                                    let _e1806 = (_e1802 < 255i);
-                                    if _e1806 {
-                                        phi_3559_ = bitcast<f32>((_e1797 + bitcast<u32>((_e1796 << bitcast<u32>(23i)))));
+                            if (_e1771 > 0i) {
+                                if (_e1772 > 0i) {
+                                    let _e1776 = (_e1772 < 255i);
+                                    if _e1776 {
+                                        phi_3479_ = bitcast<f32>((_e1767 + bitcast<u32>((_e1766 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3559_ = f32();
+                                        phi_3479_ = f32();
                                     }
-                                    let _e1813 = phi_3559_;
-                                    phi_3561_ = _e1813;
-                                    phi_3562_ = select(true, false, _e1806);
+                                    let _e1783 = phi_3479_;
+                                    phi_3481_ = _e1783;
+                                    phi_3482_ = select(true, false, _e1776);
                                 } else {
-                                    phi_3561_ = f32();
-                                    phi_3562_ = true;
+                                    phi_3481_ = f32();
+                                    phi_3482_ = true;
                                 }
-                                let _e1816 = phi_3561_;
-                                let _e1818 = phi_3562_;
-                                phi_3563_ = _e1816;
-                                phi_3564_ = _e1818;
+                                let _e1786 = phi_3481_;
+                                let _e1788 = phi_3482_;
+                                phi_3483_ = _e1786;
+                                phi_3484_ = _e1788;
                             } else {
-                                phi_3563_ = f32();
-                                phi_3564_ = true;
+                                phi_3483_ = f32();
+                                phi_3484_ = true;
                             }
-                            let _e1820 = phi_3563_;
-                            let _e1822 = phi_3564_;
-                            if _e1822 {
-                                let _e1823 = (_e1797 & 2147483648u);
-                                let _e1830 = ((_e1797 & 8388607u) | (select(0u, 1u, ((_e1797 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1834 = (_e1830 == 0u);
-                                if _e1834 {
-                                    phi_3687_ = bitcast<f32>(_e1823);
+                            let _e1790 = phi_3483_;
+                            let _e1792 = phi_3484_;
+                            if _e1792 {
+                                let _e1793 = (_e1767 & 2147483648u);
+                                let _e1800 = ((_e1767 & 8388607u) | (select(0u, 1u, ((_e1767 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1804 = (_e1800 == 0u);
+                                if _e1804 {
+                                    phi_3787_ = bitcast<f32>(_e1793);
                                 } else {
-                                    let _e1839 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1830)), 32u, _e1834) - 8u);
-                                    let _e1842 = (_e1830 << bitcast<u32>((_e1839 & 31u)));
-                                    let _e1844 = ((_e1802 + select(0i, 1i, (_e1801 == 0i))) - bitcast<i32>(_e1839));
-                                    if (_e1844 >= 255i) {
-                                        phi_3677_ = bitcast<f32>((_e1823 | 2139095040u));
-                                        phi_3678_ = f32();
-                                        phi_3679_ = true;
+                                    let _e1809 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1800)), 32u, _e1804) - 8u);
+                                    let _e1812 = (_e1800 << bitcast<u32>((_e1809 & 31u)));
+                                    let _e1814 = ((_e1772 + select(0i, 1i, (_e1771 == 0i))) - bitcast<i32>(_e1809));
+                                    if (_e1814 >= 255i) {
+                                        phi_3777_ = bitcast<f32>((_e1793 | 2139095040u));
+                                        phi_3778_ = f32();
+                                        phi_3779_ = true;
                                     } else {
-                                        let _e1846 = (_e1844 > 0i);
-                                        if _e1846 {
-                                            phi_3671_ = bitcast<f32>(((_e1823 | (bitcast<u32>(_e1844) << bitcast<u32>(23i))) | (_e1842 & 8388607u)));
-                                            phi_3672_ = f32();
+                                        let _e1816 = (_e1814 > 0i);
+                                        if _e1816 {
+                                            phi_3771_ = bitcast<f32>(((_e1793 | (bitcast<u32>(_e1814) << bitcast<u32>(23i))) | (_e1812 & 8388607u)));
+                                            phi_3772_ = f32();
                                         } else {
-                                            if (_e1844 < -24i) {
-                                                phi_3637_ = 26u;
+                                            if (_e1814 < -24i) {
+                                                phi_3737_ = 26u;
                                             } else {
-                                                phi_3637_ = bitcast<u32>((1i - _e1844));
+                                                phi_3737_ = bitcast<u32>((1i - _e1814));
                                             }
-                                            let _e1851 = phi_3637_;
-                                            let _e1852 = (_e1851 & 31u);
-                                            let _e1854 = (_e1842 >> bitcast<u32>(_e1852));
-                                            let _e1858 = (_e1842 & ((1u << bitcast<u32>(_e1852)) - 1u));
-                                            let _e1862 = (1u << bitcast<u32>(((_e1851 - 1u) & 31u)));
-                                            if (_e1858 > _e1862) {
-                                                phi_3658_ = true;
+                                            let _e1821 = phi_3737_;
+                                            let _e1822 = (_e1821 & 31u);
+                                            let _e1824 = (_e1812 >> bitcast<u32>(_e1822));
+                                            let _e1828 = (_e1812 & ((1u << bitcast<u32>(_e1822)) - 1u));
+                                            let _e1832 = (1u << bitcast<u32>(((_e1821 - 1u) & 31u)));
+                                            if (_e1828 > _e1832) {
+                                                phi_3758_ = true;
                                             } else {
-                                                if (_e1858 == _e1862) {
-                                                    phi_3655_ = ((_e1854 & 1u) == 1u);
+                                                if (_e1828 == _e1832) {
+                                                    phi_3755_ = ((_e1824 & 1u) == 1u);
                                                 } else {
-                                                    phi_3655_ = false;
+                                                    phi_3755_ = false;
                                                 }
-                                                let _e1868 = phi_3655_;
-                                                phi_3658_ = _e1868;
+                                                let _e1838 = phi_3755_;
+                                                phi_3758_ = _e1838;
                                             }
-                                            let _e1870 = phi_3658_;
-                                            phi_3671_ = f32();
-                                            phi_3672_ = bitcast<f32>((_e1823 | (_e1854 + select(0u, 1u, _e1870))));
+                                            let _e1840 = phi_3758_;
+                                            phi_3771_ = f32();
+                                            phi_3772_ = bitcast<f32>((_e1793 | (_e1824 + select(0u, 1u, _e1840))));
                                         }
-                                        let _e1883 = phi_3671_;
-                                        let _e1885 = phi_3672_;
-                                        phi_3677_ = _e1883;
-                                        phi_3678_ = _e1885;
-                                        phi_3679_ = _e1846;
+                                        let _e1853 = phi_3771_;
+                                        let _e1855 = phi_3772_;
+                                        phi_3777_ = _e1853;
+                                        phi_3778_ = _e1855;
+                                        phi_3779_ = _e1816;
                                     }
-                                    let _e1889 = phi_3677_;
-                                    let _e1891 = phi_3678_;
-                                    let _e1893 = phi_3679_;
-                                    phi_3687_ = select(_e1891, _e1889, _e1893);
+                                    let _e1859 = phi_3777_;
+                                    let _e1861 = phi_3778_;
+                                    let _e1863 = phi_3779_;
+                                    phi_3787_ = select(_e1861, _e1859, _e1863);
                                 }
-                                let _e1897 = phi_3687_;
-                                phi_3579_ = _e1897;
+                                let _e1867 = phi_3787_;
+                                phi_3499_ = _e1867;
                             } else {
-                                phi_3579_ = _e1820;
+                                phi_3499_ = _e1790;
                             }
-                            let _e1899 = phi_3579_;
-                            phi_3580_ = _e1899;
+                            let _e1869 = phi_3499_;
+                            phi_3500_ = _e1869;
                         }
-                        let _e1901 = phi_3580_;
-                        let _e1902 = bitcast<u32>(_e1901);
-                        if ((_e1902 & 2147483647u) >= 2139095040u) {
-                            phi_3592_ = bitcast<f32>(((_e1902 & 2147483648u) | 2139095039u));
+                        let _e1871 = phi_3500_;
+                        let _e1872 = bitcast<u32>(_e1871);
+                        if ((_e1872 & 2147483647u) >= 2139095040u) {
+                            phi_3512_ = bitcast<f32>(((_e1872 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3592_ = _e1901;
+                            phi_3512_ = _e1871;
                         }
-                        let _e1909 = phi_3592_;
-                        phi_3597_ = type_18(_e1909, _e1791.member.member_1, _e1791.member.member_2, _e1791.member.member_3);
+                        let _e1879 = phi_3512_;
+                        phi_3517_ = type_18(_e1879, _e1761.member.member_1, _e1761.member.member_2, _e1761.member.member_3);
                     } else {
-                        phi_3597_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3517_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1914 = phi_3597_;
+                    let _e1884 = phi_3517_;
                     if _e136 {
                     } else {
                         break;
                     }
-                    global_5.member[_e134] = _e1914;
+                    global_5.member[_e134] = _e1884;
                 }
             }
             break;

@@ -48,23 +48,30 @@ struct type_38 {
     member_1: f32,
 }
 
-struct type_42 {
+struct type_41 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_43 {
     member: array<type_29>,
 }
 
-struct type_45 {
+struct type_46 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_50 {
+struct type_51 {
     member: type_33,
     member_1: u32,
 }
 
-struct type_51 {
+struct type_52 {
     member: array<vec4<f32>, 3>,
-    member_1: type_50,
-    member_2: type_50,
+    member_1: type_51,
+    member_2: type_51,
 }
 
 var<private> global: vec3<u32>;
@@ -73,11 +80,11 @@ var<uniform> global_1: type_12;
 @group(0) @binding(3) 
 var<storage> global_2: type_19;
 @group(0) @binding(1) 
-var<uniform> global_3: type_45;
+var<uniform> global_3: type_46;
 @group(0) @binding(2) 
 var<storage> global_4: type_9;
 @group(0) @binding(4) 
-var<storage> global_5: type_42;
+var<storage> global_5: type_43;
 @group(0) @binding(5) 
 var<storage, read_write> global_6: type_27;
 
@@ -92,162 +99,149 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_472_: i32;
-    var phi_473_: i32;
-    var phi_483_: bool;
-    var phi_493_: u32;
-    var phi_494_: u32;
-    var phi_496_: bool;
-    var phi_501_: u32;
-    var phi_514_: i32;
+    var phi_492_: i32;
+    var phi_493_: i32;
+    var phi_503_: bool;
+    var phi_513_: u32;
+    var phi_514_: u32;
+    var phi_516_: bool;
+    var phi_521_: u32;
     var phi_534_: i32;
-    var phi_552_: f32;
-    var phi_558_: f32;
-    var phi_598_: f32;
-    var phi_604_: f32;
-    var phi_656_: f32;
-    var phi_668_: f32;
-    var phi_677_: f32;
-    var phi_683_: f32;
-    var phi_723_: f32;
-    var phi_729_: f32;
-    var phi_781_: f32;
-    var phi_793_: f32;
-    var phi_802_: f32;
-    var phi_808_: f32;
-    var phi_848_: f32;
-    var phi_854_: f32;
-    var phi_906_: f32;
-    var phi_918_: f32;
-    var phi_973_: i32;
-    var phi_995_: u32;
-    var phi_996_: u32;
-    var phi_1033_: i32;
-    var phi_1055_: u32;
-    var phi_1056_: u32;
-    var phi_1064_: f32;
-    var phi_1065_: f32;
-    var phi_3975_: bool;
-    var phi_1161_: type_38;
-    var phi_1164_: u32;
-    var phi_1166_: bool;
-    var phi_1168_: u32;
-    var phi_1170_: type_50;
-    var phi_1181_: bool;
-    var phi_1267_: bool;
-    var phi_1268_: u32;
-    var phi_1269_: type_50;
-    var phi_1287_: type_38;
-    var phi_1290_: type_4;
-    var phi_1291_: type_4;
-    var phi_1313_: type_4;
-    var phi_1334_: u32;
-    var phi_1426_: array<array<f32, 3>, 3>;
-    var phi_1578_: bool;
-    var phi_1607_: bool;
-    var phi_2026_: f32;
-    var phi_2027_: f32;
-    var phi_2028_: f32;
-    var phi_2029_: f32;
-    var phi_2030_: vec3<f32>;
-    var phi_2031_: vec3<f32>;
-    var phi_2032_: vec3<f32>;
-    var phi_2033_: vec3<f32>;
-    var phi_2070_: bool;
-    var phi_2079_: vec3<f32>;
-    var phi_2244_: f32;
-    var phi_2246_: f32;
-    var phi_2247_: bool;
-    var phi_2267_: f32;
-    var phi_2268_: f32;
-    var phi_2291_: type_25;
-    var phi_2293_: type_25;
-    var phi_2294_: bool;
-    var phi_2298_: type_25;
-    var phi_2299_: type_25;
-    var phi_2300_: type_25;
-    var phi_2301_: bool;
-    var phi_2305_: type_25;
-    var phi_2306_: bool;
-    var phi_2307_: type_25;
-    var phi_2308_: bool;
-    var phi_2309_: bool;
-    var phi_2310_: type_25;
-    var phi_2311_: bool;
-    var phi_2312_: bool;
-    var phi_2320_: type_25;
-    var phi_2321_: bool;
-    var phi_2325_: type_25;
-    var phi_2350_: bool;
-    var phi_2351_: bool;
-    var phi_2357_: type_38;
-    var phi_2358_: type_38;
-    var phi_2359_: type_38;
-    var phi_1288_: type_38;
-    var phi_3969_: bool;
-    var phi_4215_: bool;
-    var phi_2360_: type_38;
-    var phi_3087_: u32;
-    var phi_3088_: u32;
-    var phi_3098_: u32;
-    var phi_3100_: u32;
-    var phi_3101_: bool;
-    var phi_3121_: u32;
-    var phi_3122_: u32;
-    var phi_3126_: type_51;
-    var phi_3488_: type_50;
-    var phi_3564_: type_50;
-    var phi_3565_: u32;
-    var phi_3566_: type_50;
-    var phi_3568_: u32;
-    var phi_3569_: type_50;
-    var phi_3570_: bool;
-    var phi_3579_: type_50;
-    var phi_3584_: bool;
-    var phi_3586_: type_50;
-    var phi_3590_: bool;
-    var phi_3591_: u32;
-    var phi_3592_: type_50;
-    var phi_3602_: type_50;
-    var phi_4132_: bool;
-    var phi_3603_: type_38;
-    var phi_3604_: u32;
-    var phi_3605_: bool;
-    var phi_3606_: u32;
-    var phi_3607_: type_50;
-    var phi_4131_: bool;
-    var phi_3608_: type_38;
-    var phi_3609_: u32;
-    var phi_3610_: bool;
-    var phi_3611_: u32;
-    var phi_3612_: type_50;
-    var phi_4130_: bool;
-    var phi_1162_: type_38;
-    var phi_1165_: u32;
-    var phi_1167_: bool;
-    var phi_1169_: u32;
-    var phi_1171_: type_50;
-    var phi_3613_: bool;
-    var phi_4129_: bool;
+    var phi_554_: i32;
+    var phi_572_: f32;
+    var phi_578_: f32;
+    var phi_618_: f32;
+    var phi_624_: f32;
+    var phi_697_: f32;
+    var phi_703_: f32;
+    var phi_743_: f32;
+    var phi_749_: f32;
+    var phi_822_: f32;
+    var phi_828_: f32;
+    var phi_868_: f32;
+    var phi_874_: f32;
+    var phi_993_: i32;
+    var phi_1015_: u32;
+    var phi_1016_: u32;
+    var phi_1053_: i32;
+    var phi_1075_: u32;
+    var phi_1076_: u32;
+    var phi_1084_: f32;
+    var phi_1085_: f32;
+    var phi_4072_: bool;
+    var phi_1181_: type_38;
+    var phi_1184_: u32;
+    var phi_1186_: bool;
+    var phi_1188_: u32;
+    var phi_1190_: type_51;
+    var phi_1201_: bool;
+    var phi_1287_: bool;
+    var phi_1288_: u32;
+    var phi_1289_: type_51;
+    var phi_1307_: type_38;
+    var phi_1310_: type_4;
+    var phi_1311_: type_4;
+    var phi_1333_: type_4;
+    var phi_1354_: u32;
+    var phi_1446_: array<array<f32, 3>, 3>;
+    var phi_3633_: bool;
+    var phi_3648_: bool;
+    var phi_3663_: bool;
+    var phi_3678_: bool;
+    var phi_3693_: bool;
+    var phi_3708_: bool;
+    var phi_1988_: f32;
+    var phi_1989_: f32;
+    var phi_1990_: f32;
+    var phi_1991_: f32;
+    var phi_1992_: vec3<f32>;
+    var phi_1993_: vec3<f32>;
+    var phi_1994_: vec3<f32>;
+    var phi_1995_: vec3<f32>;
+    var phi_3723_: bool;
+    var phi_3738_: bool;
+    var phi_3753_: bool;
+    var phi_3768_: bool;
+    var phi_3783_: bool;
+    var phi_3798_: bool;
+    var phi_2203_: f32;
+    var phi_2223_: type_41;
+    var phi_2224_: type_41;
+    var phi_2227_: type_41;
+    var phi_2228_: type_41;
+    var phi_2229_: bool;
+    var phi_2233_: type_41;
+    var phi_2242_: type_25;
+    var phi_2267_: bool;
+    var phi_2268_: bool;
+    var phi_2274_: type_38;
+    var phi_2275_: type_38;
+    var phi_2276_: type_38;
+    var phi_1308_: type_38;
+    var phi_4066_: bool;
+    var phi_4317_: bool;
+    var phi_2277_: type_38;
+    var phi_3004_: u32;
+    var phi_3005_: u32;
+    var phi_3015_: u32;
+    var phi_3017_: u32;
+    var phi_3018_: bool;
+    var phi_3038_: u32;
+    var phi_3039_: u32;
+    var phi_3043_: type_52;
+    var phi_3405_: type_51;
+    var phi_3481_: type_51;
+    var phi_3482_: u32;
+    var phi_3483_: type_51;
+    var phi_3485_: u32;
+    var phi_3486_: type_51;
+    var phi_3487_: bool;
+    var phi_3496_: type_51;
+    var phi_3501_: bool;
+    var phi_3503_: type_51;
+    var phi_3507_: bool;
+    var phi_3508_: u32;
+    var phi_3509_: type_51;
+    var phi_3519_: type_51;
+    var phi_4234_: bool;
+    var phi_3520_: type_38;
+    var phi_3521_: u32;
+    var phi_3522_: bool;
+    var phi_3523_: u32;
+    var phi_3524_: type_51;
+    var phi_4233_: bool;
+    var phi_3525_: type_38;
+    var phi_3526_: u32;
+    var phi_3527_: bool;
+    var phi_3528_: u32;
+    var phi_3529_: type_51;
+    var phi_4232_: bool;
+    var phi_1182_: type_38;
+    var phi_1185_: u32;
+    var phi_1187_: bool;
+    var phi_1189_: u32;
+    var phi_1191_: type_51;
+    var phi_3530_: bool;
+    var phi_4231_: bool;
     var local_10: type_38;
-    var phi_3651_: f32;
-    var phi_3653_: f32;
-    var phi_3654_: bool;
-    var phi_3655_: f32;
-    var phi_3656_: bool;
-    var phi_3877_: u32;
-    var phi_3895_: bool;
-    var phi_3898_: bool;
-    var phi_3911_: f32;
-    var phi_3912_: f32;
-    var phi_3917_: f32;
-    var phi_3918_: f32;
-    var phi_3919_: bool;
-    var phi_3927_: f32;
-    var phi_3671_: f32;
-    var phi_3672_: f32;
-    var phi_3684_: f32;
-    var phi_3689_: type_25;
+    var phi_3568_: f32;
+    var phi_3570_: f32;
+    var phi_3571_: bool;
+    var phi_3572_: f32;
+    var phi_3573_: bool;
+    var phi_3974_: u32;
+    var phi_3992_: bool;
+    var phi_3995_: bool;
+    var phi_4008_: f32;
+    var phi_4009_: f32;
+    var phi_4014_: f32;
+    var phi_4015_: f32;
+    var phi_4016_: bool;
+    var phi_4024_: f32;
+    var phi_3588_: f32;
+    var phi_3589_: f32;
+    var phi_3601_: f32;
+    var phi_3606_: type_25;
     var local_11: type_38;
 
     switch bitcast<i32>(0u) {
@@ -303,271 +297,241 @@ fn function_() {
                     if _e226 {
                         let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
                         if (_e229 >= 8388608u) {
-                            phi_472_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
+                            phi_492_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_472_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
+                            phi_492_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e243 = phi_472_;
-                        phi_473_ = _e243;
+                        let _e243 = phi_492_;
+                        phi_493_ = _e243;
                     } else {
-                        phi_473_ = 0i;
+                        phi_493_ = 0i;
                     }
-                    let _e245 = phi_473_;
+                    let _e245 = phi_493_;
                     let _e246 = (_e162 == _e201);
                     if _e246 {
-                        phi_483_ = true;
+                        phi_503_ = true;
                     } else {
-                        phi_483_ = (_e169 == _e201);
+                        phi_503_ = (_e169 == _e201);
                     }
-                    let _e249 = phi_483_;
+                    let _e249 = phi_503_;
                     let _e250 = select(1u, 0u, _e246);
                     if _e249 {
                         let _e251 = (_e250 + 1u);
-                        phi_493_ = _e251;
-                        phi_494_ = _e251;
-                        phi_496_ = select(true, false, (_e251 == 2u));
+                        phi_513_ = _e251;
+                        phi_514_ = _e251;
+                        phi_516_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_493_ = u32();
-                        phi_494_ = 0u;
-                        phi_496_ = true;
+                        phi_513_ = u32();
+                        phi_514_ = 0u;
+                        phi_516_ = true;
                     }
-                    let _e255 = phi_493_;
-                    let _e257 = phi_494_;
-                    let _e259 = phi_496_;
+                    let _e255 = phi_513_;
+                    let _e257 = phi_514_;
+                    let _e259 = phi_516_;
                     if _e259 {
-                        phi_501_ = (_e257 + 1u);
+                        phi_521_ = (_e257 + 1u);
                     } else {
-                        phi_501_ = 0u;
+                        phi_521_ = 0u;
                     }
-                    let _e263 = phi_501_;
+                    let _e263 = phi_521_;
                     let _e264 = select(_e255, _e257, _e259);
                     let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
                     if (_e132 < -126i) {
-                        phi_514_ = -126i;
+                        phi_534_ = -126i;
                     } else {
-                        phi_514_ = select(_e132, 127i, (_e132 > 127i));
+                        phi_534_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e270 = phi_514_;
+                    let _e270 = phi_534_;
                     let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
                     let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
                     let _e282 = -(_e245);
                     if (_e282 < -126i) {
-                        phi_534_ = -126i;
+                        phi_554_ = -126i;
                     } else {
-                        phi_534_ = select(_e282, 127i, (_e282 > 127i));
+                        phi_554_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e287 = phi_534_;
+                    let _e287 = phi_554_;
                     let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
                     let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
                     let _e302 = global_5.member[_e150].member;
                     let _e303 = (_e264 == 0u);
                     if _e303 {
-                        phi_552_ = _e302[0];
+                        phi_572_ = _e302[0];
                     } else {
-                        phi_552_ = _e302[1];
+                        phi_572_ = _e302[1];
                     }
-                    let _e307 = phi_552_;
+                    let _e307 = phi_572_;
                     let _e308 = (_e264 == 2u);
                     if _e308 {
-                        phi_558_ = _e302[2];
+                        phi_578_ = _e302[2];
                     } else {
-                        phi_558_ = _e307;
+                        phi_578_ = _e307;
                     }
-                    let _e311 = phi_558_;
+                    let _e311 = phi_578_;
                     let _e312 = bitcast<u32>(_e311);
                     let _e314 = ((_e312 & 2139095040u) != 0u);
                     let _e328 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e312 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e312 & 2147483648u))), _e311, _e314) * _e275) * select(0.00000011920929f, 1f, _e314)) * _e281);
                     let _e329 = global_5.member[_e150].member_2;
                     if _e303 {
-                        phi_598_ = _e329[0];
+                        phi_618_ = _e329[0];
                     } else {
-                        phi_598_ = _e329[1];
+                        phi_618_ = _e329[1];
                     }
-                    let _e333 = phi_598_;
+                    let _e333 = phi_618_;
                     if _e308 {
-                        phi_604_ = _e329[2];
+                        phi_624_ = _e329[2];
                     } else {
-                        phi_604_ = _e333;
+                        phi_624_ = _e333;
                     }
-                    let _e336 = phi_604_;
+                    let _e336 = phi_624_;
                     let _e337 = bitcast<u32>(_e336);
                     let _e339 = ((_e337 & 2139095040u) != 0u);
                     let _e353 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e336, _e339) * _e292) * select(0.00000011920929f, 1f, _e339)) * _e298);
-                    let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e357 {
-                        let _e361 = (bitcast<f32>((bitcast<u32>(_e328) & 2147483647u)) * 0.00000011920929f);
-                        phi_656_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
+                    let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e360 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
+                    let _e361 = (_e360 * 0.00000011920929f);
+                    let _e364 = select(select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f)), 0f, _e357);
+                    let _e365 = select(0f, _e353, _e357);
+                    let _e366 = (_e328 + _e364);
+                    let _e367 = (_e328 - _e364);
+                    let _e369 = select(38685626000000000000000000f, (1f / _e353), _e357);
+                    let _e370 = (_e263 == 0u);
+                    if _e370 {
+                        phi_697_ = _e302[0];
                     } else {
-                        phi_656_ = 0f;
+                        phi_697_ = _e302[1];
                     }
-                    let _e365 = phi_656_;
-                    let _e366 = (_e328 + _e365);
-                    let _e367 = (_e328 - _e365);
-                    let _e368 = select(_e353, 0f, _e357);
-                    if _e357 {
-                        phi_668_ = 38685626000000000000000000f;
+                    let _e374 = phi_697_;
+                    let _e375 = (_e263 == 2u);
+                    if _e375 {
+                        phi_703_ = _e302[2];
                     } else {
-                        phi_668_ = (1f / _e353);
+                        phi_703_ = _e374;
                     }
-                    let _e371 = phi_668_;
-                    let _e372 = (_e263 == 0u);
-                    if _e372 {
-                        phi_677_ = _e302[0];
+                    let _e378 = phi_703_;
+                    let _e379 = bitcast<u32>(_e378);
+                    let _e381 = ((_e379 & 2139095040u) != 0u);
+                    let _e395 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e379 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e379 & 2147483648u))), _e378, _e381) * _e275) * select(0.00000011920929f, 1f, _e381)) * _e281);
+                    if _e370 {
+                        phi_743_ = _e329[0];
                     } else {
-                        phi_677_ = _e302[1];
+                        phi_743_ = _e329[1];
                     }
-                    let _e376 = phi_677_;
-                    let _e377 = (_e263 == 2u);
-                    if _e377 {
-                        phi_683_ = _e302[2];
+                    let _e399 = phi_743_;
+                    if _e375 {
+                        phi_749_ = _e329[2];
                     } else {
-                        phi_683_ = _e376;
+                        phi_749_ = _e399;
                     }
-                    let _e380 = phi_683_;
-                    let _e381 = bitcast<u32>(_e380);
-                    let _e383 = ((_e381 & 2139095040u) != 0u);
-                    let _e397 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * _e275) * select(0.00000011920929f, 1f, _e383)) * _e281);
-                    if _e372 {
-                        phi_723_ = _e329[0];
+                    let _e402 = phi_749_;
+                    let _e403 = bitcast<u32>(_e402);
+                    let _e405 = ((_e403 & 2139095040u) != 0u);
+                    let _e419 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e403 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e403 & 2147483648u))), _e402, _e405) * _e292) * select(0.00000011920929f, 1f, _e405)) * _e298);
+                    let _e423 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e426 = bitcast<f32>((bitcast<u32>(_e395) & 2147483647u));
+                    let _e427 = (_e426 * 0.00000011920929f);
+                    let _e430 = select(select(0.00000000000011368684f, _e427, (_e427 > 0.00000000000011368684f)), 0f, _e423);
+                    let _e431 = select(0f, _e419, _e423);
+                    let _e432 = (_e395 + _e430);
+                    let _e433 = (_e395 - _e430);
+                    let _e435 = select(38685626000000000000000000f, (1f / _e419), _e423);
+                    let _e436 = (_e265 == 0u);
+                    if _e436 {
+                        phi_822_ = _e302[0];
                     } else {
-                        phi_723_ = _e329[1];
+                        phi_822_ = _e302[1];
                     }
-                    let _e401 = phi_723_;
-                    if _e377 {
-                        phi_729_ = _e329[2];
+                    let _e440 = phi_822_;
+                    let _e441 = (_e265 == 2u);
+                    if _e441 {
+                        phi_828_ = _e302[2];
                     } else {
-                        phi_729_ = _e401;
+                        phi_828_ = _e440;
                     }
-                    let _e404 = phi_729_;
-                    let _e405 = bitcast<u32>(_e404);
-                    let _e407 = ((_e405 & 2139095040u) != 0u);
-                    let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e292) * select(0.00000011920929f, 1f, _e407)) * _e298);
-                    let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e425 {
-                        let _e429 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
-                        phi_781_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
+                    let _e444 = phi_828_;
+                    let _e445 = bitcast<u32>(_e444);
+                    let _e447 = ((_e445 & 2139095040u) != 0u);
+                    let _e461 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e445 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e445 & 2147483648u))), _e444, _e447) * _e275) * select(0.00000011920929f, 1f, _e447)) * _e281);
+                    if _e436 {
+                        phi_868_ = _e329[0];
                     } else {
-                        phi_781_ = 0f;
+                        phi_868_ = _e329[1];
                     }
-                    let _e433 = phi_781_;
-                    let _e434 = (_e397 + _e433);
-                    let _e435 = (_e397 - _e433);
-                    let _e436 = select(_e421, 0f, _e425);
-                    if _e425 {
-                        phi_793_ = 38685626000000000000000000f;
+                    let _e465 = phi_868_;
+                    if _e441 {
+                        phi_874_ = _e329[2];
                     } else {
-                        phi_793_ = (1f / _e421);
+                        phi_874_ = _e465;
                     }
-                    let _e439 = phi_793_;
-                    let _e440 = (_e265 == 0u);
-                    if _e440 {
-                        phi_802_ = _e302[0];
-                    } else {
-                        phi_802_ = _e302[1];
-                    }
-                    let _e444 = phi_802_;
-                    let _e445 = (_e265 == 2u);
-                    if _e445 {
-                        phi_808_ = _e302[2];
-                    } else {
-                        phi_808_ = _e444;
-                    }
-                    let _e448 = phi_808_;
-                    let _e449 = bitcast<u32>(_e448);
-                    let _e451 = ((_e449 & 2139095040u) != 0u);
-                    let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e275) * select(0.00000011920929f, 1f, _e451)) * _e281);
-                    if _e440 {
-                        phi_848_ = _e329[0];
-                    } else {
-                        phi_848_ = _e329[1];
-                    }
-                    let _e469 = phi_848_;
-                    if _e445 {
-                        phi_854_ = _e329[2];
-                    } else {
-                        phi_854_ = _e469;
-                    }
-                    let _e472 = phi_854_;
-                    let _e473 = bitcast<u32>(_e472);
-                    let _e475 = ((_e473 & 2139095040u) != 0u);
-                    let _e489 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e473 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e473 & 2147483648u))), _e472, _e475) * _e292) * select(0.00000011920929f, 1f, _e475)) * _e298);
-                    let _e493 = (bitcast<f32>((bitcast<u32>(_e489) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e493 {
-                        let _e497 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) * 0.00000011920929f);
-                        phi_906_ = select(0.00000000000011368684f, _e497, (_e497 > 0.00000000000011368684f));
-                    } else {
-                        phi_906_ = 0f;
-                    }
-                    let _e501 = phi_906_;
-                    let _e502 = (_e465 + _e501);
-                    let _e503 = (_e465 - _e501);
-                    let _e504 = select(_e489, 0f, _e493);
-                    if _e493 {
-                        phi_918_ = 38685626000000000000000000f;
-                    } else {
-                        phi_918_ = (1f / _e489);
-                    }
-                    let _e507 = phi_918_;
-                    let _e510 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
-                    let _e513 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
-                    let _e515 = select(_e513, _e510, (_e510 > _e513));
-                    let _e518 = bitcast<f32>((bitcast<u32>(_e465) & 2147483647u));
-                    let _e521 = (_e132 + _e245);
-                    if (_e226 && (select(_e518, _e515, (_e515 > _e518)) <= 1099511600000f)) {
-                        let _e531 = ((_e213 & 8388607u) | (select(0u, 1u, ((_e213 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e534 = bitcast<i32>((_e213 >> bitcast<u32>(23i)));
-                        let _e538 = (_e531 == 0u);
-                        let _e541 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e531)), 32u, _e538)) - 8i);
-                        if (_e534 == 255i) {
-                            phi_973_ = 255i;
+                    let _e468 = phi_874_;
+                    let _e469 = bitcast<u32>(_e468);
+                    let _e471 = ((_e469 & 2139095040u) != 0u);
+                    let _e485 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * _e292) * select(0.00000011920929f, 1f, _e471)) * _e298);
+                    let _e489 = (bitcast<f32>((bitcast<u32>(_e485) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e492 = bitcast<f32>((bitcast<u32>(_e461) & 2147483647u));
+                    let _e493 = (_e492 * 0.00000011920929f);
+                    let _e496 = select(select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f)), 0f, _e489);
+                    let _e497 = select(0f, _e485, _e489);
+                    let _e498 = (_e461 + _e496);
+                    let _e499 = (_e461 - _e496);
+                    let _e501 = select(38685626000000000000000000f, (1f / _e485), _e489);
+                    let _e503 = select(_e426, _e360, (_e360 > _e426));
+                    let _e506 = (_e132 + _e245);
+                    if (_e226 && (select(_e492, _e503, (_e503 > _e492)) <= 1099511600000f)) {
+                        let _e516 = ((_e213 & 8388607u) | (select(0u, 1u, ((_e213 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e519 = bitcast<i32>((_e213 >> bitcast<u32>(23i)));
+                        let _e523 = (_e516 == 0u);
+                        let _e526 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e516)), 32u, _e523)) - 8i);
+                        if (_e519 == 255i) {
+                            phi_993_ = 255i;
                         } else {
-                            phi_973_ = (((_e534 + select(0i, 1i, (_e534 == 0i))) - _e541) + _e521);
+                            phi_993_ = (((_e519 + select(0i, 1i, (_e519 == 0i))) - _e526) + _e506);
                         }
-                        let _e549 = phi_973_;
-                        let _e559 = (_e549 <= 0i);
-                        if _e559 {
-                            phi_996_ = u32();
+                        let _e534 = phi_993_;
+                        let _e544 = (_e534 <= 0i);
+                        if _e544 {
+                            phi_1016_ = u32();
                         } else {
-                            if _e538 {
-                                phi_995_ = u32();
+                            if _e523 {
+                                phi_1015_ = u32();
                             } else {
-                                phi_995_ = select(((bitcast<u32>(_e549) << bitcast<u32>(23i)) | ((_e531 << bitcast<u32>(((_e541 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e549 >= 255i));
+                                phi_1015_ = select(((bitcast<u32>(_e534) << bitcast<u32>(23i)) | ((_e516 << bitcast<u32>(((_e526 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e534 >= 255i));
                             }
-                            let _e563 = phi_995_;
-                            phi_996_ = _e563;
+                            let _e548 = phi_1015_;
+                            phi_1016_ = _e548;
                         }
-                        let _e565 = phi_996_;
-                        let _e577 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e580 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
-                        let _e584 = (_e577 == 0u);
-                        let _e587 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e577)), 32u, _e584)) - 8i);
-                        if (_e580 == 255i) {
-                            phi_1033_ = 255i;
+                        let _e550 = phi_1016_;
+                        let _e562 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e565 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
+                        let _e569 = (_e562 == 0u);
+                        let _e572 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e562)), 32u, _e569)) - 8i);
+                        if (_e565 == 255i) {
+                            phi_1053_ = 255i;
                         } else {
-                            phi_1033_ = (((_e580 + select(0i, 1i, (_e580 == 0i))) - _e587) + _e521);
+                            phi_1053_ = (((_e565 + select(0i, 1i, (_e565 == 0i))) - _e572) + _e506);
                         }
-                        let _e595 = phi_1033_;
-                        let _e605 = (_e595 <= 0i);
-                        if _e605 {
-                            phi_1056_ = u32();
+                        let _e580 = phi_1053_;
+                        let _e590 = (_e580 <= 0i);
+                        if _e590 {
+                            phi_1076_ = u32();
                         } else {
-                            if _e584 {
-                                phi_1055_ = u32();
+                            if _e569 {
+                                phi_1075_ = u32();
                             } else {
-                                phi_1055_ = select(((bitcast<u32>(_e595) << bitcast<u32>(23i)) | ((_e577 << bitcast<u32>(((_e587 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e595 >= 255i));
+                                phi_1075_ = select(((bitcast<u32>(_e580) << bitcast<u32>(23i)) | ((_e562 << bitcast<u32>(((_e572 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e580 >= 255i));
                             }
-                            let _e609 = phi_1055_;
-                            phi_1056_ = _e609;
+                            let _e594 = phi_1075_;
+                            phi_1076_ = _e594;
                         }
-                        let _e611 = phi_1056_;
-                        phi_1064_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e611, 0u, select(_e584, true, _e605))));
-                        phi_1065_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e565, 0u, select(_e538, true, _e559))));
+                        let _e596 = phi_1076_;
+                        phi_1084_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e596, 0u, select(_e569, true, _e590))));
+                        phi_1085_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e550, 0u, select(_e523, true, _e544))));
                     } else {
-                        phi_1064_ = 0f;
-                        phi_1065_ = 1f;
+                        phi_1084_ = 0f;
+                        phi_1085_ = 1f;
                     }
-                    let _e617 = phi_1064_;
-                    let _e619 = phi_1065_;
+                    let _e602 = phi_1084_;
+                    let _e604 = phi_1085_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -576,1041 +540,1018 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e623 = (_e264 % 3u);
-                    let _e624 = (_e623 < 3u);
-                    if _e624 {
+                    let _e608 = (_e264 % 3u);
+                    let _e609 = (_e608 < 3u);
+                    if _e609 {
                     } else {
                         break;
                     }
-                    let _e626 = local_1[_e623];
-                    let _e629 = (_e263 % 3u);
-                    let _e630 = (_e629 < 3u);
-                    if _e630 {
+                    let _e611 = local_1[_e608];
+                    let _e614 = (_e263 % 3u);
+                    let _e615 = (_e614 < 3u);
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e632 = local_1[_e629];
-                    let _e635 = (_e265 % 3u);
-                    let _e636 = (_e635 < 3u);
-                    if _e636 {
+                    let _e617 = local_1[_e614];
+                    let _e620 = (_e265 % 3u);
+                    let _e621 = (_e620 < 3u);
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e638 = local_1[_e635];
-                    if _e624 {
+                    let _e623 = local_1[_e620];
+                    if _e609 {
                     } else {
                         break;
                     }
-                    let _e643 = local[_e623];
-                    if _e630 {
+                    let _e628 = local[_e608];
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e647 = local[_e629];
-                    if _e636 {
+                    let _e632 = local[_e614];
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e651 = local[_e635];
-                    phi_3975_ = false;
-                    phi_1161_ = type_38(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e617);
-                    phi_1164_ = ((3u * _e94) + 1u);
-                    phi_1166_ = (_e619 <= _e617);
-                    phi_1168_ = 0u;
-                    phi_1170_ = type_50(type_33(vec4<f32>((f32(_e626) * _e144), (f32(_e632) * _e144), (f32(_e638) * _e144), 0f), vec4<f32>((f32(_e643) * _e144), (f32(_e647) * _e144), (f32(_e651) * _e144), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                    let _e636 = local[_e620];
+                    phi_4072_ = false;
+                    phi_1181_ = type_38(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e602);
+                    phi_1184_ = ((3u * _e94) + 1u);
+                    phi_1186_ = (_e604 <= _e602);
+                    phi_1188_ = 0u;
+                    phi_1190_ = type_51(type_33(vec4<f32>((f32(_e611) * _e144), (f32(_e617) * _e144), (f32(_e623) * _e144), 0f), vec4<f32>((f32(_e628) * _e144), (f32(_e632) * _e144), (f32(_e636) * _e144), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
                     loop {
-                        let _e661 = phi_3975_;
-                        let _e663 = phi_1161_;
-                        let _e665 = phi_1164_;
-                        let _e667 = phi_1166_;
-                        let _e669 = phi_1168_;
-                        let _e671 = phi_1170_;
-                        local_10 = _e663;
-                        if _e667 {
-                            phi_1181_ = true;
+                        let _e646 = phi_4072_;
+                        let _e648 = phi_1181_;
+                        let _e650 = phi_1184_;
+                        let _e652 = phi_1186_;
+                        let _e654 = phi_1188_;
+                        let _e656 = phi_1190_;
+                        local_10 = _e648;
+                        if _e652 {
+                            phi_1201_ = true;
                         } else {
-                            phi_1181_ = (_e669 > 0u);
+                            phi_1201_ = (_e654 > 0u);
                         }
-                        let _e674 = phi_1181_;
-                        if _e674 {
-                            let _e675 = (_e665 > 0u);
-                            if _e675 {
-                                if _e667 {
-                                    phi_1267_ = _e667;
-                                    phi_1268_ = _e669;
-                                    phi_1269_ = _e671;
+                        let _e659 = phi_1201_;
+                        if _e659 {
+                            let _e660 = (_e650 > 0u);
+                            if _e660 {
+                                if _e652 {
+                                    phi_1287_ = _e652;
+                                    phi_1288_ = _e654;
+                                    phi_1289_ = _e656;
                                 } else {
-                                    let _e676 = (_e669 - 1u);
-                                    let _e677 = (_e676 % 128u);
-                                    let _e678 = (_e677 < 128u);
-                                    if _e678 {
+                                    let _e661 = (_e654 - 1u);
+                                    let _e662 = (_e661 % 128u);
+                                    let _e663 = (_e662 < 128u);
+                                    if _e663 {
                                     } else {
-                                        phi_4129_ = true;
+                                        phi_4231_ = true;
                                         break;
                                     }
-                                    let _e680 = local_7[_e677];
-                                    if _e678 {
+                                    let _e665 = local_7[_e662];
+                                    if _e663 {
                                     } else {
-                                        phi_4129_ = true;
+                                        phi_4231_ = true;
                                         break;
                                     }
-                                    let _e682 = local_6[_e677];
-                                    if _e678 {
+                                    let _e667 = local_6[_e662];
+                                    if _e663 {
                                     } else {
-                                        phi_4129_ = true;
+                                        phi_4231_ = true;
                                         break;
                                     }
-                                    let _e684 = local_5[_e677];
-                                    if _e678 {
+                                    let _e669 = local_5[_e662];
+                                    if _e663 {
                                     } else {
-                                        phi_4129_ = true;
+                                        phi_4231_ = true;
                                         break;
                                     }
-                                    let _e686 = local_4[_e677];
-                                    if _e678 {
+                                    let _e671 = local_4[_e662];
+                                    if _e663 {
                                     } else {
-                                        phi_4129_ = true;
+                                        phi_4231_ = true;
                                         break;
                                     }
-                                    let _e688 = local_3[_e677];
-                                    if _e678 {
+                                    let _e673 = local_3[_e662];
+                                    if _e663 {
                                     } else {
-                                        phi_4129_ = true;
+                                        phi_4231_ = true;
                                         break;
                                     }
-                                    let _e690 = local_2[_e677];
-                                    if _e678 {
+                                    let _e675 = local_2[_e662];
+                                    if _e663 {
                                     } else {
-                                        phi_4129_ = true;
+                                        phi_4231_ = true;
                                         break;
                                     }
-                                    let _e695 = local_8[_e677];
-                                    if _e678 {
+                                    let _e680 = local_8[_e662];
+                                    if _e663 {
                                     } else {
-                                        phi_4129_ = true;
+                                        phi_4231_ = true;
                                         break;
                                     }
-                                    let _e698 = local_9[_e677];
-                                    phi_1267_ = (_e698 <= _e663.member_1);
-                                    phi_1268_ = _e676;
-                                    phi_1269_ = type_50(type_33(vec4<f32>(_e680, _e682, _e684, 0f), vec4<f32>(_e686, _e688, _e690, 0f)), _e695);
+                                    let _e683 = local_9[_e662];
+                                    phi_1287_ = (_e683 <= _e648.member_1);
+                                    phi_1288_ = _e661;
+                                    phi_1289_ = type_51(type_33(vec4<f32>(_e665, _e667, _e669, 0f), vec4<f32>(_e671, _e673, _e675, 0f)), _e680);
                                 }
-                                let _e702 = phi_1267_;
-                                let _e704 = phi_1268_;
-                                let _e706 = phi_1269_;
-                                if _e702 {
-                                    let _e710 = ((_e706.member_1 & 2147483648u) != 0u);
-                                    if _e710 {
-                                        phi_1287_ = _e663;
-                                        phi_1290_ = type_4(0u, ((_e706.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e687 = phi_1287_;
+                                let _e689 = phi_1288_;
+                                let _e691 = phi_1289_;
+                                if _e687 {
+                                    let _e695 = ((_e691.member_1 & 2147483648u) != 0u);
+                                    if _e695 {
+                                        phi_1307_ = _e648;
+                                        phi_1310_ = type_4(0u, ((_e691.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e717 = phi_1287_;
-                                            let _e719 = phi_1290_;
-                                            local_11 = _e717;
-                                            if (_e719.member < _e719.member_1) {
-                                                phi_1291_ = type_4((_e719.member + 1u), _e719.member_1);
-                                                phi_1313_ = type_4(1u, _e719.member);
+                                            let _e702 = phi_1307_;
+                                            let _e704 = phi_1310_;
+                                            local_11 = _e702;
+                                            if (_e704.member < _e704.member_1) {
+                                                phi_1311_ = type_4((_e704.member + 1u), _e704.member_1);
+                                                phi_1333_ = type_4(1u, _e704.member);
                                             } else {
-                                                phi_1291_ = _e719;
-                                                phi_1313_ = type_4(0u, type_4().member_1);
+                                                phi_1311_ = _e704;
+                                                phi_1333_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e732 = phi_1291_;
-                                            let _e734 = phi_1313_;
-                                            let _e738 = (bitcast<i32>(_e734.member) != 0i);
-                                            if _e738 {
-                                                let _e739 = ((_e706.member_1 & 268435455u) + _e734.member_1);
-                                                let _e740 = (_e739 < _e96);
-                                                if _e740 {
-                                                    if _e740 {
+                                            let _e717 = phi_1311_;
+                                            let _e719 = phi_1333_;
+                                            let _e723 = (bitcast<i32>(_e719.member) != 0i);
+                                            if _e723 {
+                                                let _e724 = ((_e691.member_1 & 268435455u) + _e719.member_1);
+                                                let _e725 = (_e724 < _e96);
+                                                if _e725 {
+                                                    if _e725 {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    let _e744 = global_2.member[_e739].member_1;
-                                                    phi_1334_ = _e744;
+                                                    let _e729 = global_2.member[_e724].member_1;
+                                                    phi_1354_ = _e729;
                                                 } else {
-                                                    phi_1334_ = 4294967295u;
+                                                    phi_1354_ = 4294967295u;
                                                 }
-                                                let _e746 = phi_1334_;
-                                                if (_e739 >= _e96) {
-                                                    phi_1426_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e731 = phi_1354_;
+                                                if (_e724 >= _e96) {
+                                                    phi_1446_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e740 {
+                                                    if _e725 {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    if (_e623 < 9u) {
+                                                    if (_e608 < 9u) {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    let _e753 = global_2.member[_e739].member[_e623];
-                                                    if (_e629 < 9u) {
+                                                    let _e738 = global_2.member[_e724].member[_e608];
+                                                    if (_e614 < 9u) {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    let _e759 = global_2.member[_e739].member[_e629];
-                                                    if (_e635 < 9u) {
+                                                    let _e744 = global_2.member[_e724].member[_e614];
+                                                    if (_e620 < 9u) {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    let _e765 = global_2.member[_e739].member[_e635];
-                                                    let _e767 = (3u + _e623);
-                                                    if (_e767 < 9u) {
+                                                    let _e750 = global_2.member[_e724].member[_e620];
+                                                    let _e752 = (3u + _e608);
+                                                    if (_e752 < 9u) {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    let _e773 = global_2.member[_e739].member[_e767];
-                                                    let _e774 = (3u + _e629);
+                                                    let _e758 = global_2.member[_e724].member[_e752];
+                                                    let _e759 = (3u + _e614);
+                                                    if (_e759 < 9u) {
+                                                    } else {
+                                                        phi_4066_ = true;
+                                                        break;
+                                                    }
+                                                    let _e765 = global_2.member[_e724].member[_e759];
+                                                    let _e766 = (3u + _e620);
+                                                    if (_e766 < 9u) {
+                                                    } else {
+                                                        phi_4066_ = true;
+                                                        break;
+                                                    }
+                                                    let _e772 = global_2.member[_e724].member[_e766];
+                                                    let _e774 = (6u + _e608);
                                                     if (_e774 < 9u) {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    let _e780 = global_2.member[_e739].member[_e774];
-                                                    let _e781 = (3u + _e635);
+                                                    let _e780 = global_2.member[_e724].member[_e774];
+                                                    let _e781 = (6u + _e614);
                                                     if (_e781 < 9u) {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    let _e787 = global_2.member[_e739].member[_e781];
-                                                    let _e789 = (6u + _e623);
-                                                    if (_e789 < 9u) {
+                                                    let _e787 = global_2.member[_e724].member[_e781];
+                                                    let _e788 = (6u + _e620);
+                                                    if (_e788 < 9u) {
                                                     } else {
-                                                        phi_3969_ = true;
+                                                        phi_4066_ = true;
                                                         break;
                                                     }
-                                                    let _e795 = global_2.member[_e739].member[_e789];
-                                                    let _e796 = (6u + _e629);
-                                                    if (_e796 < 9u) {
-                                                    } else {
-                                                        phi_3969_ = true;
-                                                        break;
-                                                    }
-                                                    let _e802 = global_2.member[_e739].member[_e796];
-                                                    let _e803 = (6u + _e635);
-                                                    if (_e803 < 9u) {
-                                                    } else {
-                                                        phi_3969_ = true;
-                                                        break;
-                                                    }
-                                                    let _e809 = global_2.member[_e739].member[_e803];
-                                                    phi_1426_ = array<array<f32, 3>, 3>(array<f32, 3>(_e753, _e759, _e765), array<f32, 3>(_e773, _e780, _e787), array<f32, 3>(_e795, _e802, _e809));
+                                                    let _e794 = global_2.member[_e724].member[_e788];
+                                                    phi_1446_ = array<array<f32, 3>, 3>(array<f32, 3>(_e738, _e744, _e750), array<f32, 3>(_e758, _e765, _e772), array<f32, 3>(_e780, _e787, _e794));
                                                 }
-                                                let _e813 = phi_1426_;
-                                                let _e821 = (_e813[0][2] - _e465);
-                                                let _e824 = (((_e813[0][0] - _e328) * _e504) - (_e821 * _e368));
-                                                let _e827 = (((_e813[0][1] - _e397) * _e504) - (_e821 * _e436));
-                                                let _e834 = (_e813[1][2] - _e465);
-                                                let _e837 = (((_e813[1][0] - _e328) * _e504) - (_e834 * _e368));
-                                                let _e840 = (((_e813[1][1] - _e397) * _e504) - (_e834 * _e436));
-                                                let _e847 = (_e813[2][2] - _e465);
-                                                let _e850 = (((_e813[2][0] - _e328) * _e504) - (_e847 * _e368));
-                                                let _e853 = (((_e813[2][1] - _e397) * _e504) - (_e847 * _e436));
-                                                let _e854 = (_e850 * _e840);
-                                                let _e855 = (_e853 * _e837);
-                                                let _e856 = (_e824 * _e853);
-                                                let _e857 = (_e827 * _e850);
-                                                let _e858 = (_e837 * _e827);
-                                                let _e859 = (_e840 * _e824);
-                                                let _e864 = (((_e854 >= _e855) && (_e856 >= _e857)) && (_e858 >= _e859));
-                                                if (_e864 || (((_e854 <= _e855) && (_e856 <= _e857)) && (_e858 <= _e859))) {
-                                                    let _e871 = select(-1f, 1f, _e864);
-                                                    let _e873 = ((_e854 - _e855) * _e871);
-                                                    let _e875 = select(0f, _e873, (_e873 > 0f));
-                                                    let _e877 = ((_e856 - _e857) * _e871);
-                                                    let _e879 = select(0f, _e877, (_e877 > 0f));
-                                                    let _e881 = ((_e858 - _e859) * _e871);
-                                                    let _e883 = select(0f, _e881, (_e881 > 0f));
-                                                    let _e885 = ((_e875 + _e879) + _e883);
-                                                    if (_e885 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2310_ = type_25();
-                                                        phi_2311_ = true;
-                                                        phi_2312_ = false;
+                                                let _e798 = phi_1446_;
+                                                let _e814 = (_e798[0][2] - _e461);
+                                                let _e817 = (((_e798[0][0] - _e328) * _e497) - (_e814 * _e365));
+                                                let _e820 = (((_e798[0][1] - _e395) * _e497) - (_e814 * _e431));
+                                                let _e823 = (_e798[1][2] - _e461);
+                                                let _e826 = (((_e798[1][0] - _e328) * _e497) - (_e823 * _e365));
+                                                let _e829 = (((_e798[1][1] - _e395) * _e497) - (_e823 * _e431));
+                                                let _e832 = (_e798[2][2] - _e461);
+                                                let _e835 = (((_e798[2][0] - _e328) * _e497) - (_e832 * _e365));
+                                                let _e838 = (((_e798[2][1] - _e395) * _e497) - (_e832 * _e431));
+                                                let _e839 = (_e835 * _e829);
+                                                let _e840 = (_e838 * _e826);
+                                                let _e841 = (_e817 * _e838);
+                                                let _e842 = (_e820 * _e835);
+                                                let _e843 = (_e826 * _e820);
+                                                let _e844 = (_e829 * _e817);
+                                                let _e849 = (((_e839 >= _e840) && (_e841 >= _e842)) && (_e843 >= _e844));
+                                                let _e855 = (_e849 || (((_e839 <= _e840) && (_e841 <= _e842)) && (_e843 <= _e844)));
+                                                if _e855 {
+                                                    let _e857 = select(-1f, 1f, _e849);
+                                                    let _e859 = ((_e839 - _e840) * _e857);
+                                                    let _e861 = select(0f, _e859, (_e859 > 0f));
+                                                    let _e863 = ((_e841 - _e842) * _e857);
+                                                    let _e865 = select(0f, _e863, (_e863 > 0f));
+                                                    let _e867 = ((_e843 - _e844) * _e857);
+                                                    let _e869 = select(0f, _e867, (_e867 > 0f));
+                                                    let _e871 = ((_e861 + _e865) + _e869);
+                                                    let _e873 = select(_e798[1][0], _e798[0][0], (_e798[0][0] < _e798[1][0]));
+                                                    let _e877 = select(_e798[1][0], _e798[0][0], (_e798[0][0] > _e798[1][0]));
+                                                    let _e881 = select(_e798[1][1], _e798[0][1], (_e798[0][1] < _e798[1][1]));
+                                                    let _e885 = select(_e798[1][1], _e798[0][1], (_e798[0][1] > _e798[1][1]));
+                                                    let _e889 = select(_e798[1][2], _e798[0][2], (_e798[0][2] < _e798[1][2]));
+                                                    let _e893 = select(_e798[1][2], _e798[0][2], (_e798[0][2] > _e798[1][2]));
+                                                    let _e898 = ((select(_e798[2][0], _e873, (_e873 < _e798[2][0])) - _e366) * _e369);
+                                                    let _e899 = ((select(_e798[2][0], _e877, (_e877 > _e798[2][0])) - _e367) * _e369);
+                                                    let _e902 = ((select(_e798[2][1], _e881, (_e881 < _e798[2][1])) - _e432) * _e435);
+                                                    let _e903 = ((select(_e798[2][1], _e885, (_e885 > _e798[2][1])) - _e433) * _e435);
+                                                    let _e906 = ((select(_e798[2][2], _e889, (_e889 < _e798[2][2])) - _e498) * _e501);
+                                                    let _e907 = ((select(_e798[2][2], _e893, (_e893 > _e798[2][2])) - _e499) * _e501);
+                                                    let _e909 = select(_e907, _e906, (_e906 < _e907));
+                                                    let _e911 = select(_e907, _e906, (_e906 > _e907));
+                                                    let _e913 = select(_e899, _e898, (_e898 < _e899));
+                                                    let _e915 = select(_e903, _e902, (_e902 < _e903));
+                                                    let _e917 = select(_e915, _e913, (_e913 > _e915));
+                                                    let _e919 = select(_e909, _e917, (_e917 > _e909));
+                                                    let _e921 = select(_e899, _e898, (_e898 > _e899));
+                                                    let _e923 = select(_e903, _e902, (_e902 > _e903));
+                                                    let _e925 = select(_e923, _e921, (_e921 < _e923));
+                                                    let _e927 = select(_e911, _e925, (_e925 < _e911));
+                                                    let _e928 = -(_e909);
+                                                    let _e934 = select(_e604, _e919, (_e919 > _e604));
+                                                    let _e938 = select(_e826, _e817, (_e817 < _e826));
+                                                    let _e943 = select(_e826, _e817, (_e817 > _e826));
+                                                    let _e950 = select(_e829, _e820, (_e820 < _e829));
+                                                    let _e955 = select(_e829, _e820, (_e820 > _e829));
+                                                    let _e964 = (((((_e855 && (_e871 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e835, _e938, (_e938 < _e835)) <= 0f) && (select(_e835, _e943, (_e943 > _e835)) >= 0f))) && ((select(_e838, _e950, (_e950 < _e838)) <= 0f) && (select(_e838, _e955, (_e955 > _e838)) >= 0f))) && (_e934 <= (_e927 + (select(_e928, _e911, (_e911 > _e928)) * 0.0000019073523f)))) && (_e934 <= _e702.member_1));
+                                                    if _e964 {
+                                                        let _e969 = (_e798[1][0] - _e798[0][0]);
+                                                        let _e970 = (_e798[1][1] - _e798[0][1]);
+                                                        let _e971 = (_e798[1][2] - _e798[0][2]);
+                                                        let _e972 = vec3<f32>(_e969, _e970, _e971);
+                                                        let _e973 = (_e798[2][0] - _e798[1][0]);
+                                                        let _e974 = (_e798[2][1] - _e798[1][1]);
+                                                        let _e975 = (_e798[2][2] - _e798[1][2]);
+                                                        let _e976 = vec3<f32>(_e973, _e974, _e975);
+                                                        let _e977 = (_e798[0][0] - _e798[2][0]);
+                                                        let _e978 = (_e798[0][1] - _e798[2][1]);
+                                                        let _e979 = (_e798[0][2] - _e798[2][2]);
+                                                        let _e980 = vec3<f32>(_e977, _e978, _e979);
+                                                        let _e981 = abs(_e969);
+                                                        let _e982 = abs(_e970);
+                                                        if (_e981 != _e981) {
+                                                            phi_3633_ = true;
+                                                        } else {
+                                                            phi_3633_ = (_e982 >= _e981);
+                                                        }
+                                                        let _e986 = phi_3633_;
+                                                        let _e987 = select(_e981, _e982, _e986);
+                                                        let _e988 = abs(_e971);
+                                                        if (_e987 != _e987) {
+                                                            phi_3648_ = true;
+                                                        } else {
+                                                            phi_3648_ = (_e988 >= _e987);
+                                                        }
+                                                        let _e992 = phi_3648_;
+                                                        let _e993 = select(_e987, _e988, _e992);
+                                                        let _e994 = abs(_e973);
+                                                        let _e995 = abs(_e974);
+                                                        if (_e994 != _e994) {
+                                                            phi_3663_ = true;
+                                                        } else {
+                                                            phi_3663_ = (_e995 >= _e994);
+                                                        }
+                                                        let _e999 = phi_3663_;
+                                                        let _e1000 = select(_e994, _e995, _e999);
+                                                        let _e1001 = abs(_e975);
+                                                        if (_e1000 != _e1000) {
+                                                            phi_3678_ = true;
+                                                        } else {
+                                                            phi_3678_ = (_e1001 >= _e1000);
+                                                        }
+                                                        let _e1005 = phi_3678_;
+                                                        let _e1006 = select(_e1000, _e1001, _e1005);
+                                                        let _e1007 = abs(_e977);
+                                                        let _e1008 = abs(_e978);
+                                                        if (_e1007 != _e1007) {
+                                                            phi_3693_ = true;
+                                                        } else {
+                                                            phi_3693_ = (_e1008 >= _e1007);
+                                                        }
+                                                        let _e1012 = phi_3693_;
+                                                        let _e1013 = select(_e1007, _e1008, _e1012);
+                                                        let _e1014 = abs(_e979);
+                                                        if (_e1013 != _e1013) {
+                                                            phi_3708_ = true;
+                                                        } else {
+                                                            phi_3708_ = (_e1014 >= _e1013);
+                                                        }
+                                                        let _e1018 = phi_3708_;
+                                                        let _e1019 = select(_e1013, _e1014, _e1018);
+                                                        let _e1021 = select(_e1006, _e993, (_e993 > _e1006));
+                                                        let _e1023 = select(_e1019, _e1021, (_e1021 > _e1019));
+                                                        if (_e993 == _e1023) {
+                                                            phi_1988_ = _e829;
+                                                            phi_1989_ = _e826;
+                                                            phi_1990_ = _e820;
+                                                            phi_1991_ = _e817;
+                                                            phi_1992_ = vec3<f32>(_e798[0][0], _e798[0][1], _e798[0][2]);
+                                                            phi_1993_ = _e980;
+                                                            phi_1994_ = _e976;
+                                                            phi_1995_ = _e972;
+                                                        } else {
+                                                            let _e1025 = (_e1006 == _e1023);
+                                                            let _e1030 = vec3(_e1025);
+                                                            phi_1988_ = select(_e820, _e838, _e1025);
+                                                            phi_1989_ = select(_e817, _e835, _e1025);
+                                                            phi_1990_ = select(_e838, _e829, _e1025);
+                                                            phi_1991_ = select(_e835, _e826, _e1025);
+                                                            phi_1992_ = select(vec3<f32>(_e798[2][0], _e798[2][1], _e798[2][2]), vec3<f32>(_e798[1][0], _e798[1][1], _e798[1][2]), _e1030);
+                                                            phi_1993_ = select(_e976, _e972, _e1030);
+                                                            phi_1994_ = select(_e972, _e980, _e1030);
+                                                            phi_1995_ = select(_e980, _e976, _e1030);
+                                                        }
+                                                        let _e1036 = phi_1988_;
+                                                        let _e1038 = phi_1989_;
+                                                        let _e1040 = phi_1990_;
+                                                        let _e1042 = phi_1991_;
+                                                        let _e1044 = phi_1992_;
+                                                        let _e1046 = phi_1993_;
+                                                        let _e1048 = phi_1994_;
+                                                        let _e1050 = phi_1995_;
+                                                        let _e1057 = ((_e1048.y * _e1046.z) - (_e1046.y * _e1048.z));
+                                                        let _e1062 = ((_e1048.z * _e1046.x) - (_e1046.z * _e1048.x));
+                                                        let _e1065 = ((_e1048.x * _e1046.y) - (_e1046.x * _e1048.y));
+                                                        let _e1068 = ((_e861 >= _e865) && (_e861 >= _e869));
+                                                        let _e1069 = (_e865 >= _e869);
+                                                        let _e1083 = (((_e1057 * (select(select(_e798[2][0], _e798[1][0], _e1069), _e798[0][0], _e1068) - _e328)) + (_e1062 * (select(select(_e798[2][1], _e798[1][1], _e1069), _e798[0][1], _e1068) - _e395))) + (_e1065 * (select(select(_e798[2][2], _e798[1][2], _e1069), _e798[0][2], _e1068) - _e461)));
+                                                        let _e1088 = (((_e1057 * _e365) + (_e1062 * _e431)) + (_e1065 * _e497));
+                                                        let _e1089 = (_e1038 - _e1042);
+                                                        let _e1090 = (_e1036 - _e1040);
+                                                        let _e1093 = ((_e1089 * _e1089) + (_e1090 * _e1090));
+                                                        let _e1100 = (-(((_e1042 * _e1089) + (_e1040 * _e1090))) / select(0.000000000000000000000000000000000000011754944f, _e1093, (_e1093 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1102 = select(1f, _e1100, (_e1100 < 1f));
+                                                        let _e1104 = select(0f, _e1102, (_e1102 > 0f));
+                                                        let _e1113 = ((_e1044.x + (_e1050.x * _e1104)) - _e328);
+                                                        let _e1116 = ((_e1044.y + (_e1050.y * _e1104)) - _e395);
+                                                        let _e1119 = ((_e1044.z + (_e1050.z * _e1104)) - _e461);
+                                                        let _e1122 = bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u));
+                                                        let _e1125 = bitcast<f32>((bitcast<u32>(_e1116) & 2147483647u));
+                                                        let _e1127 = select(_e1125, _e1122, (_e1122 > _e1125));
+                                                        let _e1130 = bitcast<f32>((bitcast<u32>(_e1119) & 2147483647u));
+                                                        let _e1132 = select(_e1130, _e1127, (_e1127 > _e1130));
+                                                        let _e1136 = abs(_e1057);
+                                                        let _e1137 = abs(_e1062);
+                                                        if (_e1136 != _e1136) {
+                                                            phi_3723_ = true;
+                                                        } else {
+                                                            phi_3723_ = (_e1137 >= _e1136);
+                                                        }
+                                                        let _e1141 = phi_3723_;
+                                                        let _e1142 = select(_e1136, _e1137, _e1141);
+                                                        let _e1143 = abs(_e1065);
+                                                        if (_e1142 != _e1142) {
+                                                            phi_3738_ = true;
+                                                        } else {
+                                                            phi_3738_ = (_e1143 >= _e1142);
+                                                        }
+                                                        let _e1147 = phi_3738_;
+                                                        let _e1163 = abs(_e1048.x);
+                                                        let _e1164 = abs(_e1048.y);
+                                                        if (_e1163 != _e1163) {
+                                                            phi_3753_ = true;
+                                                        } else {
+                                                            phi_3753_ = (_e1164 >= _e1163);
+                                                        }
+                                                        let _e1168 = phi_3753_;
+                                                        let _e1169 = select(_e1163, _e1164, _e1168);
+                                                        let _e1170 = abs(_e1048.z);
+                                                        if (_e1169 != _e1169) {
+                                                            phi_3768_ = true;
+                                                        } else {
+                                                            phi_3768_ = (_e1170 >= _e1169);
+                                                        }
+                                                        let _e1174 = phi_3768_;
+                                                        let _e1177 = abs(_e1046.x);
+                                                        let _e1178 = abs(_e1046.y);
+                                                        if (_e1177 != _e1177) {
+                                                            phi_3783_ = true;
+                                                        } else {
+                                                            phi_3783_ = (_e1178 >= _e1177);
+                                                        }
+                                                        let _e1182 = phi_3783_;
+                                                        let _e1183 = select(_e1177, _e1178, _e1182);
+                                                        let _e1184 = abs(_e1046.z);
+                                                        if (_e1183 != _e1183) {
+                                                            phi_3798_ = true;
+                                                        } else {
+                                                            phi_3798_ = (_e1184 >= _e1183);
+                                                        }
+                                                        let _e1188 = phi_3798_;
+                                                        let _e1193 = ((bitcast<f32>((bitcast<u32>(((((_e1057 * _e1113) + (_e1062 * _e1116)) + (_e1065 * _e1119)) - _e1083)) & 2147483647u)) <= ((0.0000009536743f * select(_e1023, _e1132, (_e1132 > _e1023))) * select(_e1142, _e1143, _e1147))) && !((bitcast<f32>((bitcast<u32>(_e1088) & 2147483647u)) <= ((0.0000038146973f * select(_e1169, _e1170, _e1174)) * select(_e1183, _e1184, _e1188)))));
+                                                        let _e1194 = (_e1083 / _e1088);
+                                                        if (_e964 && !(_e1193)) {
+                                                            let _e1197 = (_e1119 / _e497);
+                                                            let _e1205 = (((_e1057 * (_e1113 - (_e365 * _e1197))) + (_e1062 * (_e1116 - (_e431 * _e1197)))) / _e1088);
+                                                            phi_2203_ = select(select(_e1197, (_e1197 + _e1205), (bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u)) <= _e1023)), _e1194, _e1193);
+                                                        } else {
+                                                            phi_2203_ = _e1194;
+                                                        }
+                                                        let _e1214 = phi_2203_;
+                                                        let _e1216 = select(_e927, _e1214, (_e1214 < _e927));
+                                                        let _e1218 = select(_e919, _e1216, (_e1216 > _e919));
+                                                        let _e1219 = (1f / _e871);
+                                                        phi_2223_ = type_41(_e1218, (_e865 * _e1219), (_e869 * _e1219), ((_e964 && (_e1218 >= _e604)) && (_e1218 <= _e702.member_1)));
+                                                        phi_2224_ = type_41();
                                                     } else {
-                                                        let _e888 = select(_e837, _e824, (_e824 < _e837));
-                                                        if (select(_e850, _e888, (_e888 < _e850)) > 0f) {
-                                                            phi_1578_ = true;
-                                                        } else {
-                                                            let _e893 = select(_e837, _e824, (_e824 > _e837));
-                                                            phi_1578_ = (select(_e850, _e893, (_e893 > _e850)) < 0f);
-                                                        }
-                                                        let _e898 = phi_1578_;
-                                                        if _e898 {
-                                                            phi_2307_ = type_25();
-                                                            phi_2308_ = true;
-                                                            phi_2309_ = false;
-                                                        } else {
-                                                            let _e900 = select(_e840, _e827, (_e827 < _e840));
-                                                            if (select(_e853, _e900, (_e900 < _e853)) > 0f) {
-                                                                phi_1607_ = true;
-                                                            } else {
-                                                                let _e905 = select(_e840, _e827, (_e827 > _e840));
-                                                                phi_1607_ = (select(_e853, _e905, (_e905 > _e853)) < 0f);
-                                                            }
-                                                            let _e910 = phi_1607_;
-                                                            if _e910 {
-                                                                phi_2305_ = type_25();
-                                                                phi_2306_ = false;
-                                                            } else {
-                                                                let _e912 = select(_e813[1][0], _e813[0][0], (_e813[0][0] < _e813[1][0]));
-                                                                let _e916 = select(_e813[1][0], _e813[0][0], (_e813[0][0] > _e813[1][0]));
-                                                                let _e920 = select(_e813[1][1], _e813[0][1], (_e813[0][1] < _e813[1][1]));
-                                                                let _e924 = select(_e813[1][1], _e813[0][1], (_e813[0][1] > _e813[1][1]));
-                                                                let _e928 = select(_e813[1][2], _e813[0][2], (_e813[0][2] < _e813[1][2]));
-                                                                let _e932 = select(_e813[1][2], _e813[0][2], (_e813[0][2] > _e813[1][2]));
-                                                                let _e937 = ((select(_e813[2][0], _e912, (_e912 < _e813[2][0])) - _e366) * _e371);
-                                                                let _e938 = ((select(_e813[2][0], _e916, (_e916 > _e813[2][0])) - _e367) * _e371);
-                                                                let _e941 = ((select(_e813[2][1], _e920, (_e920 < _e813[2][1])) - _e434) * _e439);
-                                                                let _e942 = ((select(_e813[2][1], _e924, (_e924 > _e813[2][1])) - _e435) * _e439);
-                                                                let _e945 = ((select(_e813[2][2], _e928, (_e928 < _e813[2][2])) - _e502) * _e507);
-                                                                let _e946 = ((select(_e813[2][2], _e932, (_e932 > _e813[2][2])) - _e503) * _e507);
-                                                                let _e948 = select(_e946, _e945, (_e945 < _e946));
-                                                                let _e950 = select(_e946, _e945, (_e945 > _e946));
-                                                                let _e952 = select(_e938, _e937, (_e937 < _e938));
-                                                                let _e954 = select(_e942, _e941, (_e941 < _e942));
-                                                                let _e956 = select(_e954, _e952, (_e952 > _e954));
-                                                                let _e958 = select(_e948, _e956, (_e956 > _e948));
-                                                                let _e960 = select(_e938, _e937, (_e937 > _e938));
-                                                                let _e962 = select(_e942, _e941, (_e941 > _e942));
-                                                                let _e964 = select(_e962, _e960, (_e960 < _e962));
-                                                                let _e966 = select(_e950, _e964, (_e964 < _e950));
-                                                                let _e967 = -(_e948);
-                                                                let _e973 = select(_e619, _e958, (_e958 > _e619));
-                                                                if (_e973 > (_e966 + (select(_e967, _e950, (_e950 > _e967)) * 0.0000019073523f))) {
-                                                                    phi_2300_ = type_25();
-                                                                    phi_2301_ = true;
-                                                                } else {
-                                                                    let _e975 = (_e973 > _e717.member_1);
-                                                                    if _e975 {
-                                                                        phi_2299_ = type_25();
-                                                                    } else {
-                                                                        let _e976 = vec3<f32>(_e813[0][0], _e813[0][1], _e813[0][2]);
-                                                                        let _e977 = vec3<f32>(_e813[1][0], _e813[1][1], _e813[1][2]);
-                                                                        let _e978 = vec3<f32>(_e813[2][0], _e813[2][1], _e813[2][2]);
-                                                                        let _e979 = (_e813[1][0] - _e813[0][0]);
-                                                                        let _e980 = (_e813[1][1] - _e813[0][1]);
-                                                                        let _e981 = (_e813[1][2] - _e813[0][2]);
-                                                                        let _e982 = vec3<f32>(_e979, _e980, _e981);
-                                                                        let _e983 = (_e813[2][0] - _e813[1][0]);
-                                                                        let _e984 = (_e813[2][1] - _e813[1][1]);
-                                                                        let _e985 = (_e813[2][2] - _e813[1][2]);
-                                                                        let _e986 = vec3<f32>(_e983, _e984, _e985);
-                                                                        let _e987 = (_e813[0][0] - _e813[2][0]);
-                                                                        let _e988 = (_e813[0][1] - _e813[2][1]);
-                                                                        let _e989 = (_e813[0][2] - _e813[2][2]);
-                                                                        let _e990 = vec3<f32>(_e987, _e988, _e989);
-                                                                        let _e993 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
-                                                                        let _e996 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
-                                                                        let _e998 = select(_e996, _e993, (_e993 > _e996));
-                                                                        let _e1001 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
-                                                                        let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
-                                                                        let _e1006 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
-                                                                        let _e1009 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
-                                                                        let _e1011 = select(_e1009, _e1006, (_e1006 > _e1009));
-                                                                        let _e1014 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
-                                                                        let _e1016 = select(_e1014, _e1011, (_e1011 > _e1014));
-                                                                        let _e1019 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
-                                                                        let _e1022 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
-                                                                        let _e1024 = select(_e1022, _e1019, (_e1019 > _e1022));
-                                                                        let _e1027 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
-                                                                        let _e1029 = select(_e1027, _e1024, (_e1024 > _e1027));
-                                                                        let _e1031 = select(_e1016, _e1003, (_e1003 > _e1016));
-                                                                        let _e1033 = select(_e1029, _e1031, (_e1031 > _e1029));
-                                                                        if (_e1003 == _e1033) {
-                                                                            phi_2026_ = _e840;
-                                                                            phi_2027_ = _e837;
-                                                                            phi_2028_ = _e827;
-                                                                            phi_2029_ = _e824;
-                                                                            phi_2030_ = _e976;
-                                                                            phi_2031_ = _e990;
-                                                                            phi_2032_ = _e986;
-                                                                            phi_2033_ = _e982;
-                                                                        } else {
-                                                                            let _e1035 = (_e1016 == _e1033);
-                                                                            let _e1040 = vec3(_e1035);
-                                                                            phi_2026_ = select(_e827, _e853, _e1035);
-                                                                            phi_2027_ = select(_e824, _e850, _e1035);
-                                                                            phi_2028_ = select(_e853, _e840, _e1035);
-                                                                            phi_2029_ = select(_e850, _e837, _e1035);
-                                                                            phi_2030_ = select(_e978, _e977, _e1040);
-                                                                            phi_2031_ = select(_e986, _e982, _e1040);
-                                                                            phi_2032_ = select(_e982, _e990, _e1040);
-                                                                            phi_2033_ = select(_e990, _e986, _e1040);
-                                                                        }
-                                                                        let _e1046 = phi_2026_;
-                                                                        let _e1048 = phi_2027_;
-                                                                        let _e1050 = phi_2028_;
-                                                                        let _e1052 = phi_2029_;
-                                                                        let _e1054 = phi_2030_;
-                                                                        let _e1056 = phi_2031_;
-                                                                        let _e1058 = phi_2032_;
-                                                                        let _e1060 = phi_2033_;
-                                                                        let _e1067 = ((_e1058.y * _e1056.z) - (_e1056.y * _e1058.z));
-                                                                        let _e1072 = ((_e1058.z * _e1056.x) - (_e1056.z * _e1058.x));
-                                                                        let _e1075 = ((_e1058.x * _e1056.y) - (_e1056.x * _e1058.y));
-                                                                        if (_e875 >= _e879) {
-                                                                            phi_2070_ = select(true, false, (_e875 >= _e883));
-                                                                        } else {
-                                                                            phi_2070_ = true;
-                                                                        }
-                                                                        let _e1080 = phi_2070_;
-                                                                        if _e1080 {
-                                                                            phi_2079_ = select(_e978, _e977, vec3((_e879 >= _e883)));
-                                                                        } else {
-                                                                            phi_2079_ = _e976;
-                                                                        }
-                                                                        let _e1085 = phi_2079_;
-                                                                        let _e1096 = (((_e1067 * (_e1085.x - _e328)) + (_e1072 * (_e1085.y - _e397))) + (_e1075 * (_e1085.z - _e465)));
-                                                                        let _e1101 = (((_e1067 * _e368) + (_e1072 * _e436)) + (_e1075 * _e504));
-                                                                        let _e1102 = (_e1048 - _e1052);
-                                                                        let _e1103 = (_e1046 - _e1050);
-                                                                        let _e1111 = (-(((_e1052 * _e1102) + (_e1050 * _e1103))) / ((_e1102 * _e1102) + (_e1103 * _e1103)));
-                                                                        let _e1113 = select(1f, _e1111, (_e1111 < 1f));
-                                                                        let _e1115 = select(0f, _e1113, (_e1113 > 0f));
-                                                                        let _e1128 = ((_e1054.x + (_e1060.x * _e1115)) - _e328);
-                                                                        let _e1129 = ((_e1054.y + (_e1060.y * _e1115)) - _e397);
-                                                                        let _e1130 = ((_e1054.z + (_e1060.z * _e1115)) - _e465);
-                                                                        let _e1131 = (_e1130 / _e504);
-                                                                        let _e1143 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
-                                                                        let _e1146 = bitcast<f32>((bitcast<u32>(_e1129) & 2147483647u));
-                                                                        let _e1148 = select(_e1146, _e1143, (_e1143 > _e1146));
-                                                                        let _e1151 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
-                                                                        let _e1153 = select(_e1151, _e1148, (_e1148 > _e1151));
-                                                                        let _e1159 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
-                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
-                                                                        let _e1164 = select(_e1162, _e1159, (_e1159 > _e1162));
-                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1067 * _e1128) + (_e1072 * _e1129)) + (_e1075 * _e1130)) - _e1096)) & 2147483647u)) <= ((0.0000009536743f * select(_e1033, _e1153, (_e1153 > _e1033))) * select(_e1167, _e1164, (_e1164 > _e1167)))) {
-                                                                            let _e1177 = bitcast<f32>((bitcast<u32>(_e1058.x) & 2147483647u));
-                                                                            let _e1180 = bitcast<f32>((bitcast<u32>(_e1058.y) & 2147483647u));
-                                                                            let _e1182 = select(_e1180, _e1177, (_e1177 > _e1180));
-                                                                            let _e1185 = bitcast<f32>((bitcast<u32>(_e1058.z) & 2147483647u));
-                                                                            let _e1191 = bitcast<f32>((bitcast<u32>(_e1056.x) & 2147483647u));
-                                                                            let _e1194 = bitcast<f32>((bitcast<u32>(_e1056.y) & 2147483647u));
-                                                                            let _e1196 = select(_e1194, _e1191, (_e1191 > _e1194));
-                                                                            let _e1199 = bitcast<f32>((bitcast<u32>(_e1056.z) & 2147483647u));
-                                                                            let _e1203 = (bitcast<f32>((bitcast<u32>(_e1101) & 2147483647u)) > ((0.0000038146973f * select(_e1185, _e1182, (_e1182 > _e1185))) * select(_e1199, _e1196, (_e1196 > _e1199))));
-                                                                            if _e1203 {
-                                                                                phi_2244_ = (_e1096 / _e1101);
-                                                                            } else {
-                                                                                phi_2244_ = f32();
-                                                                            }
-                                                                            let _e1206 = phi_2244_;
-                                                                            phi_2246_ = _e1206;
-                                                                            phi_2247_ = select(true, false, _e1203);
-                                                                        } else {
-                                                                            phi_2246_ = f32();
-                                                                            phi_2247_ = true;
-                                                                        }
-                                                                        let _e1209 = phi_2246_;
-                                                                        let _e1211 = phi_2247_;
-                                                                        if _e1211 {
-                                                                            let _e1219 = (((_e1067 * (_e1128 - (_e368 * _e1131))) + (_e1072 * (_e1129 - (_e436 * _e1131)))) / _e1101);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u)) <= _e1033) {
-                                                                                phi_2267_ = (_e1131 + _e1219);
-                                                                            } else {
-                                                                                phi_2267_ = _e1131;
-                                                                            }
-                                                                            let _e1226 = phi_2267_;
-                                                                            phi_2268_ = _e1226;
-                                                                        } else {
-                                                                            phi_2268_ = _e1209;
-                                                                        }
-                                                                        let _e1228 = phi_2268_;
-                                                                        let _e1230 = select(_e966, _e1228, (_e1228 < _e966));
-                                                                        let _e1232 = select(_e958, _e1230, (_e1230 > _e958));
-                                                                        if (_e1232 >= _e619) {
-                                                                            let _e1234 = (_e1232 <= _e717.member_1);
-                                                                            if _e1234 {
-                                                                                let _e1235 = (1f / _e885);
-                                                                                phi_2291_ = type_25(_e1232, (_e879 * _e1235), (_e883 * _e1235), _e746);
-                                                                            } else {
-                                                                                phi_2291_ = type_25();
-                                                                            }
-                                                                            let _e1240 = phi_2291_;
-                                                                            phi_2293_ = _e1240;
-                                                                            phi_2294_ = select(true, false, _e1234);
-                                                                        } else {
-                                                                            phi_2293_ = type_25();
-                                                                            phi_2294_ = true;
-                                                                        }
-                                                                        let _e1243 = phi_2293_;
-                                                                        let _e1245 = phi_2294_;
-                                                                        if _e1245 {
-                                                                            phi_2298_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2298_ = _e1243;
-                                                                        }
-                                                                        let _e1247 = phi_2298_;
-                                                                        phi_2299_ = _e1247;
-                                                                    }
-                                                                    let _e1249 = phi_2299_;
-                                                                    phi_2300_ = _e1249;
-                                                                    phi_2301_ = _e975;
-                                                                }
-                                                                let _e1251 = phi_2300_;
-                                                                let _e1253 = phi_2301_;
-                                                                phi_2305_ = _e1251;
-                                                                phi_2306_ = _e1253;
-                                                            }
-                                                            let _e1255 = phi_2305_;
-                                                            let _e1257 = phi_2306_;
-                                                            phi_2307_ = _e1255;
-                                                            phi_2308_ = _e910;
-                                                            phi_2309_ = _e1257;
-                                                        }
-                                                        let _e1259 = phi_2307_;
-                                                        let _e1261 = phi_2308_;
-                                                        let _e1263 = phi_2309_;
-                                                        phi_2310_ = _e1259;
-                                                        phi_2311_ = _e1261;
-                                                        phi_2312_ = _e1263;
+                                                        phi_2223_ = type_41();
+                                                        phi_2224_ = type_41(0f, 0f, 0f, _e964);
                                                     }
-                                                    let _e1265 = phi_2310_;
-                                                    let _e1267 = phi_2311_;
-                                                    let _e1269 = phi_2312_;
-                                                    phi_2320_ = _e1265;
-                                                    phi_2321_ = select(_e1269, true, _e1267);
+                                                    let _e1228 = phi_2223_;
+                                                    let _e1230 = phi_2224_;
+                                                    phi_2227_ = _e1228;
+                                                    phi_2228_ = _e1230;
+                                                    phi_2229_ = select(true, false, _e964);
                                                 } else {
-                                                    phi_2320_ = type_25();
-                                                    phi_2321_ = true;
+                                                    phi_2227_ = type_41();
+                                                    phi_2228_ = type_41(0f, 0f, 0f, _e855);
+                                                    phi_2229_ = true;
                                                 }
-                                                let _e1272 = phi_2320_;
-                                                let _e1274 = phi_2321_;
-                                                if _e1274 {
-                                                    phi_2325_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1233 = phi_2227_;
+                                                let _e1235 = phi_2228_;
+                                                let _e1237 = phi_2229_;
+                                                if _e1237 {
+                                                    phi_2233_ = _e1235;
                                                 } else {
-                                                    phi_2325_ = _e1272;
+                                                    phi_2233_ = _e1233;
                                                 }
-                                                let _e1276 = phi_2325_;
-                                                if (_e1276.member_3 != 4294967295u) {
-                                                    if (_e746 != 4294967295u) {
-                                                        if (_e1276.member < _e717.member.member) {
-                                                            phi_2351_ = true;
+                                                let _e1239 = phi_2233_;
+                                                if _e1239.member_3 {
+                                                    phi_2242_ = type_25(_e1239.member, _e1239.member_1, _e1239.member_2, _e731);
+                                                } else {
+                                                    phi_2242_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1246 = phi_2242_;
+                                                if (_e1246.member_3 != 4294967295u) {
+                                                    if (_e731 != 4294967295u) {
+                                                        if (_e1246.member < _e702.member.member) {
+                                                            phi_2268_ = true;
                                                         } else {
-                                                            if (_e1276.member == _e717.member.member) {
-                                                                phi_2350_ = (_e1276.member_3 < _e717.member.member_3);
+                                                            if (_e1246.member == _e702.member.member) {
+                                                                phi_2267_ = (_e1246.member_3 < _e702.member.member_3);
                                                             } else {
-                                                                phi_2350_ = false;
+                                                                phi_2267_ = false;
                                                             }
-                                                            let _e1289 = phi_2350_;
-                                                            phi_2351_ = _e1289;
+                                                            let _e1259 = phi_2267_;
+                                                            phi_2268_ = _e1259;
                                                         }
-                                                        let _e1291 = phi_2351_;
-                                                        if _e1291 {
-                                                            phi_2357_ = type_38(_e1276, _e1276.member);
+                                                        let _e1261 = phi_2268_;
+                                                        if _e1261 {
+                                                            phi_2274_ = type_38(_e1246, _e1246.member);
                                                         } else {
-                                                            phi_2357_ = _e717;
+                                                            phi_2274_ = _e702;
                                                         }
-                                                        let _e1294 = phi_2357_;
-                                                        phi_2358_ = _e1294;
+                                                        let _e1264 = phi_2274_;
+                                                        phi_2275_ = _e1264;
                                                     } else {
-                                                        phi_2358_ = _e717;
+                                                        phi_2275_ = _e702;
                                                     }
-                                                    let _e1296 = phi_2358_;
-                                                    phi_2359_ = _e1296;
+                                                    let _e1266 = phi_2275_;
+                                                    phi_2276_ = _e1266;
                                                 } else {
-                                                    phi_2359_ = _e717;
+                                                    phi_2276_ = _e702;
                                                 }
-                                                let _e1298 = phi_2359_;
-                                                phi_1288_ = _e1298;
+                                                let _e1268 = phi_2276_;
+                                                phi_1308_ = _e1268;
                                             } else {
-                                                phi_1288_ = type_38();
+                                                phi_1308_ = type_38();
                                             }
-                                            let _e1300 = phi_1288_;
+                                            let _e1270 = phi_1308_;
                                             continue;
                                             continuing {
-                                                phi_1287_ = _e1300;
-                                                phi_1290_ = _e732;
-                                                phi_3969_ = _e661;
-                                                break if !(_e738);
+                                                phi_1307_ = _e1270;
+                                                phi_1310_ = _e717;
+                                                phi_4066_ = _e646;
+                                                break if !(_e723);
                                             }
                                         }
-                                        let _e1303 = phi_3969_;
-                                        phi_4129_ = _e1303;
-                                        if _e1303 {
+                                        let _e1273 = phi_4066_;
+                                        phi_4231_ = _e1273;
+                                        if _e1273 {
                                             break;
                                         }
-                                        phi_4215_ = _e1303;
-                                        let _e2020 = local_11;
-                                        phi_2360_ = _e2020;
+                                        phi_4317_ = _e1273;
+                                        let _e1977 = local_11;
+                                        phi_2277_ = _e1977;
                                     } else {
-                                        phi_4215_ = _e661;
-                                        phi_2360_ = _e663;
+                                        phi_4317_ = _e646;
+                                        phi_2277_ = _e648;
                                     }
-                                    let _e1305 = phi_4215_;
-                                    let _e1307 = phi_2360_;
-                                    if _e710 {
-                                        phi_3590_ = bool();
-                                        phi_3591_ = u32();
-                                        phi_3592_ = type_50();
+                                    let _e1275 = phi_4317_;
+                                    let _e1277 = phi_2277_;
+                                    if _e695 {
+                                        phi_3507_ = bool();
+                                        phi_3508_ = u32();
+                                        phi_3509_ = type_51();
                                     } else {
-                                        if (_e706.member_1 >= _e94) {
-                                            phi_3126_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e691.member_1 >= _e94) {
+                                            phi_3043_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e706.member_1 < _e94) {
+                                            if (_e691.member_1 < _e94) {
                                             } else {
-                                                phi_4129_ = true;
+                                                phi_4231_ = true;
                                                 break;
                                             }
-                                            let _e1311 = ((1u + _e264) % 4u);
-                                            if (_e1311 < 4u) {
+                                            let _e1281 = ((1u + _e264) % 4u);
+                                            if (_e1281 < 4u) {
                                             } else {
-                                                phi_4129_ = true;
+                                                phi_4231_ = true;
                                                 break;
                                             }
-                                            let _e1316 = global_4.member[_e706.member_1][_e1311];
-                                            let _e1318 = (_e1316 >> bitcast<u32>(11u));
-                                            let _e1320 = ((1u + _e263) % 4u);
-                                            if (_e1320 < 4u) {
+                                            let _e1286 = global_4.member[_e691.member_1][_e1281];
+                                            let _e1288 = (_e1286 >> bitcast<u32>(11u));
+                                            let _e1290 = ((1u + _e263) % 4u);
+                                            if (_e1290 < 4u) {
                                             } else {
-                                                phi_4129_ = true;
+                                                phi_4231_ = true;
                                                 break;
                                             }
-                                            let _e1325 = global_4.member[_e706.member_1][_e1320];
-                                            let _e1327 = (_e1325 >> bitcast<u32>(11u));
-                                            let _e1329 = ((1u + _e265) % 4u);
-                                            if (_e1329 < 4u) {
+                                            let _e1295 = global_4.member[_e691.member_1][_e1290];
+                                            let _e1297 = (_e1295 >> bitcast<u32>(11u));
+                                            let _e1299 = ((1u + _e265) % 4u);
+                                            if (_e1299 < 4u) {
                                             } else {
-                                                phi_4129_ = true;
+                                                phi_4231_ = true;
                                                 break;
                                             }
-                                            let _e1334 = global_4.member[_e706.member_1][_e1329];
-                                            let _e1336 = (_e1334 >> bitcast<u32>(11u));
-                                            let _e1359 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.x - _e706.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e1360 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.y - _e706.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e1361 = (bitcast<f32>((bitcast<u32>((_e706.member.member_1.z - _e706.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e1363 = select(_e144, _e1359, (_e1359 > _e144));
-                                            let _e1365 = select(_e144, _e1360, (_e1360 > _e144));
-                                            let _e1367 = select(_e144, _e1361, (_e1361 > _e144));
-                                            let _e1398 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1316 & 1023u))) - 8388608f) * _e1363));
-                                            let _e1403 = (bitcast<i32>((_e1316 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1406 = bitcast<f32>((_e1398 & bitcast<u32>(_e1403)));
-                                            let _e1407 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1325 & 1023u))) - 8388608f) * _e1365));
-                                            let _e1412 = (bitcast<i32>((_e1325 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1304 = global_4.member[_e691.member_1][_e1299];
+                                            let _e1306 = (_e1304 >> bitcast<u32>(11u));
+                                            let _e1329 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.x - _e691.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1330 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.y - _e691.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1331 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.z - _e691.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1333 = select(_e144, _e1329, (_e1329 > _e144));
+                                            let _e1335 = select(_e144, _e1330, (_e1330 > _e144));
+                                            let _e1337 = select(_e144, _e1331, (_e1331 > _e144));
+                                            let _e1368 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1286 & 1023u))) - 8388608f) * _e1333));
+                                            let _e1373 = (bitcast<i32>((_e1286 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1376 = bitcast<f32>((_e1368 & bitcast<u32>(_e1373)));
+                                            let _e1377 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1295 & 1023u))) - 8388608f) * _e1335));
+                                            let _e1382 = (bitcast<i32>((_e1295 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1385 = bitcast<f32>((_e1377 & bitcast<u32>(_e1382)));
+                                            let _e1386 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1304 & 1023u))) - 8388608f) * _e1337));
+                                            let _e1391 = (bitcast<i32>((_e1304 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1394 = bitcast<f32>((_e1386 & bitcast<u32>(_e1391)));
+                                            let _e1398 = bitcast<f32>((_e1368 & bitcast<u32>(~(_e1373))));
+                                            let _e1402 = bitcast<f32>((_e1377 & bitcast<u32>(~(_e1382))));
+                                            let _e1406 = bitcast<f32>((_e1386 & bitcast<u32>(~(_e1391))));
+                                            let _e1407 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1288 & 1023u))) - 8388608f) * _e1333));
+                                            let _e1412 = (bitcast<i32>((_e1288 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
                                             let _e1415 = bitcast<f32>((_e1407 & bitcast<u32>(_e1412)));
-                                            let _e1416 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1334 & 1023u))) - 8388608f) * _e1367));
-                                            let _e1421 = (bitcast<i32>((_e1334 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1416 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1297 & 1023u))) - 8388608f) * _e1335));
+                                            let _e1421 = (bitcast<i32>((_e1297 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
                                             let _e1424 = bitcast<f32>((_e1416 & bitcast<u32>(_e1421)));
-                                            let _e1428 = bitcast<f32>((_e1398 & bitcast<u32>(~(_e1403))));
-                                            let _e1432 = bitcast<f32>((_e1407 & bitcast<u32>(~(_e1412))));
-                                            let _e1436 = bitcast<f32>((_e1416 & bitcast<u32>(~(_e1421))));
-                                            let _e1437 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1318 & 1023u))) - 8388608f) * _e1363));
-                                            let _e1442 = (bitcast<i32>((_e1318 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1445 = bitcast<f32>((_e1437 & bitcast<u32>(_e1442)));
-                                            let _e1446 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1327 & 1023u))) - 8388608f) * _e1365));
-                                            let _e1451 = (bitcast<i32>((_e1327 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1454 = bitcast<f32>((_e1446 & bitcast<u32>(_e1451)));
-                                            let _e1455 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1336 & 1023u))) - 8388608f) * _e1367));
-                                            let _e1460 = (bitcast<i32>((_e1336 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1463 = bitcast<f32>((_e1455 & bitcast<u32>(_e1460)));
-                                            let _e1467 = bitcast<f32>((_e1437 & bitcast<u32>(~(_e1442))));
-                                            let _e1471 = bitcast<f32>((_e1446 & bitcast<u32>(~(_e1451))));
-                                            let _e1475 = bitcast<f32>((_e1455 & bitcast<u32>(~(_e1460))));
-                                            let _e1505 = global_4.member[_e706.member_1][0u];
-                                            let _e1509 = global_4.member[_e706.member_1][1u];
-                                            let _e1513 = global_4.member[_e706.member_1][2u];
-                                            let _e1517 = global_4.member[_e706.member_1][3u];
-                                            let _e1529 = (((_e1509 >> bitcast<u32>(22i)) | ((_e1513 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1517 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1530 = (_e1505 & 268435455u);
-                                            let _e1531 = (_e1529 & 268435455u);
-                                            let _e1534 = ((_e1505 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1542 = ((_e1505 >> bitcast<u32>(31i)) | (((_e1529 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1543 = (_e1534 != 0u);
-                                            if (_e1534 == 0u) {
-                                                phi_3088_ = _e1530;
+                                            let _e1425 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1306 & 1023u))) - 8388608f) * _e1337));
+                                            let _e1430 = (bitcast<i32>((_e1306 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1433 = bitcast<f32>((_e1425 & bitcast<u32>(_e1430)));
+                                            let _e1437 = bitcast<f32>((_e1407 & bitcast<u32>(~(_e1412))));
+                                            let _e1441 = bitcast<f32>((_e1416 & bitcast<u32>(~(_e1421))));
+                                            let _e1445 = bitcast<f32>((_e1425 & bitcast<u32>(~(_e1430))));
+                                            let _e1475 = global_4.member[_e691.member_1][0u];
+                                            let _e1479 = global_4.member[_e691.member_1][1u];
+                                            let _e1483 = global_4.member[_e691.member_1][2u];
+                                            let _e1487 = global_4.member[_e691.member_1][3u];
+                                            let _e1499 = (((_e1479 >> bitcast<u32>(22i)) | ((_e1483 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1487 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1500 = (_e1475 & 268435455u);
+                                            let _e1501 = (_e1499 & 268435455u);
+                                            let _e1504 = ((_e1475 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1512 = ((_e1475 >> bitcast<u32>(31i)) | (((_e1499 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1513 = (_e1504 != 0u);
+                                            if (_e1504 == 0u) {
+                                                phi_3005_ = _e1500;
                                             } else {
-                                                if (_e1534 == 7u) {
-                                                    phi_3087_ = 2147483648u;
+                                                if (_e1504 == 7u) {
+                                                    phi_3004_ = 2147483648u;
                                                 } else {
-                                                    phi_3087_ = ((2147483648u | (_e1534 << bitcast<u32>(28u))) | (_e1531 & 268435455u));
+                                                    phi_3004_ = ((2147483648u | (_e1504 << bitcast<u32>(28u))) | (_e1501 & 268435455u));
                                                 }
-                                                let _e1552 = phi_3087_;
-                                                phi_3088_ = _e1552;
+                                                let _e1522 = phi_3004_;
+                                                phi_3005_ = _e1522;
                                             }
-                                            let _e1554 = phi_3088_;
-                                            if _e1543 {
-                                                let _e1555 = (_e1534 != 7u);
-                                                if _e1555 {
-                                                    phi_3098_ = (_e1531 + _e1534);
+                                            let _e1524 = phi_3005_;
+                                            if _e1513 {
+                                                let _e1525 = (_e1504 != 7u);
+                                                if _e1525 {
+                                                    phi_3015_ = (_e1501 + _e1504);
                                                 } else {
-                                                    phi_3098_ = u32();
+                                                    phi_3015_ = u32();
                                                 }
-                                                let _e1558 = phi_3098_;
-                                                phi_3100_ = _e1558;
-                                                phi_3101_ = select(true, false, _e1555);
+                                                let _e1528 = phi_3015_;
+                                                phi_3017_ = _e1528;
+                                                phi_3018_ = select(true, false, _e1525);
                                             } else {
-                                                phi_3100_ = u32();
-                                                phi_3101_ = true;
+                                                phi_3017_ = u32();
+                                                phi_3018_ = true;
                                             }
-                                            let _e1561 = phi_3100_;
-                                            let _e1563 = phi_3101_;
-                                            if (_e1542 == 0u) {
-                                                phi_3122_ = (_e1530 + select(0u, 1u, !(_e1543)));
+                                            let _e1531 = phi_3017_;
+                                            let _e1533 = phi_3018_;
+                                            if (_e1512 == 0u) {
+                                                phi_3039_ = (_e1500 + select(0u, 1u, !(_e1513)));
                                             } else {
-                                                if (_e1542 == 7u) {
-                                                    phi_3121_ = 2147483648u;
+                                                if (_e1512 == 7u) {
+                                                    phi_3038_ = 2147483648u;
                                                 } else {
-                                                    phi_3121_ = ((2147483648u | (_e1542 << bitcast<u32>(28u))) | (select(_e1561, _e1531, _e1563) & 268435455u));
+                                                    phi_3038_ = ((2147483648u | (_e1512 << bitcast<u32>(28u))) | (select(_e1531, _e1501, _e1533) & 268435455u));
                                                 }
-                                                let _e1576 = phi_3121_;
-                                                phi_3122_ = _e1576;
+                                                let _e1546 = phi_3038_;
+                                                phi_3039_ = _e1546;
                                             }
-                                            let _e1578 = phi_3122_;
-                                            phi_3126_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e706.member.member.x + _e1406), (_e706.member.member.x + _e1428), (_e706.member.member_1.x - _e1445), (_e706.member.member_1.x - _e1467)), vec4<f32>((_e706.member.member.y + _e1415), (_e706.member.member.y + _e1432), (_e706.member.member_1.y - _e1454), (_e706.member.member_1.y - _e1471)), vec4<f32>((_e706.member.member.z + _e1424), (_e706.member.member.z + _e1436), (_e706.member.member_1.z - _e1463), (_e706.member.member_1.z - _e1475))), type_50(type_33((_e706.member.member + vec4<f32>(_e1406, _e1415, _e1424, 0f)), (_e706.member.member_1 - vec4<f32>(_e1445, _e1454, _e1463, 0f))), _e1554), type_50(type_33((_e706.member.member + vec4<f32>(_e1428, _e1432, _e1436, 0f)), (_e706.member.member_1 - vec4<f32>(_e1467, _e1471, _e1475, 0f))), _e1578));
+                                            let _e1548 = phi_3039_;
+                                            phi_3043_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e691.member.member.x + _e1376), (_e691.member.member.x + _e1398), (_e691.member.member_1.x - _e1415), (_e691.member.member_1.x - _e1437)), vec4<f32>((_e691.member.member.y + _e1385), (_e691.member.member.y + _e1402), (_e691.member.member_1.y - _e1424), (_e691.member.member_1.y - _e1441)), vec4<f32>((_e691.member.member.z + _e1394), (_e691.member.member.z + _e1406), (_e691.member.member_1.z - _e1433), (_e691.member.member_1.z - _e1445))), type_51(type_33((_e691.member.member + vec4<f32>(_e1376, _e1385, _e1394, 0f)), (_e691.member.member_1 - vec4<f32>(_e1415, _e1424, _e1433, 0f))), _e1524), type_51(type_33((_e691.member.member + vec4<f32>(_e1398, _e1402, _e1406, 0f)), (_e691.member.member_1 - vec4<f32>(_e1437, _e1441, _e1445, 0f))), _e1548));
                                         }
-                                        let _e1583 = phi_3126_;
-                                        let _e1595 = ((_e1583.member[0].x - _e366) * _e371);
-                                        let _e1596 = ((_e1583.member[0].y - _e366) * _e371);
-                                        let _e1597 = ((_e1583.member[0].z - _e367) * _e371);
-                                        let _e1598 = ((_e1583.member[0].w - _e367) * _e371);
-                                        let _e1608 = ((_e1583.member[1].x - _e434) * _e439);
-                                        let _e1609 = ((_e1583.member[1].y - _e434) * _e439);
-                                        let _e1610 = ((_e1583.member[1].z - _e435) * _e439);
-                                        let _e1611 = ((_e1583.member[1].w - _e435) * _e439);
-                                        let _e1621 = ((_e1583.member[2].x - _e502) * _e507);
-                                        let _e1622 = ((_e1583.member[2].y - _e502) * _e507);
-                                        let _e1623 = ((_e1583.member[2].z - _e503) * _e507);
-                                        let _e1624 = ((_e1583.member[2].w - _e503) * _e507);
-                                        let _e1626 = select(_e1623, _e1621, (_e1621 < _e1623));
-                                        let _e1628 = select(_e1624, _e1622, (_e1622 < _e1624));
-                                        let _e1630 = select(_e1623, _e1621, (_e1621 > _e1623));
-                                        let _e1632 = select(_e1624, _e1622, (_e1622 > _e1624));
-                                        let _e1634 = select(_e1597, _e1595, (_e1595 < _e1597));
-                                        let _e1636 = select(_e1598, _e1596, (_e1596 < _e1598));
-                                        let _e1638 = select(_e1610, _e1608, (_e1608 < _e1610));
-                                        let _e1640 = select(_e1611, _e1609, (_e1609 < _e1611));
-                                        let _e1642 = select(_e1638, _e1634, (_e1634 > _e1638));
-                                        let _e1644 = select(_e1640, _e1636, (_e1636 > _e1640));
-                                        let _e1646 = select(_e1626, _e1642, (_e1642 > _e1626));
-                                        let _e1648 = select(_e1628, _e1644, (_e1644 > _e1628));
-                                        let _e1650 = select(_e1597, _e1595, (_e1595 > _e1597));
-                                        let _e1652 = select(_e1598, _e1596, (_e1596 > _e1598));
-                                        let _e1654 = select(_e1610, _e1608, (_e1608 > _e1610));
-                                        let _e1656 = select(_e1611, _e1609, (_e1609 > _e1611));
-                                        let _e1658 = select(_e1654, _e1650, (_e1650 < _e1654));
-                                        let _e1660 = select(_e1656, _e1652, (_e1652 < _e1656));
-                                        let _e1665 = -(_e1626);
-                                        let _e1666 = -(_e1628);
-                                        let _e1673 = (select(_e1630, _e1658, (_e1658 < _e1630)) + (select(_e1665, _e1630, (_e1630 > _e1665)) * 0.0000019073523f));
-                                        let _e1674 = (select(_e1632, _e1660, (_e1660 < _e1632)) + (select(_e1666, _e1632, (_e1632 > _e1666)) * 0.0000019073523f));
-                                        let _e1676 = select(_e619, _e1646, (_e1646 > _e619));
-                                        let _e1678 = select(_e619, _e1648, (_e1648 > _e619));
-                                        let _e1683 = (_e1676 <= select(_e1307.member_1, _e1673, (_e1673 < _e1307.member_1)));
-                                        let _e1684 = (_e1678 <= select(_e1307.member_1, _e1674, (_e1674 < _e1307.member_1)));
-                                        let _e1685 = (_e1676 <= _e1678);
-                                        if _e1683 {
-                                            if _e1684 {
-                                                if _e1685 {
-                                                    phi_3488_ = _e1583.member_2;
+                                        let _e1553 = phi_3043_;
+                                        let _e1565 = ((_e1553.member[0].x - _e366) * _e369);
+                                        let _e1566 = ((_e1553.member[0].y - _e366) * _e369);
+                                        let _e1567 = ((_e1553.member[0].z - _e367) * _e369);
+                                        let _e1568 = ((_e1553.member[0].w - _e367) * _e369);
+                                        let _e1578 = ((_e1553.member[1].x - _e432) * _e435);
+                                        let _e1579 = ((_e1553.member[1].y - _e432) * _e435);
+                                        let _e1580 = ((_e1553.member[1].z - _e433) * _e435);
+                                        let _e1581 = ((_e1553.member[1].w - _e433) * _e435);
+                                        let _e1591 = ((_e1553.member[2].x - _e498) * _e501);
+                                        let _e1592 = ((_e1553.member[2].y - _e498) * _e501);
+                                        let _e1593 = ((_e1553.member[2].z - _e499) * _e501);
+                                        let _e1594 = ((_e1553.member[2].w - _e499) * _e501);
+                                        let _e1596 = select(_e1593, _e1591, (_e1591 < _e1593));
+                                        let _e1598 = select(_e1594, _e1592, (_e1592 < _e1594));
+                                        let _e1600 = select(_e1593, _e1591, (_e1591 > _e1593));
+                                        let _e1602 = select(_e1594, _e1592, (_e1592 > _e1594));
+                                        let _e1604 = select(_e1567, _e1565, (_e1565 < _e1567));
+                                        let _e1606 = select(_e1568, _e1566, (_e1566 < _e1568));
+                                        let _e1608 = select(_e1580, _e1578, (_e1578 < _e1580));
+                                        let _e1610 = select(_e1581, _e1579, (_e1579 < _e1581));
+                                        let _e1612 = select(_e1608, _e1604, (_e1604 > _e1608));
+                                        let _e1614 = select(_e1610, _e1606, (_e1606 > _e1610));
+                                        let _e1616 = select(_e1596, _e1612, (_e1612 > _e1596));
+                                        let _e1618 = select(_e1598, _e1614, (_e1614 > _e1598));
+                                        let _e1620 = select(_e1567, _e1565, (_e1565 > _e1567));
+                                        let _e1622 = select(_e1568, _e1566, (_e1566 > _e1568));
+                                        let _e1624 = select(_e1580, _e1578, (_e1578 > _e1580));
+                                        let _e1626 = select(_e1581, _e1579, (_e1579 > _e1581));
+                                        let _e1628 = select(_e1624, _e1620, (_e1620 < _e1624));
+                                        let _e1630 = select(_e1626, _e1622, (_e1622 < _e1626));
+                                        let _e1635 = -(_e1596);
+                                        let _e1636 = -(_e1598);
+                                        let _e1643 = (select(_e1600, _e1628, (_e1628 < _e1600)) + (select(_e1635, _e1600, (_e1600 > _e1635)) * 0.0000019073523f));
+                                        let _e1644 = (select(_e1602, _e1630, (_e1630 < _e1602)) + (select(_e1636, _e1602, (_e1602 > _e1636)) * 0.0000019073523f));
+                                        let _e1646 = select(_e604, _e1616, (_e1616 > _e604));
+                                        let _e1648 = select(_e604, _e1618, (_e1618 > _e604));
+                                        let _e1653 = (_e1646 <= select(_e1277.member_1, _e1643, (_e1643 < _e1277.member_1)));
+                                        let _e1654 = (_e1648 <= select(_e1277.member_1, _e1644, (_e1644 < _e1277.member_1)));
+                                        let _e1655 = (_e1646 <= _e1648);
+                                        if _e1653 {
+                                            if _e1654 {
+                                                if _e1655 {
+                                                    phi_3405_ = _e1553.member_2;
                                                 } else {
-                                                    phi_3488_ = _e1583.member_1;
+                                                    phi_3405_ = _e1553.member_1;
                                                 }
-                                                let _e1689 = phi_3488_;
-                                                let _e1710 = (_e704 % 128u);
-                                                let _e1711 = (_e1710 < 128u);
-                                                if _e1711 {
+                                                let _e1659 = phi_3405_;
+                                                let _e1680 = (_e689 % 128u);
+                                                let _e1681 = (_e1680 < 128u);
+                                                if _e1681 {
                                                 } else {
-                                                    phi_4129_ = true;
+                                                    phi_4231_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1710] = _e1689.member_1;
-                                                if _e1711 {
+                                                local_8[_e1680] = _e1659.member_1;
+                                                if _e1681 {
                                                 } else {
-                                                    phi_4129_ = true;
+                                                    phi_4231_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1710] = _e1689.member.member.x;
-                                                if _e1711 {
+                                                local_7[_e1680] = _e1659.member.member.x;
+                                                if _e1681 {
                                                 } else {
-                                                    phi_4129_ = true;
+                                                    phi_4231_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1710] = _e1689.member.member.y;
-                                                if _e1711 {
+                                                local_6[_e1680] = _e1659.member.member.y;
+                                                if _e1681 {
                                                 } else {
-                                                    phi_4129_ = true;
+                                                    phi_4231_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1710] = _e1689.member.member.z;
-                                                if _e1711 {
+                                                local_5[_e1680] = _e1659.member.member.z;
+                                                if _e1681 {
                                                 } else {
-                                                    phi_4129_ = true;
+                                                    phi_4231_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1710] = _e1689.member.member_1.x;
-                                                if _e1711 {
+                                                local_4[_e1680] = _e1659.member.member_1.x;
+                                                if _e1681 {
                                                 } else {
-                                                    phi_4129_ = true;
+                                                    phi_4231_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1710] = _e1689.member.member_1.y;
-                                                if _e1711 {
+                                                local_3[_e1680] = _e1659.member.member_1.y;
+                                                if _e1681 {
                                                 } else {
-                                                    phi_4129_ = true;
+                                                    phi_4231_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1710] = _e1689.member.member_1.z;
-                                                if _e1711 {
+                                                local_2[_e1680] = _e1659.member.member_1.z;
+                                                if _e1681 {
                                                 } else {
-                                                    phi_4129_ = true;
+                                                    phi_4231_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1710] = select(_e1676, _e1678, _e1685);
-                                                if _e1685 {
-                                                    phi_3564_ = _e1583.member_1;
+                                                local_9[_e1680] = select(_e1646, _e1648, _e1655);
+                                                if _e1655 {
+                                                    phi_3481_ = _e1553.member_1;
                                                 } else {
-                                                    phi_3564_ = _e1583.member_2;
+                                                    phi_3481_ = _e1553.member_2;
                                                 }
-                                                let _e1724 = phi_3564_;
-                                                phi_3565_ = (_e704 + 1u);
-                                                phi_3566_ = _e1724;
+                                                let _e1694 = phi_3481_;
+                                                phi_3482_ = (_e689 + 1u);
+                                                phi_3483_ = _e1694;
                                             } else {
-                                                phi_3565_ = u32();
-                                                phi_3566_ = type_50();
+                                                phi_3482_ = u32();
+                                                phi_3483_ = type_51();
                                             }
-                                            let _e1726 = phi_3565_;
-                                            let _e1728 = phi_3566_;
-                                            phi_3568_ = _e1726;
-                                            phi_3569_ = _e1728;
-                                            phi_3570_ = select(true, false, _e1684);
+                                            let _e1696 = phi_3482_;
+                                            let _e1698 = phi_3483_;
+                                            phi_3485_ = _e1696;
+                                            phi_3486_ = _e1698;
+                                            phi_3487_ = select(true, false, _e1654);
                                         } else {
-                                            phi_3568_ = u32();
-                                            phi_3569_ = type_50();
-                                            phi_3570_ = true;
+                                            phi_3485_ = u32();
+                                            phi_3486_ = type_51();
+                                            phi_3487_ = true;
                                         }
-                                        let _e1731 = phi_3568_;
-                                        let _e1733 = phi_3569_;
-                                        let _e1735 = phi_3570_;
-                                        if _e1735 {
-                                            if _e1683 {
-                                                phi_3579_ = _e1583.member_1;
+                                        let _e1701 = phi_3485_;
+                                        let _e1703 = phi_3486_;
+                                        let _e1705 = phi_3487_;
+                                        if _e1705 {
+                                            if _e1653 {
+                                                phi_3496_ = _e1553.member_1;
                                             } else {
-                                                phi_3579_ = _e1583.member_2;
+                                                phi_3496_ = _e1553.member_2;
                                             }
-                                            let _e1739 = phi_3579_;
-                                            phi_3584_ = select(_e1684, true, _e1683);
-                                            phi_3586_ = _e1739;
+                                            let _e1709 = phi_3496_;
+                                            phi_3501_ = select(_e1654, true, _e1653);
+                                            phi_3503_ = _e1709;
                                         } else {
-                                            phi_3584_ = _e702;
-                                            phi_3586_ = _e1733;
+                                            phi_3501_ = _e687;
+                                            phi_3503_ = _e1703;
                                         }
-                                        let _e1742 = phi_3584_;
-                                        let _e1744 = phi_3586_;
-                                        phi_3590_ = _e1742;
-                                        phi_3591_ = select(_e1731, _e704, _e1735);
-                                        phi_3592_ = _e1744;
+                                        let _e1712 = phi_3501_;
+                                        let _e1714 = phi_3503_;
+                                        phi_3507_ = _e1712;
+                                        phi_3508_ = select(_e1701, _e689, _e1705);
+                                        phi_3509_ = _e1714;
                                     }
-                                    let _e1747 = phi_3590_;
-                                    let _e1749 = phi_3591_;
-                                    let _e1751 = phi_3592_;
-                                    if _e710 {
-                                        phi_3602_ = _e706;
+                                    let _e1717 = phi_3507_;
+                                    let _e1719 = phi_3508_;
+                                    let _e1721 = phi_3509_;
+                                    if _e695 {
+                                        phi_3519_ = _e691;
                                     } else {
-                                        phi_3602_ = _e1751;
+                                        phi_3519_ = _e1721;
                                     }
-                                    let _e1753 = phi_3602_;
-                                    phi_4132_ = _e1305;
-                                    phi_3603_ = _e1307;
-                                    phi_3604_ = (_e665 - 1u);
-                                    phi_3605_ = select(_e1747, false, _e710);
-                                    phi_3606_ = select(_e1749, _e704, _e710);
-                                    phi_3607_ = _e1753;
+                                    let _e1723 = phi_3519_;
+                                    phi_4234_ = _e1275;
+                                    phi_3520_ = _e1277;
+                                    phi_3521_ = (_e650 - 1u);
+                                    phi_3522_ = select(_e1717, false, _e695);
+                                    phi_3523_ = select(_e1719, _e689, _e695);
+                                    phi_3524_ = _e1723;
                                 } else {
-                                    phi_4132_ = _e661;
-                                    phi_3603_ = _e663;
-                                    phi_3604_ = _e665;
-                                    phi_3605_ = _e702;
-                                    phi_3606_ = _e704;
-                                    phi_3607_ = _e706;
+                                    phi_4234_ = _e646;
+                                    phi_3520_ = _e648;
+                                    phi_3521_ = _e650;
+                                    phi_3522_ = _e687;
+                                    phi_3523_ = _e689;
+                                    phi_3524_ = _e691;
                                 }
-                                let _e1757 = phi_4132_;
-                                let _e1759 = phi_3603_;
-                                let _e1761 = phi_3604_;
-                                let _e1763 = phi_3605_;
-                                let _e1765 = phi_3606_;
-                                let _e1767 = phi_3607_;
-                                phi_4131_ = _e1757;
-                                phi_3608_ = _e1759;
-                                phi_3609_ = _e1761;
-                                phi_3610_ = _e1763;
-                                phi_3611_ = _e1765;
-                                phi_3612_ = _e1767;
+                                let _e1727 = phi_4234_;
+                                let _e1729 = phi_3520_;
+                                let _e1731 = phi_3521_;
+                                let _e1733 = phi_3522_;
+                                let _e1735 = phi_3523_;
+                                let _e1737 = phi_3524_;
+                                phi_4233_ = _e1727;
+                                phi_3525_ = _e1729;
+                                phi_3526_ = _e1731;
+                                phi_3527_ = _e1733;
+                                phi_3528_ = _e1735;
+                                phi_3529_ = _e1737;
                             } else {
-                                phi_4131_ = _e661;
-                                phi_3608_ = type_38();
-                                phi_3609_ = u32();
-                                phi_3610_ = bool();
-                                phi_3611_ = u32();
-                                phi_3612_ = type_50();
+                                phi_4233_ = _e646;
+                                phi_3525_ = type_38();
+                                phi_3526_ = u32();
+                                phi_3527_ = bool();
+                                phi_3528_ = u32();
+                                phi_3529_ = type_51();
                             }
-                            let _e1769 = phi_4131_;
-                            let _e1771 = phi_3608_;
-                            let _e1773 = phi_3609_;
-                            let _e1775 = phi_3610_;
-                            let _e1777 = phi_3611_;
-                            let _e1779 = phi_3612_;
-                            phi_4130_ = _e1769;
-                            phi_1162_ = _e1771;
-                            phi_1165_ = _e1773;
-                            phi_1167_ = _e1775;
-                            phi_1169_ = _e1777;
-                            phi_1171_ = _e1779;
-                            phi_3613_ = _e675;
+                            let _e1739 = phi_4233_;
+                            let _e1741 = phi_3525_;
+                            let _e1743 = phi_3526_;
+                            let _e1745 = phi_3527_;
+                            let _e1747 = phi_3528_;
+                            let _e1749 = phi_3529_;
+                            phi_4232_ = _e1739;
+                            phi_1182_ = _e1741;
+                            phi_1185_ = _e1743;
+                            phi_1187_ = _e1745;
+                            phi_1189_ = _e1747;
+                            phi_1191_ = _e1749;
+                            phi_3530_ = _e660;
                         } else {
-                            phi_4130_ = _e661;
-                            phi_1162_ = type_38();
-                            phi_1165_ = u32();
-                            phi_1167_ = bool();
-                            phi_1169_ = u32();
-                            phi_1171_ = type_50();
-                            phi_3613_ = false;
+                            phi_4232_ = _e646;
+                            phi_1182_ = type_38();
+                            phi_1185_ = u32();
+                            phi_1187_ = bool();
+                            phi_1189_ = u32();
+                            phi_1191_ = type_51();
+                            phi_3530_ = false;
                         }
-                        let _e1781 = phi_4130_;
-                        let _e1783 = phi_1162_;
-                        let _e1785 = phi_1165_;
-                        let _e1787 = phi_1167_;
-                        let _e1789 = phi_1169_;
-                        let _e1791 = phi_1171_;
-                        let _e1793 = phi_3613_;
+                        let _e1751 = phi_4232_;
+                        let _e1753 = phi_1182_;
+                        let _e1755 = phi_1185_;
+                        let _e1757 = phi_1187_;
+                        let _e1759 = phi_1189_;
+                        let _e1761 = phi_1191_;
+                        let _e1763 = phi_3530_;
                         continue;
                         continuing {
-                            phi_3975_ = _e1781;
-                            phi_1161_ = _e1783;
-                            phi_1164_ = _e1785;
-                            phi_1166_ = _e1787;
-                            phi_1168_ = _e1789;
-                            phi_1170_ = _e1791;
-                            phi_4129_ = _e1781;
-                            break if !(_e1793);
+                            phi_4072_ = _e1751;
+                            phi_1181_ = _e1753;
+                            phi_1184_ = _e1755;
+                            phi_1186_ = _e1757;
+                            phi_1188_ = _e1759;
+                            phi_1190_ = _e1761;
+                            phi_4231_ = _e1751;
+                            break if !(_e1763);
                         }
                     }
-                    let _e1796 = phi_4129_;
-                    if _e1796 {
+                    let _e1766 = phi_4231_;
+                    if _e1766 {
                         break;
                     }
-                    let _e1798 = local_10;
-                    if (_e1798.member.member_3 != 4294967295u) {
-                        let _e1803 = -(_e521);
-                        let _e1804 = bitcast<u32>(_e1798.member.member);
-                        let _e1808 = (bitcast<i32>((_e1804 >> bitcast<u32>(23i))) & 255i);
-                        let _e1809 = (_e1808 + _e1803);
-                        if (_e1808 == 255i) {
-                            phi_3672_ = _e1798.member.member;
+                    let _e1768 = local_10;
+                    if (_e1768.member.member_3 != 4294967295u) {
+                        let _e1773 = -(_e506);
+                        let _e1774 = bitcast<u32>(_e1768.member.member);
+                        let _e1778 = (bitcast<i32>((_e1774 >> bitcast<u32>(23i))) & 255i);
+                        let _e1779 = (_e1778 + _e1773);
+                        if (_e1778 == 255i) {
+                            phi_3589_ = _e1768.member.member;
                         } else {
-                            if (_e1808 > 0i) {
-                                if (_e1809 > 0i) {
-                                    let _e1813 = (_e1809 < 255i);
-                                    if _e1813 {
-                                        phi_3651_ = bitcast<f32>((_e1804 + bitcast<u32>((_e1803 << bitcast<u32>(23i)))));
+                            if (_e1778 > 0i) {
+                                if (_e1779 > 0i) {
+                                    let _e1783 = (_e1779 < 255i);
+                                    if _e1783 {
+                                        phi_3568_ = bitcast<f32>((_e1774 + bitcast<u32>((_e1773 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3651_ = f32();
+                                        phi_3568_ = f32();
                                     }
-                                    let _e1820 = phi_3651_;
-                                    phi_3653_ = _e1820;
-                                    phi_3654_ = select(true, false, _e1813);
+                                    let _e1790 = phi_3568_;
+                                    phi_3570_ = _e1790;
+                                    phi_3571_ = select(true, false, _e1783);
                                 } else {
-                                    phi_3653_ = f32();
-                                    phi_3654_ = true;
+                                    phi_3570_ = f32();
+                                    phi_3571_ = true;
                                 }
-                                let _e1823 = phi_3653_;
-                                let _e1825 = phi_3654_;
-                                phi_3655_ = _e1823;
-                                phi_3656_ = _e1825;
+                                let _e1793 = phi_3570_;
+                                let _e1795 = phi_3571_;
+                                phi_3572_ = _e1793;
+                                phi_3573_ = _e1795;
                             } else {
-                                phi_3655_ = f32();
-                                phi_3656_ = true;
+                                phi_3572_ = f32();
+                                phi_3573_ = true;
                             }
-                            let _e1827 = phi_3655_;
-                            let _e1829 = phi_3656_;
-                            if _e1829 {
-                                let _e1830 = (_e1804 & 2147483648u);
-                                let _e1837 = ((_e1804 & 8388607u) | (select(0u, 1u, ((_e1804 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1841 = (_e1837 == 0u);
-                                if _e1841 {
-                                    phi_3927_ = bitcast<f32>(_e1830);
+                            let _e1797 = phi_3572_;
+                            let _e1799 = phi_3573_;
+                            if _e1799 {
+                                let _e1800 = (_e1774 & 2147483648u);
+                                let _e1807 = ((_e1774 & 8388607u) | (select(0u, 1u, ((_e1774 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1811 = (_e1807 == 0u);
+                                if _e1811 {
+                                    phi_4024_ = bitcast<f32>(_e1800);
                                 } else {
-                                    let _e1846 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1837)), 32u, _e1841) - 8u);
-                                    let _e1849 = (_e1837 << bitcast<u32>((_e1846 & 31u)));
-                                    let _e1851 = ((_e1809 + select(0i, 1i, (_e1808 == 0i))) - bitcast<i32>(_e1846));
-                                    if (_e1851 >= 255i) {
-                                        phi_3917_ = bitcast<f32>((_e1830 | 2139095040u));
-                                        phi_3918_ = f32();
-                                        phi_3919_ = true;
+                                    let _e1816 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1807)), 32u, _e1811) - 8u);
+                                    let _e1819 = (_e1807 << bitcast<u32>((_e1816 & 31u)));
+                                    let _e1821 = ((_e1779 + select(0i, 1i, (_e1778 == 0i))) - bitcast<i32>(_e1816));
+                                    if (_e1821 >= 255i) {
+                                        phi_4014_ = bitcast<f32>((_e1800 | 2139095040u));
+                                        phi_4015_ = f32();
+                                        phi_4016_ = true;
                                     } else {
-                                        let _e1853 = (_e1851 > 0i);
-                                        if _e1853 {
-                                            phi_3911_ = bitcast<f32>(((_e1830 | (bitcast<u32>(_e1851) << bitcast<u32>(23i))) | (_e1849 & 8388607u)));
-                                            phi_3912_ = f32();
+                                        let _e1823 = (_e1821 > 0i);
+                                        if _e1823 {
+                                            phi_4008_ = bitcast<f32>(((_e1800 | (bitcast<u32>(_e1821) << bitcast<u32>(23i))) | (_e1819 & 8388607u)));
+                                            phi_4009_ = f32();
                                         } else {
-                                            if (_e1851 < -24i) {
-                                                phi_3877_ = 26u;
+                                            if (_e1821 < -24i) {
+                                                phi_3974_ = 26u;
                                             } else {
-                                                phi_3877_ = bitcast<u32>((1i - _e1851));
+                                                phi_3974_ = bitcast<u32>((1i - _e1821));
                                             }
-                                            let _e1858 = phi_3877_;
-                                            let _e1859 = (_e1858 & 31u);
-                                            let _e1861 = (_e1849 >> bitcast<u32>(_e1859));
-                                            let _e1865 = (_e1849 & ((1u << bitcast<u32>(_e1859)) - 1u));
-                                            let _e1869 = (1u << bitcast<u32>(((_e1858 - 1u) & 31u)));
-                                            if (_e1865 > _e1869) {
-                                                phi_3898_ = true;
+                                            let _e1828 = phi_3974_;
+                                            let _e1829 = (_e1828 & 31u);
+                                            let _e1831 = (_e1819 >> bitcast<u32>(_e1829));
+                                            let _e1835 = (_e1819 & ((1u << bitcast<u32>(_e1829)) - 1u));
+                                            let _e1839 = (1u << bitcast<u32>(((_e1828 - 1u) & 31u)));
+                                            if (_e1835 > _e1839) {
+                                                phi_3995_ = true;
                                             } else {
-                                                if (_e1865 == _e1869) {
-                                                    phi_3895_ = ((_e1861 & 1u) == 1u);
+                                                if (_e1835 == _e1839) {
+                                                    phi_3992_ = ((_e1831 & 1u) == 1u);
                                                 } else {
-                                                    phi_3895_ = false;
+                                                    phi_3992_ = false;
                                                 }
-                                                let _e1875 = phi_3895_;
-                                                phi_3898_ = _e1875;
+                                                let _e1845 = phi_3992_;
+                                                phi_3995_ = _e1845;
                                             }
-                                            let _e1877 = phi_3898_;
-                                            phi_3911_ = f32();
-                                            phi_3912_ = bitcast<f32>((_e1830 | (_e1861 + select(0u, 1u, _e1877))));
+                                            let _e1847 = phi_3995_;
+                                            phi_4008_ = f32();
+                                            phi_4009_ = bitcast<f32>((_e1800 | (_e1831 + select(0u, 1u, _e1847))));
                                         }
-                                        let _e1890 = phi_3911_;
-                                        let _e1892 = phi_3912_;
-                                        phi_3917_ = _e1890;
-                                        phi_3918_ = _e1892;
-                                        phi_3919_ = _e1853;
+                                        let _e1860 = phi_4008_;
+                                        let _e1862 = phi_4009_;
+                                        phi_4014_ = _e1860;
+                                        phi_4015_ = _e1862;
+                                        phi_4016_ = _e1823;
                                     }
-                                    let _e1896 = phi_3917_;
-                                    let _e1898 = phi_3918_;
-                                    let _e1900 = phi_3919_;
-                                    phi_3927_ = select(_e1898, _e1896, _e1900);
+                                    let _e1866 = phi_4014_;
+                                    let _e1868 = phi_4015_;
+                                    let _e1870 = phi_4016_;
+                                    phi_4024_ = select(_e1868, _e1866, _e1870);
                                 }
-                                let _e1904 = phi_3927_;
-                                phi_3671_ = _e1904;
+                                let _e1874 = phi_4024_;
+                                phi_3588_ = _e1874;
                             } else {
-                                phi_3671_ = _e1827;
+                                phi_3588_ = _e1797;
                             }
-                            let _e1906 = phi_3671_;
-                            phi_3672_ = _e1906;
+                            let _e1876 = phi_3588_;
+                            phi_3589_ = _e1876;
                         }
-                        let _e1908 = phi_3672_;
-                        let _e1909 = bitcast<u32>(_e1908);
-                        if ((_e1909 & 2147483647u) >= 2139095040u) {
-                            phi_3684_ = bitcast<f32>(((_e1909 & 2147483648u) | 2139095039u));
+                        let _e1878 = phi_3589_;
+                        let _e1879 = bitcast<u32>(_e1878);
+                        if ((_e1879 & 2147483647u) >= 2139095040u) {
+                            phi_3601_ = bitcast<f32>(((_e1879 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3684_ = _e1908;
+                            phi_3601_ = _e1878;
                         }
-                        let _e1916 = phi_3684_;
-                        phi_3689_ = type_25(_e1916, _e1798.member.member_1, _e1798.member.member_2, _e1798.member.member_3);
+                        let _e1886 = phi_3601_;
+                        phi_3606_ = type_25(_e1886, _e1768.member.member_1, _e1768.member.member_2, _e1768.member.member_3);
                     } else {
-                        phi_3689_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3606_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1921 = phi_3689_;
+                    let _e1891 = phi_3606_;
                     if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e150] = _e1921;
+                    global_6.member[_e150] = _e1891;
                 }
             }
             break;

@@ -43,34 +43,41 @@ struct type_37 {
     member_1: f32,
 }
 
-struct type_41 {
+struct type_40 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_42 {
     member: array<type_28>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_49 {
+struct type_50 {
     member: type_32,
     member_1: u32,
 }
 
-struct type_50 {
+struct type_51 {
     member: array<vec4<f32>, 3>,
-    member_1: type_49,
-    member_2: type_49,
+    member_1: type_50,
+    member_2: type_50,
 }
 
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_16;
 @group(0) @binding(1) 
-var<uniform> global_2: type_44;
+var<uniform> global_2: type_45;
 @group(0) @binding(2) 
 var<storage> global_3: type_13;
 @group(0) @binding(4) 
-var<storage> global_4: type_41;
+var<storage> global_4: type_42;
 @group(0) @binding(3) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
@@ -87,196 +94,183 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_484_: i32;
-    var phi_485_: i32;
-    var phi_495_: bool;
-    var phi_505_: u32;
-    var phi_506_: u32;
-    var phi_508_: bool;
-    var phi_513_: u32;
-    var phi_526_: i32;
+    var phi_504_: i32;
+    var phi_505_: i32;
+    var phi_515_: bool;
+    var phi_525_: u32;
+    var phi_526_: u32;
+    var phi_528_: bool;
+    var phi_533_: u32;
     var phi_546_: i32;
-    var phi_564_: f32;
-    var phi_570_: f32;
-    var phi_610_: f32;
-    var phi_616_: f32;
-    var phi_668_: f32;
-    var phi_680_: f32;
-    var phi_689_: f32;
-    var phi_695_: f32;
-    var phi_735_: f32;
-    var phi_741_: f32;
-    var phi_793_: f32;
-    var phi_805_: f32;
-    var phi_814_: f32;
-    var phi_820_: f32;
-    var phi_860_: f32;
-    var phi_866_: f32;
-    var phi_918_: f32;
-    var phi_930_: f32;
-    var phi_985_: i32;
-    var phi_1007_: u32;
-    var phi_1008_: u32;
-    var phi_1045_: i32;
-    var phi_1067_: u32;
-    var phi_1068_: u32;
-    var phi_1076_: f32;
-    var phi_1077_: f32;
-    var phi_4648_: bool;
-    var phi_1173_: type_37;
-    var phi_1176_: u32;
-    var phi_1178_: bool;
-    var phi_1180_: u32;
-    var phi_1182_: type_49;
-    var phi_1193_: bool;
-    var phi_1279_: bool;
-    var phi_1280_: u32;
-    var phi_1281_: type_49;
-    var phi_1300_: type_37;
-    var phi_1303_: type_8;
-    var phi_1304_: type_8;
-    var phi_1326_: type_8;
-    var phi_1367_: u32;
-    var phi_1373_: u32;
-    var phi_1383_: u32;
-    var phi_1399_: u32;
-    var phi_1432_: u32;
-    var phi_1438_: u32;
-    var phi_1904_: u32;
-    var phi_1922_: u32;
-    var phi_1940_: u32;
-    var phi_1963_: u32;
-    var phi_1981_: u32;
-    var phi_1999_: u32;
-    var phi_2022_: u32;
-    var phi_2040_: u32;
-    var phi_2058_: u32;
-    var phi_1612_: u32;
-    var phi_1627_: u32;
-    var phi_1637_: u32;
-    var phi_1658_: u32;
-    var phi_1679_: u32;
-    var phi_1709_: u32;
-    var phi_1724_: u32;
-    var phi_1734_: u32;
-    var phi_1755_: u32;
-    var phi_1776_: u32;
-    var phi_1806_: u32;
-    var phi_1821_: u32;
-    var phi_1831_: u32;
-    var phi_1852_: u32;
-    var phi_1873_: u32;
-    var phi_1465_: u32;
-    var phi_1514_: u32;
-    var phi_1563_: u32;
-    var phi_2064_: array<array<f32, 3>, 3>;
-    var phi_2216_: bool;
-    var phi_2245_: bool;
-    var phi_2664_: f32;
-    var phi_2665_: f32;
-    var phi_2666_: f32;
-    var phi_2667_: f32;
-    var phi_2668_: vec3<f32>;
-    var phi_2669_: vec3<f32>;
-    var phi_2670_: vec3<f32>;
-    var phi_2671_: vec3<f32>;
-    var phi_2708_: bool;
-    var phi_2717_: vec3<f32>;
-    var phi_2882_: f32;
-    var phi_2884_: f32;
-    var phi_2885_: bool;
-    var phi_2905_: f32;
-    var phi_2906_: f32;
-    var phi_2929_: type_24;
-    var phi_2931_: type_24;
-    var phi_2932_: bool;
-    var phi_2936_: type_24;
-    var phi_2937_: type_24;
-    var phi_2938_: type_24;
-    var phi_2939_: bool;
-    var phi_2943_: type_24;
-    var phi_2944_: bool;
-    var phi_2945_: type_24;
-    var phi_2946_: bool;
-    var phi_2947_: bool;
-    var phi_2948_: type_24;
-    var phi_2949_: bool;
-    var phi_2950_: bool;
-    var phi_2958_: type_24;
-    var phi_2959_: bool;
-    var phi_2963_: type_24;
-    var phi_2988_: bool;
-    var phi_2989_: bool;
-    var phi_2995_: type_37;
-    var phi_2996_: type_37;
-    var phi_2997_: type_37;
-    var phi_1301_: type_37;
-    var phi_4642_: bool;
-    var phi_4940_: bool;
-    var phi_2998_: type_37;
-    var phi_3500_: u32;
-    var phi_3506_: u32;
-    var phi_3760_: u32;
-    var phi_3761_: u32;
-    var phi_3771_: u32;
-    var phi_3773_: u32;
-    var phi_3774_: bool;
-    var phi_3794_: u32;
-    var phi_3795_: u32;
-    var phi_3799_: type_50;
-    var phi_4161_: type_49;
-    var phi_4237_: type_49;
-    var phi_4238_: u32;
-    var phi_4239_: type_49;
-    var phi_4241_: u32;
-    var phi_4242_: type_49;
-    var phi_4243_: bool;
-    var phi_4252_: type_49;
-    var phi_4257_: bool;
-    var phi_4259_: type_49;
-    var phi_4263_: bool;
-    var phi_4264_: u32;
-    var phi_4265_: type_49;
-    var phi_4275_: type_49;
-    var phi_4852_: bool;
-    var phi_4276_: type_37;
-    var phi_4277_: u32;
-    var phi_4278_: bool;
-    var phi_4279_: u32;
-    var phi_4280_: type_49;
-    var phi_4851_: bool;
-    var phi_4281_: type_37;
-    var phi_4282_: u32;
-    var phi_4283_: bool;
-    var phi_4284_: u32;
-    var phi_4285_: type_49;
-    var phi_4850_: bool;
-    var phi_1174_: type_37;
-    var phi_1177_: u32;
-    var phi_1179_: bool;
-    var phi_1181_: u32;
-    var phi_1183_: type_49;
-    var phi_4286_: bool;
-    var phi_4849_: bool;
+    var phi_566_: i32;
+    var phi_584_: f32;
+    var phi_590_: f32;
+    var phi_630_: f32;
+    var phi_636_: f32;
+    var phi_709_: f32;
+    var phi_715_: f32;
+    var phi_755_: f32;
+    var phi_761_: f32;
+    var phi_834_: f32;
+    var phi_840_: f32;
+    var phi_880_: f32;
+    var phi_886_: f32;
+    var phi_1005_: i32;
+    var phi_1027_: u32;
+    var phi_1028_: u32;
+    var phi_1065_: i32;
+    var phi_1087_: u32;
+    var phi_1088_: u32;
+    var phi_1096_: f32;
+    var phi_1097_: f32;
+    var phi_4745_: bool;
+    var phi_1193_: type_37;
+    var phi_1196_: u32;
+    var phi_1198_: bool;
+    var phi_1200_: u32;
+    var phi_1202_: type_50;
+    var phi_1213_: bool;
+    var phi_1299_: bool;
+    var phi_1300_: u32;
+    var phi_1301_: type_50;
+    var phi_1320_: type_37;
+    var phi_1323_: type_8;
+    var phi_1324_: type_8;
+    var phi_1346_: type_8;
+    var phi_1387_: u32;
+    var phi_1393_: u32;
+    var phi_1403_: u32;
+    var phi_1419_: u32;
+    var phi_1452_: u32;
+    var phi_1458_: u32;
+    var phi_1924_: u32;
+    var phi_1942_: u32;
+    var phi_1960_: u32;
+    var phi_1983_: u32;
+    var phi_2001_: u32;
+    var phi_2019_: u32;
+    var phi_2042_: u32;
+    var phi_2060_: u32;
+    var phi_2078_: u32;
+    var phi_1632_: u32;
+    var phi_1647_: u32;
+    var phi_1657_: u32;
+    var phi_1678_: u32;
+    var phi_1699_: u32;
+    var phi_1729_: u32;
+    var phi_1744_: u32;
+    var phi_1754_: u32;
+    var phi_1775_: u32;
+    var phi_1796_: u32;
+    var phi_1826_: u32;
+    var phi_1841_: u32;
+    var phi_1851_: u32;
+    var phi_1872_: u32;
+    var phi_1893_: u32;
+    var phi_1485_: u32;
+    var phi_1534_: u32;
+    var phi_1583_: u32;
+    var phi_2084_: array<array<f32, 3>, 3>;
+    var phi_4306_: bool;
+    var phi_4321_: bool;
+    var phi_4336_: bool;
+    var phi_4351_: bool;
+    var phi_4366_: bool;
+    var phi_4381_: bool;
+    var phi_2626_: f32;
+    var phi_2627_: f32;
+    var phi_2628_: f32;
+    var phi_2629_: f32;
+    var phi_2630_: vec3<f32>;
+    var phi_2631_: vec3<f32>;
+    var phi_2632_: vec3<f32>;
+    var phi_2633_: vec3<f32>;
+    var phi_4396_: bool;
+    var phi_4411_: bool;
+    var phi_4426_: bool;
+    var phi_4441_: bool;
+    var phi_4456_: bool;
+    var phi_4471_: bool;
+    var phi_2841_: f32;
+    var phi_2861_: type_40;
+    var phi_2862_: type_40;
+    var phi_2865_: type_40;
+    var phi_2866_: type_40;
+    var phi_2867_: bool;
+    var phi_2871_: type_40;
+    var phi_2880_: type_24;
+    var phi_2905_: bool;
+    var phi_2906_: bool;
+    var phi_2912_: type_37;
+    var phi_2913_: type_37;
+    var phi_2914_: type_37;
+    var phi_1321_: type_37;
+    var phi_4739_: bool;
+    var phi_5042_: bool;
+    var phi_2915_: type_37;
+    var phi_3417_: u32;
+    var phi_3423_: u32;
+    var phi_3677_: u32;
+    var phi_3678_: u32;
+    var phi_3688_: u32;
+    var phi_3690_: u32;
+    var phi_3691_: bool;
+    var phi_3711_: u32;
+    var phi_3712_: u32;
+    var phi_3716_: type_51;
+    var phi_4078_: type_50;
+    var phi_4154_: type_50;
+    var phi_4155_: u32;
+    var phi_4156_: type_50;
+    var phi_4158_: u32;
+    var phi_4159_: type_50;
+    var phi_4160_: bool;
+    var phi_4169_: type_50;
+    var phi_4174_: bool;
+    var phi_4176_: type_50;
+    var phi_4180_: bool;
+    var phi_4181_: u32;
+    var phi_4182_: type_50;
+    var phi_4192_: type_50;
+    var phi_4954_: bool;
+    var phi_4193_: type_37;
+    var phi_4194_: u32;
+    var phi_4195_: bool;
+    var phi_4196_: u32;
+    var phi_4197_: type_50;
+    var phi_4953_: bool;
+    var phi_4198_: type_37;
+    var phi_4199_: u32;
+    var phi_4200_: bool;
+    var phi_4201_: u32;
+    var phi_4202_: type_50;
+    var phi_4952_: bool;
+    var phi_1194_: type_37;
+    var phi_1197_: u32;
+    var phi_1199_: bool;
+    var phi_1201_: u32;
+    var phi_1203_: type_50;
+    var phi_4203_: bool;
+    var phi_4951_: bool;
     var local_10: type_37;
-    var phi_4324_: f32;
-    var phi_4326_: f32;
-    var phi_4327_: bool;
-    var phi_4328_: f32;
-    var phi_4329_: bool;
-    var phi_4550_: u32;
-    var phi_4568_: bool;
-    var phi_4571_: bool;
-    var phi_4584_: f32;
-    var phi_4585_: f32;
-    var phi_4590_: f32;
-    var phi_4591_: f32;
-    var phi_4592_: bool;
-    var phi_4600_: f32;
-    var phi_4344_: f32;
-    var phi_4345_: f32;
-    var phi_4357_: f32;
-    var phi_4362_: type_24;
+    var phi_4241_: f32;
+    var phi_4243_: f32;
+    var phi_4244_: bool;
+    var phi_4245_: f32;
+    var phi_4246_: bool;
+    var phi_4647_: u32;
+    var phi_4665_: bool;
+    var phi_4668_: bool;
+    var phi_4681_: f32;
+    var phi_4682_: f32;
+    var phi_4687_: f32;
+    var phi_4688_: f32;
+    var phi_4689_: bool;
+    var phi_4697_: f32;
+    var phi_4261_: f32;
+    var phi_4262_: f32;
+    var phi_4274_: f32;
+    var phi_4279_: type_24;
     var local_11: type_37;
 
     switch bitcast<i32>(0u) {
@@ -332,271 +326,241 @@ fn function_() {
                     if _e232 {
                         let _e235 = (bitcast<u32>(bitcast<f32>(_e207)) & 2147483647u);
                         if (_e235 >= 8388608u) {
-                            phi_484_ = (bitcast<i32>((_e235 >> bitcast<u32>(23i))) - 127i);
+                            phi_504_ = (bitcast<i32>((_e235 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_484_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e235)), 32u, (_e235 == 0u))));
+                            phi_504_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e235)), 32u, (_e235 == 0u))));
                         }
-                        let _e249 = phi_484_;
-                        phi_485_ = _e249;
+                        let _e249 = phi_504_;
+                        phi_505_ = _e249;
                     } else {
-                        phi_485_ = 0i;
+                        phi_505_ = 0i;
                     }
-                    let _e251 = phi_485_;
+                    let _e251 = phi_505_;
                     let _e252 = (_e168 == _e207);
                     if _e252 {
-                        phi_495_ = true;
+                        phi_515_ = true;
                     } else {
-                        phi_495_ = (_e175 == _e207);
+                        phi_515_ = (_e175 == _e207);
                     }
-                    let _e255 = phi_495_;
+                    let _e255 = phi_515_;
                     let _e256 = select(1u, 0u, _e252);
                     if _e255 {
                         let _e257 = (_e256 + 1u);
-                        phi_505_ = _e257;
-                        phi_506_ = _e257;
-                        phi_508_ = select(true, false, (_e257 == 2u));
+                        phi_525_ = _e257;
+                        phi_526_ = _e257;
+                        phi_528_ = select(true, false, (_e257 == 2u));
                     } else {
-                        phi_505_ = u32();
-                        phi_506_ = 0u;
-                        phi_508_ = true;
+                        phi_525_ = u32();
+                        phi_526_ = 0u;
+                        phi_528_ = true;
                     }
-                    let _e261 = phi_505_;
-                    let _e263 = phi_506_;
-                    let _e265 = phi_508_;
+                    let _e261 = phi_525_;
+                    let _e263 = phi_526_;
+                    let _e265 = phi_528_;
                     if _e265 {
-                        phi_513_ = (_e263 + 1u);
+                        phi_533_ = (_e263 + 1u);
                     } else {
-                        phi_513_ = 0u;
+                        phi_533_ = 0u;
                     }
-                    let _e269 = phi_513_;
+                    let _e269 = phi_533_;
                     let _e270 = select(_e261, _e263, _e265);
                     let _e271 = select(_e256, select(2u, _e256, _e255), _e265);
                     if (_e138 < -126i) {
-                        phi_526_ = -126i;
+                        phi_546_ = -126i;
                     } else {
-                        phi_526_ = select(_e138, 127i, (_e138 > 127i));
+                        phi_546_ = select(_e138, 127i, (_e138 > 127i));
                     }
-                    let _e276 = phi_526_;
+                    let _e276 = phi_546_;
                     let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
                     let _e287 = bitcast<f32>((bitcast<u32>(((_e138 - _e276) + 127i)) << bitcast<u32>(23i)));
                     let _e288 = -(_e251);
                     if (_e288 < -126i) {
-                        phi_546_ = -126i;
+                        phi_566_ = -126i;
                     } else {
-                        phi_546_ = select(_e288, 127i, (_e288 > 127i));
+                        phi_566_ = select(_e288, 127i, (_e288 > 127i));
                     }
-                    let _e293 = phi_546_;
+                    let _e293 = phi_566_;
                     let _e298 = bitcast<f32>((bitcast<u32>((_e293 + 127i)) << bitcast<u32>(23i)));
                     let _e304 = bitcast<f32>((bitcast<u32>(((_e288 - _e293) + 127i)) << bitcast<u32>(23i)));
                     let _e308 = global_4.member[_e156].member;
                     let _e309 = (_e270 == 0u);
                     if _e309 {
-                        phi_564_ = _e308[0];
+                        phi_584_ = _e308[0];
                     } else {
-                        phi_564_ = _e308[1];
+                        phi_584_ = _e308[1];
                     }
-                    let _e313 = phi_564_;
+                    let _e313 = phi_584_;
                     let _e314 = (_e270 == 2u);
                     if _e314 {
-                        phi_570_ = _e308[2];
+                        phi_590_ = _e308[2];
                     } else {
-                        phi_570_ = _e313;
+                        phi_590_ = _e313;
                     }
-                    let _e317 = phi_570_;
+                    let _e317 = phi_590_;
                     let _e318 = bitcast<u32>(_e317);
                     let _e320 = ((_e318 & 2139095040u) != 0u);
                     let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e281) * select(0.00000011920929f, 1f, _e320)) * _e287);
                     let _e335 = global_4.member[_e156].member_2;
                     if _e309 {
-                        phi_610_ = _e335[0];
+                        phi_630_ = _e335[0];
                     } else {
-                        phi_610_ = _e335[1];
+                        phi_630_ = _e335[1];
                     }
-                    let _e339 = phi_610_;
+                    let _e339 = phi_630_;
                     if _e314 {
-                        phi_616_ = _e335[2];
+                        phi_636_ = _e335[2];
                     } else {
-                        phi_616_ = _e339;
+                        phi_636_ = _e339;
                     }
-                    let _e342 = phi_616_;
+                    let _e342 = phi_636_;
                     let _e343 = bitcast<u32>(_e342);
                     let _e345 = ((_e343 & 2139095040u) != 0u);
                     let _e359 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e343 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e343 & 2147483648u))), _e342, _e345) * _e298) * select(0.00000011920929f, 1f, _e345)) * _e304);
-                    let _e363 = (bitcast<f32>((bitcast<u32>(_e359) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e363 {
-                        let _e367 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) * 0.00000011920929f);
-                        phi_668_ = select(0.00000000000011368684f, _e367, (_e367 > 0.00000000000011368684f));
+                    let _e363 = (bitcast<f32>((bitcast<u32>(_e359) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e366 = bitcast<f32>((bitcast<u32>(_e334) & 2147483647u));
+                    let _e367 = (_e366 * 0.00000011920929f);
+                    let _e370 = select(select(0.00000000000011368684f, _e367, (_e367 > 0.00000000000011368684f)), 0f, _e363);
+                    let _e371 = select(0f, _e359, _e363);
+                    let _e372 = (_e334 + _e370);
+                    let _e373 = (_e334 - _e370);
+                    let _e375 = select(38685626000000000000000000f, (1f / _e359), _e363);
+                    let _e376 = (_e269 == 0u);
+                    if _e376 {
+                        phi_709_ = _e308[0];
                     } else {
-                        phi_668_ = 0f;
+                        phi_709_ = _e308[1];
                     }
-                    let _e371 = phi_668_;
-                    let _e372 = (_e334 + _e371);
-                    let _e373 = (_e334 - _e371);
-                    let _e374 = select(_e359, 0f, _e363);
-                    if _e363 {
-                        phi_680_ = 38685626000000000000000000f;
+                    let _e380 = phi_709_;
+                    let _e381 = (_e269 == 2u);
+                    if _e381 {
+                        phi_715_ = _e308[2];
                     } else {
-                        phi_680_ = (1f / _e359);
+                        phi_715_ = _e380;
                     }
-                    let _e377 = phi_680_;
-                    let _e378 = (_e269 == 0u);
-                    if _e378 {
-                        phi_689_ = _e308[0];
+                    let _e384 = phi_715_;
+                    let _e385 = bitcast<u32>(_e384);
+                    let _e387 = ((_e385 & 2139095040u) != 0u);
+                    let _e401 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e385 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e385 & 2147483648u))), _e384, _e387) * _e281) * select(0.00000011920929f, 1f, _e387)) * _e287);
+                    if _e376 {
+                        phi_755_ = _e335[0];
                     } else {
-                        phi_689_ = _e308[1];
+                        phi_755_ = _e335[1];
                     }
-                    let _e382 = phi_689_;
-                    let _e383 = (_e269 == 2u);
-                    if _e383 {
-                        phi_695_ = _e308[2];
+                    let _e405 = phi_755_;
+                    if _e381 {
+                        phi_761_ = _e335[2];
                     } else {
-                        phi_695_ = _e382;
+                        phi_761_ = _e405;
                     }
-                    let _e386 = phi_695_;
-                    let _e387 = bitcast<u32>(_e386);
-                    let _e389 = ((_e387 & 2139095040u) != 0u);
-                    let _e403 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * _e281) * select(0.00000011920929f, 1f, _e389)) * _e287);
-                    if _e378 {
-                        phi_735_ = _e335[0];
+                    let _e408 = phi_761_;
+                    let _e409 = bitcast<u32>(_e408);
+                    let _e411 = ((_e409 & 2139095040u) != 0u);
+                    let _e425 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e409 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e409 & 2147483648u))), _e408, _e411) * _e298) * select(0.00000011920929f, 1f, _e411)) * _e304);
+                    let _e429 = (bitcast<f32>((bitcast<u32>(_e425) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e432 = bitcast<f32>((bitcast<u32>(_e401) & 2147483647u));
+                    let _e433 = (_e432 * 0.00000011920929f);
+                    let _e436 = select(select(0.00000000000011368684f, _e433, (_e433 > 0.00000000000011368684f)), 0f, _e429);
+                    let _e437 = select(0f, _e425, _e429);
+                    let _e438 = (_e401 + _e436);
+                    let _e439 = (_e401 - _e436);
+                    let _e441 = select(38685626000000000000000000f, (1f / _e425), _e429);
+                    let _e442 = (_e271 == 0u);
+                    if _e442 {
+                        phi_834_ = _e308[0];
                     } else {
-                        phi_735_ = _e335[1];
+                        phi_834_ = _e308[1];
                     }
-                    let _e407 = phi_735_;
-                    if _e383 {
-                        phi_741_ = _e335[2];
+                    let _e446 = phi_834_;
+                    let _e447 = (_e271 == 2u);
+                    if _e447 {
+                        phi_840_ = _e308[2];
                     } else {
-                        phi_741_ = _e407;
+                        phi_840_ = _e446;
                     }
-                    let _e410 = phi_741_;
-                    let _e411 = bitcast<u32>(_e410);
-                    let _e413 = ((_e411 & 2139095040u) != 0u);
-                    let _e427 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e411 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e411 & 2147483648u))), _e410, _e413) * _e298) * select(0.00000011920929f, 1f, _e413)) * _e304);
-                    let _e431 = (bitcast<f32>((bitcast<u32>(_e427) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e431 {
-                        let _e435 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) * 0.00000011920929f);
-                        phi_793_ = select(0.00000000000011368684f, _e435, (_e435 > 0.00000000000011368684f));
+                    let _e450 = phi_840_;
+                    let _e451 = bitcast<u32>(_e450);
+                    let _e453 = ((_e451 & 2139095040u) != 0u);
+                    let _e467 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e451 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e451 & 2147483648u))), _e450, _e453) * _e281) * select(0.00000011920929f, 1f, _e453)) * _e287);
+                    if _e442 {
+                        phi_880_ = _e335[0];
                     } else {
-                        phi_793_ = 0f;
+                        phi_880_ = _e335[1];
                     }
-                    let _e439 = phi_793_;
-                    let _e440 = (_e403 + _e439);
-                    let _e441 = (_e403 - _e439);
-                    let _e442 = select(_e427, 0f, _e431);
-                    if _e431 {
-                        phi_805_ = 38685626000000000000000000f;
+                    let _e471 = phi_880_;
+                    if _e447 {
+                        phi_886_ = _e335[2];
                     } else {
-                        phi_805_ = (1f / _e427);
+                        phi_886_ = _e471;
                     }
-                    let _e445 = phi_805_;
-                    let _e446 = (_e271 == 0u);
-                    if _e446 {
-                        phi_814_ = _e308[0];
-                    } else {
-                        phi_814_ = _e308[1];
-                    }
-                    let _e450 = phi_814_;
-                    let _e451 = (_e271 == 2u);
-                    if _e451 {
-                        phi_820_ = _e308[2];
-                    } else {
-                        phi_820_ = _e450;
-                    }
-                    let _e454 = phi_820_;
-                    let _e455 = bitcast<u32>(_e454);
-                    let _e457 = ((_e455 & 2139095040u) != 0u);
-                    let _e471 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e455 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e455 & 2147483648u))), _e454, _e457) * _e281) * select(0.00000011920929f, 1f, _e457)) * _e287);
-                    if _e446 {
-                        phi_860_ = _e335[0];
-                    } else {
-                        phi_860_ = _e335[1];
-                    }
-                    let _e475 = phi_860_;
-                    if _e451 {
-                        phi_866_ = _e335[2];
-                    } else {
-                        phi_866_ = _e475;
-                    }
-                    let _e478 = phi_866_;
-                    let _e479 = bitcast<u32>(_e478);
-                    let _e481 = ((_e479 & 2139095040u) != 0u);
-                    let _e495 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e479 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e479 & 2147483648u))), _e478, _e481) * _e298) * select(0.00000011920929f, 1f, _e481)) * _e304);
-                    let _e499 = (bitcast<f32>((bitcast<u32>(_e495) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e499 {
-                        let _e503 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) * 0.00000011920929f);
-                        phi_918_ = select(0.00000000000011368684f, _e503, (_e503 > 0.00000000000011368684f));
-                    } else {
-                        phi_918_ = 0f;
-                    }
-                    let _e507 = phi_918_;
-                    let _e508 = (_e471 + _e507);
-                    let _e509 = (_e471 - _e507);
-                    let _e510 = select(_e495, 0f, _e499);
-                    if _e499 {
-                        phi_930_ = 38685626000000000000000000f;
-                    } else {
-                        phi_930_ = (1f / _e495);
-                    }
-                    let _e513 = phi_930_;
-                    let _e516 = bitcast<f32>((bitcast<u32>(_e334) & 2147483647u));
-                    let _e519 = bitcast<f32>((bitcast<u32>(_e403) & 2147483647u));
-                    let _e521 = select(_e519, _e516, (_e516 > _e519));
-                    let _e524 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
-                    let _e527 = (_e138 + _e251);
-                    if (_e232 && (select(_e524, _e521, (_e521 > _e524)) <= 1099511600000f)) {
-                        let _e537 = ((_e219 & 8388607u) | (select(0u, 1u, ((_e219 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e540 = bitcast<i32>((_e219 >> bitcast<u32>(23i)));
-                        let _e544 = (_e537 == 0u);
-                        let _e547 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e537)), 32u, _e544)) - 8i);
-                        if (_e540 == 255i) {
-                            phi_985_ = 255i;
+                    let _e474 = phi_886_;
+                    let _e475 = bitcast<u32>(_e474);
+                    let _e477 = ((_e475 & 2139095040u) != 0u);
+                    let _e491 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e475 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e475 & 2147483648u))), _e474, _e477) * _e298) * select(0.00000011920929f, 1f, _e477)) * _e304);
+                    let _e495 = (bitcast<f32>((bitcast<u32>(_e491) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e498 = bitcast<f32>((bitcast<u32>(_e467) & 2147483647u));
+                    let _e499 = (_e498 * 0.00000011920929f);
+                    let _e502 = select(select(0.00000000000011368684f, _e499, (_e499 > 0.00000000000011368684f)), 0f, _e495);
+                    let _e503 = select(0f, _e491, _e495);
+                    let _e504 = (_e467 + _e502);
+                    let _e505 = (_e467 - _e502);
+                    let _e507 = select(38685626000000000000000000f, (1f / _e491), _e495);
+                    let _e509 = select(_e432, _e366, (_e366 > _e432));
+                    let _e512 = (_e138 + _e251);
+                    if (_e232 && (select(_e498, _e509, (_e509 > _e498)) <= 1099511600000f)) {
+                        let _e522 = ((_e219 & 8388607u) | (select(0u, 1u, ((_e219 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e525 = bitcast<i32>((_e219 >> bitcast<u32>(23i)));
+                        let _e529 = (_e522 == 0u);
+                        let _e532 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e522)), 32u, _e529)) - 8i);
+                        if (_e525 == 255i) {
+                            phi_1005_ = 255i;
                         } else {
-                            phi_985_ = (((_e540 + select(0i, 1i, (_e540 == 0i))) - _e547) + _e527);
+                            phi_1005_ = (((_e525 + select(0i, 1i, (_e525 == 0i))) - _e532) + _e512);
                         }
-                        let _e555 = phi_985_;
-                        let _e565 = (_e555 <= 0i);
-                        if _e565 {
-                            phi_1008_ = u32();
+                        let _e540 = phi_1005_;
+                        let _e550 = (_e540 <= 0i);
+                        if _e550 {
+                            phi_1028_ = u32();
                         } else {
-                            if _e544 {
-                                phi_1007_ = u32();
+                            if _e529 {
+                                phi_1027_ = u32();
                             } else {
-                                phi_1007_ = select(((bitcast<u32>(_e555) << bitcast<u32>(23i)) | ((_e537 << bitcast<u32>(((_e547 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e555 >= 255i));
+                                phi_1027_ = select(((bitcast<u32>(_e540) << bitcast<u32>(23i)) | ((_e522 << bitcast<u32>(((_e532 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e540 >= 255i));
                             }
-                            let _e569 = phi_1007_;
-                            phi_1008_ = _e569;
+                            let _e554 = phi_1027_;
+                            phi_1028_ = _e554;
                         }
-                        let _e571 = phi_1008_;
-                        let _e583 = ((_e228 & 8388607u) | (select(0u, 1u, ((_e228 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e586 = bitcast<i32>((_e228 >> bitcast<u32>(23i)));
-                        let _e590 = (_e583 == 0u);
-                        let _e593 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e583)), 32u, _e590)) - 8i);
-                        if (_e586 == 255i) {
-                            phi_1045_ = 255i;
+                        let _e556 = phi_1028_;
+                        let _e568 = ((_e228 & 8388607u) | (select(0u, 1u, ((_e228 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e571 = bitcast<i32>((_e228 >> bitcast<u32>(23i)));
+                        let _e575 = (_e568 == 0u);
+                        let _e578 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e568)), 32u, _e575)) - 8i);
+                        if (_e571 == 255i) {
+                            phi_1065_ = 255i;
                         } else {
-                            phi_1045_ = (((_e586 + select(0i, 1i, (_e586 == 0i))) - _e593) + _e527);
+                            phi_1065_ = (((_e571 + select(0i, 1i, (_e571 == 0i))) - _e578) + _e512);
                         }
-                        let _e601 = phi_1045_;
-                        let _e611 = (_e601 <= 0i);
-                        if _e611 {
-                            phi_1068_ = u32();
+                        let _e586 = phi_1065_;
+                        let _e596 = (_e586 <= 0i);
+                        if _e596 {
+                            phi_1088_ = u32();
                         } else {
-                            if _e590 {
-                                phi_1067_ = u32();
+                            if _e575 {
+                                phi_1087_ = u32();
                             } else {
-                                phi_1067_ = select(((bitcast<u32>(_e601) << bitcast<u32>(23i)) | ((_e583 << bitcast<u32>(((_e593 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e601 >= 255i));
+                                phi_1087_ = select(((bitcast<u32>(_e586) << bitcast<u32>(23i)) | ((_e568 << bitcast<u32>(((_e578 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e586 >= 255i));
                             }
-                            let _e615 = phi_1067_;
-                            phi_1068_ = _e615;
+                            let _e600 = phi_1087_;
+                            phi_1088_ = _e600;
                         }
-                        let _e617 = phi_1068_;
-                        phi_1076_ = bitcast<f32>(((_e227 & 2147483648u) | select(_e617, 0u, select(_e590, true, _e611))));
-                        phi_1077_ = bitcast<f32>(((_e218 & 2147483648u) | select(_e571, 0u, select(_e544, true, _e565))));
+                        let _e602 = phi_1088_;
+                        phi_1096_ = bitcast<f32>(((_e227 & 2147483648u) | select(_e602, 0u, select(_e575, true, _e596))));
+                        phi_1097_ = bitcast<f32>(((_e218 & 2147483648u) | select(_e556, 0u, select(_e529, true, _e550))));
                     } else {
-                        phi_1076_ = 0f;
-                        phi_1077_ = 1f;
+                        phi_1096_ = 0f;
+                        phi_1097_ = 1f;
                     }
-                    let _e623 = phi_1076_;
-                    let _e625 = phi_1077_;
+                    let _e608 = phi_1096_;
+                    let _e610 = phi_1097_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -605,1414 +569,1391 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e629 = (_e270 % 3u);
-                    let _e630 = (_e629 < 3u);
-                    if _e630 {
+                    let _e614 = (_e270 % 3u);
+                    let _e615 = (_e614 < 3u);
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e632 = local_1[_e629];
-                    let _e635 = (_e269 % 3u);
-                    let _e636 = (_e635 < 3u);
-                    if _e636 {
+                    let _e617 = local_1[_e614];
+                    let _e620 = (_e269 % 3u);
+                    let _e621 = (_e620 < 3u);
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e638 = local_1[_e635];
-                    let _e641 = (_e271 % 3u);
-                    let _e642 = (_e641 < 3u);
-                    if _e642 {
+                    let _e623 = local_1[_e620];
+                    let _e626 = (_e271 % 3u);
+                    let _e627 = (_e626 < 3u);
+                    if _e627 {
                     } else {
                         break;
                     }
-                    let _e644 = local_1[_e641];
-                    if _e630 {
+                    let _e629 = local_1[_e626];
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e649 = local[_e629];
-                    if _e636 {
+                    let _e634 = local[_e614];
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e653 = local[_e635];
-                    if _e642 {
+                    let _e638 = local[_e620];
+                    if _e627 {
                     } else {
                         break;
                     }
-                    let _e657 = local[_e641];
-                    phi_4648_ = false;
-                    phi_1173_ = type_37(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e623);
-                    phi_1176_ = ((3u * _e99) + 1u);
-                    phi_1178_ = (_e625 <= _e623);
-                    phi_1180_ = 0u;
-                    phi_1182_ = type_49(type_32(vec4<f32>((f32(_e632) * _e150), (f32(_e638) * _e150), (f32(_e644) * _e150), 0f), vec4<f32>((f32(_e649) * _e150), (f32(_e653) * _e150), (f32(_e657) * _e150), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
+                    let _e642 = local[_e626];
+                    phi_4745_ = false;
+                    phi_1193_ = type_37(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e608);
+                    phi_1196_ = ((3u * _e99) + 1u);
+                    phi_1198_ = (_e610 <= _e608);
+                    phi_1200_ = 0u;
+                    phi_1202_ = type_50(type_32(vec4<f32>((f32(_e617) * _e150), (f32(_e623) * _e150), (f32(_e629) * _e150), 0f), vec4<f32>((f32(_e634) * _e150), (f32(_e638) * _e150), (f32(_e642) * _e150), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
                     loop {
-                        let _e667 = phi_4648_;
-                        let _e669 = phi_1173_;
-                        let _e671 = phi_1176_;
-                        let _e673 = phi_1178_;
-                        let _e675 = phi_1180_;
-                        let _e677 = phi_1182_;
-                        local_10 = _e669;
-                        if _e673 {
-                            phi_1193_ = true;
+                        let _e652 = phi_4745_;
+                        let _e654 = phi_1193_;
+                        let _e656 = phi_1196_;
+                        let _e658 = phi_1198_;
+                        let _e660 = phi_1200_;
+                        let _e662 = phi_1202_;
+                        local_10 = _e654;
+                        if _e658 {
+                            phi_1213_ = true;
                         } else {
-                            phi_1193_ = (_e675 > 0u);
+                            phi_1213_ = (_e660 > 0u);
                         }
-                        let _e680 = phi_1193_;
-                        if _e680 {
-                            let _e681 = (_e671 > 0u);
-                            if _e681 {
-                                if _e673 {
-                                    phi_1279_ = _e673;
-                                    phi_1280_ = _e675;
-                                    phi_1281_ = _e677;
+                        let _e665 = phi_1213_;
+                        if _e665 {
+                            let _e666 = (_e656 > 0u);
+                            if _e666 {
+                                if _e658 {
+                                    phi_1299_ = _e658;
+                                    phi_1300_ = _e660;
+                                    phi_1301_ = _e662;
                                 } else {
-                                    let _e682 = (_e675 - 1u);
-                                    let _e683 = (_e682 % 128u);
-                                    let _e684 = (_e683 < 128u);
-                                    if _e684 {
+                                    let _e667 = (_e660 - 1u);
+                                    let _e668 = (_e667 % 128u);
+                                    let _e669 = (_e668 < 128u);
+                                    if _e669 {
                                     } else {
-                                        phi_4849_ = true;
+                                        phi_4951_ = true;
                                         break;
                                     }
-                                    let _e686 = local_7[_e683];
-                                    if _e684 {
+                                    let _e671 = local_7[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_4849_ = true;
+                                        phi_4951_ = true;
                                         break;
                                     }
-                                    let _e688 = local_6[_e683];
-                                    if _e684 {
+                                    let _e673 = local_6[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_4849_ = true;
+                                        phi_4951_ = true;
                                         break;
                                     }
-                                    let _e690 = local_5[_e683];
-                                    if _e684 {
+                                    let _e675 = local_5[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_4849_ = true;
+                                        phi_4951_ = true;
                                         break;
                                     }
-                                    let _e692 = local_4[_e683];
-                                    if _e684 {
+                                    let _e677 = local_4[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_4849_ = true;
+                                        phi_4951_ = true;
                                         break;
                                     }
-                                    let _e694 = local_3[_e683];
-                                    if _e684 {
+                                    let _e679 = local_3[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_4849_ = true;
+                                        phi_4951_ = true;
                                         break;
                                     }
-                                    let _e696 = local_2[_e683];
-                                    if _e684 {
+                                    let _e681 = local_2[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_4849_ = true;
+                                        phi_4951_ = true;
                                         break;
                                     }
-                                    let _e701 = local_8[_e683];
-                                    if _e684 {
+                                    let _e686 = local_8[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_4849_ = true;
+                                        phi_4951_ = true;
                                         break;
                                     }
-                                    let _e704 = local_9[_e683];
-                                    phi_1279_ = (_e704 <= _e669.member_1);
-                                    phi_1280_ = _e682;
-                                    phi_1281_ = type_49(type_32(vec4<f32>(_e686, _e688, _e690, 0f), vec4<f32>(_e692, _e694, _e696, 0f)), _e701);
+                                    let _e689 = local_9[_e668];
+                                    phi_1299_ = (_e689 <= _e654.member_1);
+                                    phi_1300_ = _e667;
+                                    phi_1301_ = type_50(type_32(vec4<f32>(_e671, _e673, _e675, 0f), vec4<f32>(_e677, _e679, _e681, 0f)), _e686);
                                 }
-                                let _e708 = phi_1279_;
-                                let _e710 = phi_1280_;
-                                let _e712 = phi_1281_;
-                                if _e708 {
-                                    let _e716 = ((_e712.member_1 & 2147483648u) != 0u);
-                                    let _e717 = (_e712.member_1 & 268435455u);
-                                    if _e716 {
-                                        phi_1300_ = _e669;
-                                        phi_1303_ = type_8(0u, ((_e712.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e693 = phi_1299_;
+                                let _e695 = phi_1300_;
+                                let _e697 = phi_1301_;
+                                if _e693 {
+                                    let _e701 = ((_e697.member_1 & 2147483648u) != 0u);
+                                    let _e702 = (_e697.member_1 & 268435455u);
+                                    if _e701 {
+                                        phi_1320_ = _e654;
+                                        phi_1323_ = type_8(0u, ((_e697.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e724 = phi_1300_;
-                                            let _e726 = phi_1303_;
-                                            local_11 = _e724;
-                                            if (_e726.member < _e726.member_1) {
-                                                phi_1304_ = type_8((_e726.member + 1u), _e726.member_1);
-                                                phi_1326_ = type_8(1u, _e726.member);
+                                            let _e709 = phi_1320_;
+                                            let _e711 = phi_1323_;
+                                            local_11 = _e709;
+                                            if (_e711.member < _e711.member_1) {
+                                                phi_1324_ = type_8((_e711.member + 1u), _e711.member_1);
+                                                phi_1346_ = type_8(1u, _e711.member);
                                             } else {
-                                                phi_1304_ = _e726;
-                                                phi_1326_ = type_8(0u, type_8().member_1);
+                                                phi_1324_ = _e711;
+                                                phi_1346_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e739 = phi_1304_;
-                                            let _e741 = phi_1326_;
-                                            let _e745 = (bitcast<i32>(_e741.member) != 0i);
-                                            if _e745 {
-                                                let _e750 = (_e712.member.member_1.x - _e712.member.member.x);
-                                                let _e753 = (_e712.member.member_1.y - _e712.member.member.y);
-                                                let _e756 = (_e712.member.member_1.z - _e712.member.member.z);
-                                                let _e758 = select(_e753, _e750, (_e750 > _e753));
-                                                let _e760 = select(_e756, _e758, (_e758 > _e756));
-                                                let _e762 = (_e760 < (1024f * _e150));
-                                                if _e762 {
-                                                    phi_1367_ = 0u;
+                                            let _e724 = phi_1324_;
+                                            let _e726 = phi_1346_;
+                                            let _e730 = (bitcast<i32>(_e726.member) != 0i);
+                                            if _e730 {
+                                                let _e735 = (_e697.member.member_1.x - _e697.member.member.x);
+                                                let _e738 = (_e697.member.member_1.y - _e697.member.member.y);
+                                                let _e741 = (_e697.member.member_1.z - _e697.member.member.z);
+                                                let _e743 = select(_e738, _e735, (_e735 > _e738));
+                                                let _e745 = select(_e741, _e743, (_e743 > _e741));
+                                                let _e747 = (_e745 < (1024f * _e150));
+                                                if _e747 {
+                                                    phi_1387_ = 0u;
                                                 } else {
-                                                    phi_1367_ = select(2u, 1u, (_e760 < (2097152f * _e150)));
+                                                    phi_1387_ = select(2u, 1u, (_e745 < (2097152f * _e150)));
                                                 }
-                                                let _e767 = phi_1367_;
-                                                switch bitcast<i32>(_e767) {
+                                                let _e752 = phi_1387_;
+                                                switch bitcast<i32>(_e752) {
                                                     case 0: {
-                                                        phi_1373_ = 1u;
+                                                        phi_1393_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1373_ = 2u;
+                                                        phi_1393_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1373_ = 3u;
+                                                        phi_1393_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1373_ = u32();
+                                                        phi_1393_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e770 = phi_1373_;
-                                                switch bitcast<i32>(_e767) {
+                                                let _e755 = phi_1393_;
+                                                switch bitcast<i32>(_e752) {
                                                     case 0: {
-                                                        phi_1383_ = 1u;
+                                                        phi_1403_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1383_ = 2u;
+                                                        phi_1403_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1383_ = 3u;
+                                                        phi_1403_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1383_ = u32();
+                                                        phi_1403_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e777 = phi_1383_;
-                                                let _e779 = ((_e717 + (_e741.member_1 * ((3u * _e770) + 1u))) + (3u * _e777));
-                                                let _e780 = (_e779 < _e102);
-                                                if _e780 {
-                                                    if _e780 {
+                                                let _e762 = phi_1403_;
+                                                let _e764 = ((_e702 + (_e726.member_1 * ((3u * _e755) + 1u))) + (3u * _e762));
+                                                let _e765 = (_e764 < _e102);
+                                                if _e765 {
+                                                    if _e765 {
                                                     } else {
-                                                        phi_4642_ = true;
+                                                        phi_4739_ = true;
                                                         break;
                                                     }
-                                                    let _e782 = global_5.member[_e779];
-                                                    phi_1399_ = _e782;
+                                                    let _e767 = global_5.member[_e764];
+                                                    phi_1419_ = _e767;
                                                 } else {
-                                                    phi_1399_ = 4294967295u;
+                                                    phi_1419_ = 4294967295u;
                                                 }
-                                                let _e784 = phi_1399_;
-                                                if _e762 {
-                                                    phi_1432_ = 0u;
+                                                let _e769 = phi_1419_;
+                                                if _e747 {
+                                                    phi_1452_ = 0u;
                                                 } else {
-                                                    phi_1432_ = select(2u, 1u, (_e760 < (2097152f * _e150)));
+                                                    phi_1452_ = select(2u, 1u, (_e745 < (2097152f * _e150)));
                                                 }
-                                                let _e789 = phi_1432_;
-                                                switch bitcast<i32>(_e789) {
+                                                let _e774 = phi_1452_;
+                                                switch bitcast<i32>(_e774) {
                                                     case 0: {
-                                                        phi_1438_ = 1u;
+                                                        phi_1458_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1438_ = 2u;
+                                                        phi_1458_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1438_ = 3u;
+                                                        phi_1458_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1438_ = u32();
+                                                        phi_1458_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e792 = phi_1438_;
-                                                let _e796 = (_e717 + (_e741.member_1 * ((3u * _e792) + 1u)));
-                                                switch bitcast<i32>(_e789) {
+                                                let _e777 = phi_1458_;
+                                                let _e781 = (_e702 + (_e726.member_1 * ((3u * _e777) + 1u)));
+                                                switch bitcast<i32>(_e774) {
                                                     case 0: {
-                                                        let _e1071 = (_e796 < _e102);
-                                                        if _e1071 {
-                                                            if _e1071 {
+                                                        let _e1056 = (_e781 < _e102);
+                                                        if _e1056 {
+                                                            if _e1056 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e1073 = global_5.member[_e796];
-                                                            phi_1465_ = _e1073;
+                                                            let _e1058 = global_5.member[_e781];
+                                                            phi_1485_ = _e1058;
                                                         } else {
-                                                            phi_1465_ = 0u;
+                                                            phi_1485_ = 0u;
                                                         }
-                                                        let _e1075 = phi_1465_;
-                                                        let _e1077 = ((10u * _e270) & 31u);
-                                                        let _e1087 = ((10u * _e269) & 31u);
-                                                        let _e1097 = ((10u * _e271) & 31u);
-                                                        let _e1107 = (_e796 + 1u);
-                                                        let _e1108 = (_e1107 < _e102);
-                                                        if _e1108 {
-                                                            if _e1108 {
+                                                        let _e1060 = phi_1485_;
+                                                        let _e1062 = ((10u * _e270) & 31u);
+                                                        let _e1072 = ((10u * _e269) & 31u);
+                                                        let _e1082 = ((10u * _e271) & 31u);
+                                                        let _e1092 = (_e781 + 1u);
+                                                        let _e1093 = (_e1092 < _e102);
+                                                        if _e1093 {
+                                                            if _e1093 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e1110 = global_5.member[_e1107];
-                                                            phi_1514_ = _e1110;
+                                                            let _e1095 = global_5.member[_e1092];
+                                                            phi_1534_ = _e1095;
                                                         } else {
-                                                            phi_1514_ = 0u;
+                                                            phi_1534_ = 0u;
                                                         }
-                                                        let _e1112 = phi_1514_;
-                                                        let _e1138 = (_e796 + 2u);
-                                                        let _e1139 = (_e1138 < _e102);
-                                                        if _e1139 {
-                                                            if _e1139 {
+                                                        let _e1097 = phi_1534_;
+                                                        let _e1123 = (_e781 + 2u);
+                                                        let _e1124 = (_e1123 < _e102);
+                                                        if _e1124 {
+                                                            if _e1124 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e1141 = global_5.member[_e1138];
-                                                            phi_1563_ = _e1141;
+                                                            let _e1126 = global_5.member[_e1123];
+                                                            phi_1583_ = _e1126;
                                                         } else {
-                                                            phi_1563_ = 0u;
+                                                            phi_1583_ = 0u;
                                                         }
-                                                        let _e1143 = phi_1563_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))));
+                                                        let _e1128 = phi_1583_;
+                                                        phi_2084_ = array<array<f32, 3>, 3>(array<f32, 3>((_e697.member.member.x + ((bitcast<f32>((1258291200u | ((_e1060 >> bitcast<u32>(_e1062)) & 1023u))) - 8388608f) * _e150)), (_e697.member.member.y + ((bitcast<f32>((1258291200u | ((_e1060 >> bitcast<u32>(_e1072)) & 1023u))) - 8388608f) * _e150)), (_e697.member.member.z + ((bitcast<f32>((1258291200u | ((_e1060 >> bitcast<u32>(_e1082)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e697.member.member.x + ((bitcast<f32>((1258291200u | ((_e1097 >> bitcast<u32>(_e1062)) & 1023u))) - 8388608f) * _e150)), (_e697.member.member.y + ((bitcast<f32>((1258291200u | ((_e1097 >> bitcast<u32>(_e1072)) & 1023u))) - 8388608f) * _e150)), (_e697.member.member.z + ((bitcast<f32>((1258291200u | ((_e1097 >> bitcast<u32>(_e1082)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e697.member.member.x + ((bitcast<f32>((1258291200u | ((_e1128 >> bitcast<u32>(_e1062)) & 1023u))) - 8388608f) * _e150)), (_e697.member.member.y + ((bitcast<f32>((1258291200u | ((_e1128 >> bitcast<u32>(_e1072)) & 1023u))) - 8388608f) * _e150)), (_e697.member.member.z + ((bitcast<f32>((1258291200u | ((_e1128 >> bitcast<u32>(_e1082)) & 1023u))) - 8388608f) * _e150))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e885 = (_e796 < _e102);
-                                                        if _e885 {
-                                                            if _e885 {
+                                                        let _e870 = (_e781 < _e102);
+                                                        if _e870 {
+                                                            if _e870 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e887 = global_5.member[_e796];
-                                                            phi_1612_ = _e887;
+                                                            let _e872 = global_5.member[_e781];
+                                                            phi_1632_ = _e872;
                                                         } else {
-                                                            phi_1612_ = 0u;
+                                                            phi_1632_ = 0u;
                                                         }
-                                                        let _e889 = phi_1612_;
-                                                        let _e890 = (_e796 + 1u);
-                                                        let _e891 = (_e890 < _e102);
-                                                        if _e891 {
-                                                            if _e891 {
+                                                        let _e874 = phi_1632_;
+                                                        let _e875 = (_e781 + 1u);
+                                                        let _e876 = (_e875 < _e102);
+                                                        if _e876 {
+                                                            if _e876 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e893 = global_5.member[_e890];
-                                                            phi_1627_ = _e893;
+                                                            let _e878 = global_5.member[_e875];
+                                                            phi_1647_ = _e878;
                                                         } else {
-                                                            phi_1627_ = 0u;
+                                                            phi_1647_ = 0u;
                                                         }
-                                                        let _e895 = phi_1627_;
-                                                        let _e896 = (_e270 == 1u);
-                                                        if _e896 {
-                                                            phi_1637_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
+                                                        let _e880 = phi_1647_;
+                                                        let _e881 = (_e270 == 1u);
+                                                        if _e881 {
+                                                            phi_1657_ = ((_e874 >> bitcast<u32>(21i)) | (_e880 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1637_ = (_e895 >> bitcast<u32>(10i));
+                                                            phi_1657_ = (_e880 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e905 = phi_1637_;
-                                                        let _e913 = (_e269 == 1u);
-                                                        if _e913 {
-                                                            phi_1658_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
+                                                        let _e890 = phi_1657_;
+                                                        let _e898 = (_e269 == 1u);
+                                                        if _e898 {
+                                                            phi_1678_ = ((_e874 >> bitcast<u32>(21i)) | (_e880 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1658_ = (_e895 >> bitcast<u32>(10i));
+                                                            phi_1678_ = (_e880 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e922 = phi_1658_;
-                                                        let _e930 = (_e271 == 1u);
-                                                        if _e930 {
-                                                            phi_1679_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
+                                                        let _e907 = phi_1678_;
+                                                        let _e915 = (_e271 == 1u);
+                                                        if _e915 {
+                                                            phi_1699_ = ((_e874 >> bitcast<u32>(21i)) | (_e880 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1679_ = (_e895 >> bitcast<u32>(10i));
+                                                            phi_1699_ = (_e880 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e939 = phi_1679_;
-                                                        let _e948 = (_e796 + 2u);
-                                                        let _e949 = (_e948 < _e102);
-                                                        if _e949 {
-                                                            if _e949 {
+                                                        let _e924 = phi_1699_;
+                                                        let _e933 = (_e781 + 2u);
+                                                        let _e934 = (_e933 < _e102);
+                                                        if _e934 {
+                                                            if _e934 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e951 = global_5.member[_e948];
-                                                            phi_1709_ = _e951;
+                                                            let _e936 = global_5.member[_e933];
+                                                            phi_1729_ = _e936;
                                                         } else {
-                                                            phi_1709_ = 0u;
+                                                            phi_1729_ = 0u;
                                                         }
-                                                        let _e953 = phi_1709_;
-                                                        let _e954 = (_e796 + 3u);
-                                                        let _e955 = (_e954 < _e102);
-                                                        if _e955 {
-                                                            if _e955 {
+                                                        let _e938 = phi_1729_;
+                                                        let _e939 = (_e781 + 3u);
+                                                        let _e940 = (_e939 < _e102);
+                                                        if _e940 {
+                                                            if _e940 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e957 = global_5.member[_e954];
-                                                            phi_1724_ = _e957;
+                                                            let _e942 = global_5.member[_e939];
+                                                            phi_1744_ = _e942;
                                                         } else {
-                                                            phi_1724_ = 0u;
+                                                            phi_1744_ = 0u;
                                                         }
-                                                        let _e959 = phi_1724_;
-                                                        if _e896 {
-                                                            phi_1734_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
+                                                        let _e944 = phi_1744_;
+                                                        if _e881 {
+                                                            phi_1754_ = ((_e938 >> bitcast<u32>(21i)) | (_e944 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1734_ = (_e959 >> bitcast<u32>(10i));
+                                                            phi_1754_ = (_e944 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e968 = phi_1734_;
-                                                        if _e913 {
-                                                            phi_1755_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
+                                                        let _e953 = phi_1754_;
+                                                        if _e898 {
+                                                            phi_1775_ = ((_e938 >> bitcast<u32>(21i)) | (_e944 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1755_ = (_e959 >> bitcast<u32>(10i));
+                                                            phi_1775_ = (_e944 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e984 = phi_1755_;
-                                                        if _e930 {
-                                                            phi_1776_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
+                                                        let _e969 = phi_1775_;
+                                                        if _e915 {
+                                                            phi_1796_ = ((_e938 >> bitcast<u32>(21i)) | (_e944 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1776_ = (_e959 >> bitcast<u32>(10i));
+                                                            phi_1796_ = (_e944 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1000 = phi_1776_;
-                                                        let _e1009 = (_e796 + 4u);
-                                                        let _e1010 = (_e1009 < _e102);
-                                                        if _e1010 {
-                                                            if _e1010 {
+                                                        let _e985 = phi_1796_;
+                                                        let _e994 = (_e781 + 4u);
+                                                        let _e995 = (_e994 < _e102);
+                                                        if _e995 {
+                                                            if _e995 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e1012 = global_5.member[_e1009];
-                                                            phi_1806_ = _e1012;
+                                                            let _e997 = global_5.member[_e994];
+                                                            phi_1826_ = _e997;
                                                         } else {
-                                                            phi_1806_ = 0u;
+                                                            phi_1826_ = 0u;
                                                         }
-                                                        let _e1014 = phi_1806_;
-                                                        let _e1015 = (_e796 + 5u);
-                                                        let _e1016 = (_e1015 < _e102);
-                                                        if _e1016 {
-                                                            if _e1016 {
+                                                        let _e999 = phi_1826_;
+                                                        let _e1000 = (_e781 + 5u);
+                                                        let _e1001 = (_e1000 < _e102);
+                                                        if _e1001 {
+                                                            if _e1001 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e1018 = global_5.member[_e1015];
-                                                            phi_1821_ = _e1018;
+                                                            let _e1003 = global_5.member[_e1000];
+                                                            phi_1841_ = _e1003;
                                                         } else {
-                                                            phi_1821_ = 0u;
+                                                            phi_1841_ = 0u;
                                                         }
-                                                        let _e1020 = phi_1821_;
-                                                        if _e896 {
-                                                            phi_1831_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
+                                                        let _e1005 = phi_1841_;
+                                                        if _e881 {
+                                                            phi_1851_ = ((_e999 >> bitcast<u32>(21i)) | (_e1005 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1831_ = (_e1020 >> bitcast<u32>(10i));
+                                                            phi_1851_ = (_e1005 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1029 = phi_1831_;
-                                                        if _e913 {
-                                                            phi_1852_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
+                                                        let _e1014 = phi_1851_;
+                                                        if _e898 {
+                                                            phi_1872_ = ((_e999 >> bitcast<u32>(21i)) | (_e1005 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1852_ = (_e1020 >> bitcast<u32>(10i));
+                                                            phi_1872_ = (_e1005 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1045 = phi_1852_;
-                                                        if _e930 {
-                                                            phi_1873_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
+                                                        let _e1030 = phi_1872_;
+                                                        if _e915 {
+                                                            phi_1893_ = ((_e999 >> bitcast<u32>(21i)) | (_e1005 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1873_ = (_e1020 >> bitcast<u32>(10i));
+                                                            phi_1893_ = (_e1005 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1061 = phi_1873_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e905, _e889, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e922, _e889, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e939, _e889, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e968, _e953, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e984, _e953, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1000, _e953, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e712.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1029, _e1014, _e309) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1045, _e1014, _e378) & 2097151u))) - 8388608f) * _e150)), (_e712.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1061, _e1014, _e446) & 2097151u))) - 8388608f) * _e150))));
+                                                        let _e1046 = phi_1893_;
+                                                        phi_2084_ = array<array<f32, 3>, 3>(array<f32, 3>((_e697.member.member.x + ((bitcast<f32>((1258291200u | (select(_e890, _e874, _e309) & 2097151u))) - 8388608f) * _e150)), (_e697.member.member.y + ((bitcast<f32>((1258291200u | (select(_e907, _e874, _e376) & 2097151u))) - 8388608f) * _e150)), (_e697.member.member.z + ((bitcast<f32>((1258291200u | (select(_e924, _e874, _e442) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e697.member.member.x + ((bitcast<f32>((1258291200u | (select(_e953, _e938, _e309) & 2097151u))) - 8388608f) * _e150)), (_e697.member.member.y + ((bitcast<f32>((1258291200u | (select(_e969, _e938, _e376) & 2097151u))) - 8388608f) * _e150)), (_e697.member.member.z + ((bitcast<f32>((1258291200u | (select(_e985, _e938, _e442) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e697.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1014, _e999, _e309) & 2097151u))) - 8388608f) * _e150)), (_e697.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1030, _e999, _e376) & 2097151u))) - 8388608f) * _e150)), (_e697.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1046, _e999, _e442) & 2097151u))) - 8388608f) * _e150))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e798 = (_e796 + _e270);
-                                                        let _e799 = (_e798 < _e102);
-                                                        if _e799 {
-                                                            if _e799 {
+                                                        let _e783 = (_e781 + _e270);
+                                                        let _e784 = (_e783 < _e102);
+                                                        if _e784 {
+                                                            if _e784 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e801 = global_5.member[_e798];
-                                                            phi_1904_ = _e801;
+                                                            let _e786 = global_5.member[_e783];
+                                                            phi_1924_ = _e786;
                                                         } else {
-                                                            phi_1904_ = 0u;
+                                                            phi_1924_ = 0u;
                                                         }
-                                                        let _e803 = phi_1904_;
-                                                        let _e807 = (_e796 + _e269);
-                                                        let _e808 = (_e807 < _e102);
-                                                        if _e808 {
-                                                            if _e808 {
+                                                        let _e788 = phi_1924_;
+                                                        let _e792 = (_e781 + _e269);
+                                                        let _e793 = (_e792 < _e102);
+                                                        if _e793 {
+                                                            if _e793 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e810 = global_5.member[_e807];
-                                                            phi_1922_ = _e810;
+                                                            let _e795 = global_5.member[_e792];
+                                                            phi_1942_ = _e795;
                                                         } else {
-                                                            phi_1922_ = 0u;
+                                                            phi_1942_ = 0u;
                                                         }
-                                                        let _e812 = phi_1922_;
-                                                        let _e816 = (_e796 + _e271);
-                                                        let _e817 = (_e816 < _e102);
-                                                        if _e817 {
-                                                            if _e817 {
+                                                        let _e797 = phi_1942_;
+                                                        let _e801 = (_e781 + _e271);
+                                                        let _e802 = (_e801 < _e102);
+                                                        if _e802 {
+                                                            if _e802 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e819 = global_5.member[_e816];
-                                                            phi_1940_ = _e819;
+                                                            let _e804 = global_5.member[_e801];
+                                                            phi_1960_ = _e804;
                                                         } else {
-                                                            phi_1940_ = 0u;
+                                                            phi_1960_ = 0u;
                                                         }
-                                                        let _e821 = phi_1940_;
-                                                        let _e826 = (_e796 + 3u);
-                                                        let _e827 = (_e826 + _e270);
-                                                        let _e828 = (_e827 < _e102);
-                                                        if _e828 {
-                                                            if _e828 {
+                                                        let _e806 = phi_1960_;
+                                                        let _e811 = (_e781 + 3u);
+                                                        let _e812 = (_e811 + _e270);
+                                                        let _e813 = (_e812 < _e102);
+                                                        if _e813 {
+                                                            if _e813 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e830 = global_5.member[_e827];
-                                                            phi_1963_ = _e830;
+                                                            let _e815 = global_5.member[_e812];
+                                                            phi_1983_ = _e815;
                                                         } else {
-                                                            phi_1963_ = 0u;
+                                                            phi_1983_ = 0u;
                                                         }
-                                                        let _e832 = phi_1963_;
-                                                        let _e836 = (_e826 + _e269);
-                                                        let _e837 = (_e836 < _e102);
-                                                        if _e837 {
-                                                            if _e837 {
+                                                        let _e817 = phi_1983_;
+                                                        let _e821 = (_e811 + _e269);
+                                                        let _e822 = (_e821 < _e102);
+                                                        if _e822 {
+                                                            if _e822 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e839 = global_5.member[_e836];
-                                                            phi_1981_ = _e839;
+                                                            let _e824 = global_5.member[_e821];
+                                                            phi_2001_ = _e824;
                                                         } else {
-                                                            phi_1981_ = 0u;
+                                                            phi_2001_ = 0u;
                                                         }
-                                                        let _e841 = phi_1981_;
-                                                        let _e845 = (_e826 + _e271);
-                                                        let _e846 = (_e845 < _e102);
-                                                        if _e846 {
-                                                            if _e846 {
+                                                        let _e826 = phi_2001_;
+                                                        let _e830 = (_e811 + _e271);
+                                                        let _e831 = (_e830 < _e102);
+                                                        if _e831 {
+                                                            if _e831 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e848 = global_5.member[_e845];
-                                                            phi_1999_ = _e848;
+                                                            let _e833 = global_5.member[_e830];
+                                                            phi_2019_ = _e833;
                                                         } else {
-                                                            phi_1999_ = 0u;
+                                                            phi_2019_ = 0u;
                                                         }
-                                                        let _e850 = phi_1999_;
-                                                        let _e855 = (_e796 + 6u);
-                                                        let _e856 = (_e855 + _e270);
-                                                        let _e857 = (_e856 < _e102);
-                                                        if _e857 {
-                                                            if _e857 {
+                                                        let _e835 = phi_2019_;
+                                                        let _e840 = (_e781 + 6u);
+                                                        let _e841 = (_e840 + _e270);
+                                                        let _e842 = (_e841 < _e102);
+                                                        if _e842 {
+                                                            if _e842 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e859 = global_5.member[_e856];
-                                                            phi_2022_ = _e859;
+                                                            let _e844 = global_5.member[_e841];
+                                                            phi_2042_ = _e844;
                                                         } else {
-                                                            phi_2022_ = 0u;
+                                                            phi_2042_ = 0u;
                                                         }
-                                                        let _e861 = phi_2022_;
-                                                        let _e865 = (_e855 + _e269);
-                                                        let _e866 = (_e865 < _e102);
-                                                        if _e866 {
-                                                            if _e866 {
+                                                        let _e846 = phi_2042_;
+                                                        let _e850 = (_e840 + _e269);
+                                                        let _e851 = (_e850 < _e102);
+                                                        if _e851 {
+                                                            if _e851 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e868 = global_5.member[_e865];
-                                                            phi_2040_ = _e868;
+                                                            let _e853 = global_5.member[_e850];
+                                                            phi_2060_ = _e853;
                                                         } else {
-                                                            phi_2040_ = 0u;
+                                                            phi_2060_ = 0u;
                                                         }
-                                                        let _e870 = phi_2040_;
-                                                        let _e874 = (_e855 + _e271);
-                                                        let _e875 = (_e874 < _e102);
-                                                        if _e875 {
-                                                            if _e875 {
+                                                        let _e855 = phi_2060_;
+                                                        let _e859 = (_e840 + _e271);
+                                                        let _e860 = (_e859 < _e102);
+                                                        if _e860 {
+                                                            if _e860 {
                                                             } else {
-                                                                phi_4642_ = true;
+                                                                phi_4739_ = true;
                                                                 break;
                                                             }
-                                                            let _e877 = global_5.member[_e874];
-                                                            phi_2058_ = _e877;
+                                                            let _e862 = global_5.member[_e859];
+                                                            phi_2078_ = _e862;
                                                         } else {
-                                                            phi_2058_ = 0u;
+                                                            phi_2078_ = 0u;
                                                         }
-                                                        let _e879 = phi_2058_;
-                                                        phi_2064_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e803)) * _e150), (f32(bitcast<i32>(_e812)) * _e150), (f32(bitcast<i32>(_e821)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e832)) * _e150), (f32(bitcast<i32>(_e841)) * _e150), (f32(bitcast<i32>(_e850)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e861)) * _e150), (f32(bitcast<i32>(_e870)) * _e150), (f32(bitcast<i32>(_e879)) * _e150)));
+                                                        let _e864 = phi_2078_;
+                                                        phi_2084_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e788)) * _e150), (f32(bitcast<i32>(_e797)) * _e150), (f32(bitcast<i32>(_e806)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e817)) * _e150), (f32(bitcast<i32>(_e826)) * _e150), (f32(bitcast<i32>(_e835)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e846)) * _e150), (f32(bitcast<i32>(_e855)) * _e150), (f32(bitcast<i32>(_e864)) * _e150)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2064_ = array<array<f32, 3>, 3>();
+                                                        phi_2084_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1171 = phi_2064_;
-                                                let _e1179 = (_e1171[0][2] - _e471);
-                                                let _e1182 = (((_e1171[0][0] - _e334) * _e510) - (_e1179 * _e374));
-                                                let _e1185 = (((_e1171[0][1] - _e403) * _e510) - (_e1179 * _e442));
-                                                let _e1192 = (_e1171[1][2] - _e471);
-                                                let _e1195 = (((_e1171[1][0] - _e334) * _e510) - (_e1192 * _e374));
-                                                let _e1198 = (((_e1171[1][1] - _e403) * _e510) - (_e1192 * _e442));
-                                                let _e1205 = (_e1171[2][2] - _e471);
-                                                let _e1208 = (((_e1171[2][0] - _e334) * _e510) - (_e1205 * _e374));
-                                                let _e1211 = (((_e1171[2][1] - _e403) * _e510) - (_e1205 * _e442));
-                                                let _e1212 = (_e1208 * _e1198);
-                                                let _e1213 = (_e1211 * _e1195);
-                                                let _e1214 = (_e1182 * _e1211);
-                                                let _e1215 = (_e1185 * _e1208);
-                                                let _e1216 = (_e1195 * _e1185);
-                                                let _e1217 = (_e1198 * _e1182);
-                                                let _e1222 = (((_e1212 >= _e1213) && (_e1214 >= _e1215)) && (_e1216 >= _e1217));
-                                                if (_e1222 || (((_e1212 <= _e1213) && (_e1214 <= _e1215)) && (_e1216 <= _e1217))) {
-                                                    let _e1229 = select(-1f, 1f, _e1222);
-                                                    let _e1231 = ((_e1212 - _e1213) * _e1229);
-                                                    let _e1233 = select(0f, _e1231, (_e1231 > 0f));
-                                                    let _e1235 = ((_e1214 - _e1215) * _e1229);
-                                                    let _e1237 = select(0f, _e1235, (_e1235 > 0f));
-                                                    let _e1239 = ((_e1216 - _e1217) * _e1229);
-                                                    let _e1241 = select(0f, _e1239, (_e1239 > 0f));
-                                                    let _e1243 = ((_e1233 + _e1237) + _e1241);
-                                                    if (_e1243 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2948_ = type_24();
-                                                        phi_2949_ = true;
-                                                        phi_2950_ = false;
+                                                let _e1156 = phi_2084_;
+                                                let _e1172 = (_e1156[0][2] - _e467);
+                                                let _e1175 = (((_e1156[0][0] - _e334) * _e503) - (_e1172 * _e371));
+                                                let _e1178 = (((_e1156[0][1] - _e401) * _e503) - (_e1172 * _e437));
+                                                let _e1181 = (_e1156[1][2] - _e467);
+                                                let _e1184 = (((_e1156[1][0] - _e334) * _e503) - (_e1181 * _e371));
+                                                let _e1187 = (((_e1156[1][1] - _e401) * _e503) - (_e1181 * _e437));
+                                                let _e1190 = (_e1156[2][2] - _e467);
+                                                let _e1193 = (((_e1156[2][0] - _e334) * _e503) - (_e1190 * _e371));
+                                                let _e1196 = (((_e1156[2][1] - _e401) * _e503) - (_e1190 * _e437));
+                                                let _e1197 = (_e1193 * _e1187);
+                                                let _e1198 = (_e1196 * _e1184);
+                                                let _e1199 = (_e1175 * _e1196);
+                                                let _e1200 = (_e1178 * _e1193);
+                                                let _e1201 = (_e1184 * _e1178);
+                                                let _e1202 = (_e1187 * _e1175);
+                                                let _e1207 = (((_e1197 >= _e1198) && (_e1199 >= _e1200)) && (_e1201 >= _e1202));
+                                                let _e1213 = (_e1207 || (((_e1197 <= _e1198) && (_e1199 <= _e1200)) && (_e1201 <= _e1202)));
+                                                if _e1213 {
+                                                    let _e1215 = select(-1f, 1f, _e1207);
+                                                    let _e1217 = ((_e1197 - _e1198) * _e1215);
+                                                    let _e1219 = select(0f, _e1217, (_e1217 > 0f));
+                                                    let _e1221 = ((_e1199 - _e1200) * _e1215);
+                                                    let _e1223 = select(0f, _e1221, (_e1221 > 0f));
+                                                    let _e1225 = ((_e1201 - _e1202) * _e1215);
+                                                    let _e1227 = select(0f, _e1225, (_e1225 > 0f));
+                                                    let _e1229 = ((_e1219 + _e1223) + _e1227);
+                                                    let _e1231 = select(_e1156[1][0], _e1156[0][0], (_e1156[0][0] < _e1156[1][0]));
+                                                    let _e1235 = select(_e1156[1][0], _e1156[0][0], (_e1156[0][0] > _e1156[1][0]));
+                                                    let _e1239 = select(_e1156[1][1], _e1156[0][1], (_e1156[0][1] < _e1156[1][1]));
+                                                    let _e1243 = select(_e1156[1][1], _e1156[0][1], (_e1156[0][1] > _e1156[1][1]));
+                                                    let _e1247 = select(_e1156[1][2], _e1156[0][2], (_e1156[0][2] < _e1156[1][2]));
+                                                    let _e1251 = select(_e1156[1][2], _e1156[0][2], (_e1156[0][2] > _e1156[1][2]));
+                                                    let _e1256 = ((select(_e1156[2][0], _e1231, (_e1231 < _e1156[2][0])) - _e372) * _e375);
+                                                    let _e1257 = ((select(_e1156[2][0], _e1235, (_e1235 > _e1156[2][0])) - _e373) * _e375);
+                                                    let _e1260 = ((select(_e1156[2][1], _e1239, (_e1239 < _e1156[2][1])) - _e438) * _e441);
+                                                    let _e1261 = ((select(_e1156[2][1], _e1243, (_e1243 > _e1156[2][1])) - _e439) * _e441);
+                                                    let _e1264 = ((select(_e1156[2][2], _e1247, (_e1247 < _e1156[2][2])) - _e504) * _e507);
+                                                    let _e1265 = ((select(_e1156[2][2], _e1251, (_e1251 > _e1156[2][2])) - _e505) * _e507);
+                                                    let _e1267 = select(_e1265, _e1264, (_e1264 < _e1265));
+                                                    let _e1269 = select(_e1265, _e1264, (_e1264 > _e1265));
+                                                    let _e1271 = select(_e1257, _e1256, (_e1256 < _e1257));
+                                                    let _e1273 = select(_e1261, _e1260, (_e1260 < _e1261));
+                                                    let _e1275 = select(_e1273, _e1271, (_e1271 > _e1273));
+                                                    let _e1277 = select(_e1267, _e1275, (_e1275 > _e1267));
+                                                    let _e1279 = select(_e1257, _e1256, (_e1256 > _e1257));
+                                                    let _e1281 = select(_e1261, _e1260, (_e1260 > _e1261));
+                                                    let _e1283 = select(_e1281, _e1279, (_e1279 < _e1281));
+                                                    let _e1285 = select(_e1269, _e1283, (_e1283 < _e1269));
+                                                    let _e1286 = -(_e1267);
+                                                    let _e1292 = select(_e610, _e1277, (_e1277 > _e610));
+                                                    let _e1296 = select(_e1184, _e1175, (_e1175 < _e1184));
+                                                    let _e1301 = select(_e1184, _e1175, (_e1175 > _e1184));
+                                                    let _e1308 = select(_e1187, _e1178, (_e1178 < _e1187));
+                                                    let _e1313 = select(_e1187, _e1178, (_e1178 > _e1187));
+                                                    let _e1322 = (((((_e1213 && (_e1229 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1193, _e1296, (_e1296 < _e1193)) <= 0f) && (select(_e1193, _e1301, (_e1301 > _e1193)) >= 0f))) && ((select(_e1196, _e1308, (_e1308 < _e1196)) <= 0f) && (select(_e1196, _e1313, (_e1313 > _e1196)) >= 0f))) && (_e1292 <= (_e1285 + (select(_e1286, _e1269, (_e1269 > _e1286)) * 0.0000019073523f)))) && (_e1292 <= _e709.member_1));
+                                                    if _e1322 {
+                                                        let _e1327 = (_e1156[1][0] - _e1156[0][0]);
+                                                        let _e1328 = (_e1156[1][1] - _e1156[0][1]);
+                                                        let _e1329 = (_e1156[1][2] - _e1156[0][2]);
+                                                        let _e1330 = vec3<f32>(_e1327, _e1328, _e1329);
+                                                        let _e1331 = (_e1156[2][0] - _e1156[1][0]);
+                                                        let _e1332 = (_e1156[2][1] - _e1156[1][1]);
+                                                        let _e1333 = (_e1156[2][2] - _e1156[1][2]);
+                                                        let _e1334 = vec3<f32>(_e1331, _e1332, _e1333);
+                                                        let _e1335 = (_e1156[0][0] - _e1156[2][0]);
+                                                        let _e1336 = (_e1156[0][1] - _e1156[2][1]);
+                                                        let _e1337 = (_e1156[0][2] - _e1156[2][2]);
+                                                        let _e1338 = vec3<f32>(_e1335, _e1336, _e1337);
+                                                        let _e1339 = abs(_e1327);
+                                                        let _e1340 = abs(_e1328);
+                                                        if (_e1339 != _e1339) {
+                                                            phi_4306_ = true;
+                                                        } else {
+                                                            phi_4306_ = (_e1340 >= _e1339);
+                                                        }
+                                                        let _e1344 = phi_4306_;
+                                                        let _e1345 = select(_e1339, _e1340, _e1344);
+                                                        let _e1346 = abs(_e1329);
+                                                        if (_e1345 != _e1345) {
+                                                            phi_4321_ = true;
+                                                        } else {
+                                                            phi_4321_ = (_e1346 >= _e1345);
+                                                        }
+                                                        let _e1350 = phi_4321_;
+                                                        let _e1351 = select(_e1345, _e1346, _e1350);
+                                                        let _e1352 = abs(_e1331);
+                                                        let _e1353 = abs(_e1332);
+                                                        if (_e1352 != _e1352) {
+                                                            phi_4336_ = true;
+                                                        } else {
+                                                            phi_4336_ = (_e1353 >= _e1352);
+                                                        }
+                                                        let _e1357 = phi_4336_;
+                                                        let _e1358 = select(_e1352, _e1353, _e1357);
+                                                        let _e1359 = abs(_e1333);
+                                                        if (_e1358 != _e1358) {
+                                                            phi_4351_ = true;
+                                                        } else {
+                                                            phi_4351_ = (_e1359 >= _e1358);
+                                                        }
+                                                        let _e1363 = phi_4351_;
+                                                        let _e1364 = select(_e1358, _e1359, _e1363);
+                                                        let _e1365 = abs(_e1335);
+                                                        let _e1366 = abs(_e1336);
+                                                        if (_e1365 != _e1365) {
+                                                            phi_4366_ = true;
+                                                        } else {
+                                                            phi_4366_ = (_e1366 >= _e1365);
+                                                        }
+                                                        let _e1370 = phi_4366_;
+                                                        let _e1371 = select(_e1365, _e1366, _e1370);
+                                                        let _e1372 = abs(_e1337);
+                                                        if (_e1371 != _e1371) {
+                                                            phi_4381_ = true;
+                                                        } else {
+                                                            phi_4381_ = (_e1372 >= _e1371);
+                                                        }
+                                                        let _e1376 = phi_4381_;
+                                                        let _e1377 = select(_e1371, _e1372, _e1376);
+                                                        let _e1379 = select(_e1364, _e1351, (_e1351 > _e1364));
+                                                        let _e1381 = select(_e1377, _e1379, (_e1379 > _e1377));
+                                                        if (_e1351 == _e1381) {
+                                                            phi_2626_ = _e1187;
+                                                            phi_2627_ = _e1184;
+                                                            phi_2628_ = _e1178;
+                                                            phi_2629_ = _e1175;
+                                                            phi_2630_ = vec3<f32>(_e1156[0][0], _e1156[0][1], _e1156[0][2]);
+                                                            phi_2631_ = _e1338;
+                                                            phi_2632_ = _e1334;
+                                                            phi_2633_ = _e1330;
+                                                        } else {
+                                                            let _e1383 = (_e1364 == _e1381);
+                                                            let _e1388 = vec3(_e1383);
+                                                            phi_2626_ = select(_e1178, _e1196, _e1383);
+                                                            phi_2627_ = select(_e1175, _e1193, _e1383);
+                                                            phi_2628_ = select(_e1196, _e1187, _e1383);
+                                                            phi_2629_ = select(_e1193, _e1184, _e1383);
+                                                            phi_2630_ = select(vec3<f32>(_e1156[2][0], _e1156[2][1], _e1156[2][2]), vec3<f32>(_e1156[1][0], _e1156[1][1], _e1156[1][2]), _e1388);
+                                                            phi_2631_ = select(_e1334, _e1330, _e1388);
+                                                            phi_2632_ = select(_e1330, _e1338, _e1388);
+                                                            phi_2633_ = select(_e1338, _e1334, _e1388);
+                                                        }
+                                                        let _e1394 = phi_2626_;
+                                                        let _e1396 = phi_2627_;
+                                                        let _e1398 = phi_2628_;
+                                                        let _e1400 = phi_2629_;
+                                                        let _e1402 = phi_2630_;
+                                                        let _e1404 = phi_2631_;
+                                                        let _e1406 = phi_2632_;
+                                                        let _e1408 = phi_2633_;
+                                                        let _e1415 = ((_e1406.y * _e1404.z) - (_e1404.y * _e1406.z));
+                                                        let _e1420 = ((_e1406.z * _e1404.x) - (_e1404.z * _e1406.x));
+                                                        let _e1423 = ((_e1406.x * _e1404.y) - (_e1404.x * _e1406.y));
+                                                        let _e1426 = ((_e1219 >= _e1223) && (_e1219 >= _e1227));
+                                                        let _e1427 = (_e1223 >= _e1227);
+                                                        let _e1441 = (((_e1415 * (select(select(_e1156[2][0], _e1156[1][0], _e1427), _e1156[0][0], _e1426) - _e334)) + (_e1420 * (select(select(_e1156[2][1], _e1156[1][1], _e1427), _e1156[0][1], _e1426) - _e401))) + (_e1423 * (select(select(_e1156[2][2], _e1156[1][2], _e1427), _e1156[0][2], _e1426) - _e467)));
+                                                        let _e1446 = (((_e1415 * _e371) + (_e1420 * _e437)) + (_e1423 * _e503));
+                                                        let _e1447 = (_e1396 - _e1400);
+                                                        let _e1448 = (_e1394 - _e1398);
+                                                        let _e1451 = ((_e1447 * _e1447) + (_e1448 * _e1448));
+                                                        let _e1458 = (-(((_e1400 * _e1447) + (_e1398 * _e1448))) / select(0.000000000000000000000000000000000000011754944f, _e1451, (_e1451 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1460 = select(1f, _e1458, (_e1458 < 1f));
+                                                        let _e1462 = select(0f, _e1460, (_e1460 > 0f));
+                                                        let _e1471 = ((_e1402.x + (_e1408.x * _e1462)) - _e334);
+                                                        let _e1474 = ((_e1402.y + (_e1408.y * _e1462)) - _e401);
+                                                        let _e1477 = ((_e1402.z + (_e1408.z * _e1462)) - _e467);
+                                                        let _e1480 = bitcast<f32>((bitcast<u32>(_e1471) & 2147483647u));
+                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u));
+                                                        let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
+                                                        let _e1488 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
+                                                        let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
+                                                        let _e1494 = abs(_e1415);
+                                                        let _e1495 = abs(_e1420);
+                                                        if (_e1494 != _e1494) {
+                                                            phi_4396_ = true;
+                                                        } else {
+                                                            phi_4396_ = (_e1495 >= _e1494);
+                                                        }
+                                                        let _e1499 = phi_4396_;
+                                                        let _e1500 = select(_e1494, _e1495, _e1499);
+                                                        let _e1501 = abs(_e1423);
+                                                        if (_e1500 != _e1500) {
+                                                            phi_4411_ = true;
+                                                        } else {
+                                                            phi_4411_ = (_e1501 >= _e1500);
+                                                        }
+                                                        let _e1505 = phi_4411_;
+                                                        let _e1521 = abs(_e1406.x);
+                                                        let _e1522 = abs(_e1406.y);
+                                                        if (_e1521 != _e1521) {
+                                                            phi_4426_ = true;
+                                                        } else {
+                                                            phi_4426_ = (_e1522 >= _e1521);
+                                                        }
+                                                        let _e1526 = phi_4426_;
+                                                        let _e1527 = select(_e1521, _e1522, _e1526);
+                                                        let _e1528 = abs(_e1406.z);
+                                                        if (_e1527 != _e1527) {
+                                                            phi_4441_ = true;
+                                                        } else {
+                                                            phi_4441_ = (_e1528 >= _e1527);
+                                                        }
+                                                        let _e1532 = phi_4441_;
+                                                        let _e1535 = abs(_e1404.x);
+                                                        let _e1536 = abs(_e1404.y);
+                                                        if (_e1535 != _e1535) {
+                                                            phi_4456_ = true;
+                                                        } else {
+                                                            phi_4456_ = (_e1536 >= _e1535);
+                                                        }
+                                                        let _e1540 = phi_4456_;
+                                                        let _e1541 = select(_e1535, _e1536, _e1540);
+                                                        let _e1542 = abs(_e1404.z);
+                                                        if (_e1541 != _e1541) {
+                                                            phi_4471_ = true;
+                                                        } else {
+                                                            phi_4471_ = (_e1542 >= _e1541);
+                                                        }
+                                                        let _e1546 = phi_4471_;
+                                                        let _e1551 = ((bitcast<f32>((bitcast<u32>(((((_e1415 * _e1471) + (_e1420 * _e1474)) + (_e1423 * _e1477)) - _e1441)) & 2147483647u)) <= ((0.0000009536743f * select(_e1381, _e1490, (_e1490 > _e1381))) * select(_e1500, _e1501, _e1505))) && !((bitcast<f32>((bitcast<u32>(_e1446) & 2147483647u)) <= ((0.0000038146973f * select(_e1527, _e1528, _e1532)) * select(_e1541, _e1542, _e1546)))));
+                                                        let _e1552 = (_e1441 / _e1446);
+                                                        if (_e1322 && !(_e1551)) {
+                                                            let _e1555 = (_e1477 / _e503);
+                                                            let _e1563 = (((_e1415 * (_e1471 - (_e371 * _e1555))) + (_e1420 * (_e1474 - (_e437 * _e1555)))) / _e1446);
+                                                            phi_2841_ = select(select(_e1555, (_e1555 + _e1563), (bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u)) <= _e1381)), _e1552, _e1551);
+                                                        } else {
+                                                            phi_2841_ = _e1552;
+                                                        }
+                                                        let _e1572 = phi_2841_;
+                                                        let _e1574 = select(_e1285, _e1572, (_e1572 < _e1285));
+                                                        let _e1576 = select(_e1277, _e1574, (_e1574 > _e1277));
+                                                        let _e1577 = (1f / _e1229);
+                                                        phi_2861_ = type_40(_e1576, (_e1223 * _e1577), (_e1227 * _e1577), ((_e1322 && (_e1576 >= _e610)) && (_e1576 <= _e709.member_1)));
+                                                        phi_2862_ = type_40();
                                                     } else {
-                                                        let _e1246 = select(_e1195, _e1182, (_e1182 < _e1195));
-                                                        if (select(_e1208, _e1246, (_e1246 < _e1208)) > 0f) {
-                                                            phi_2216_ = true;
-                                                        } else {
-                                                            let _e1251 = select(_e1195, _e1182, (_e1182 > _e1195));
-                                                            phi_2216_ = (select(_e1208, _e1251, (_e1251 > _e1208)) < 0f);
-                                                        }
-                                                        let _e1256 = phi_2216_;
-                                                        if _e1256 {
-                                                            phi_2945_ = type_24();
-                                                            phi_2946_ = true;
-                                                            phi_2947_ = false;
-                                                        } else {
-                                                            let _e1258 = select(_e1198, _e1185, (_e1185 < _e1198));
-                                                            if (select(_e1211, _e1258, (_e1258 < _e1211)) > 0f) {
-                                                                phi_2245_ = true;
-                                                            } else {
-                                                                let _e1263 = select(_e1198, _e1185, (_e1185 > _e1198));
-                                                                phi_2245_ = (select(_e1211, _e1263, (_e1263 > _e1211)) < 0f);
-                                                            }
-                                                            let _e1268 = phi_2245_;
-                                                            if _e1268 {
-                                                                phi_2943_ = type_24();
-                                                                phi_2944_ = false;
-                                                            } else {
-                                                                let _e1270 = select(_e1171[1][0], _e1171[0][0], (_e1171[0][0] < _e1171[1][0]));
-                                                                let _e1274 = select(_e1171[1][0], _e1171[0][0], (_e1171[0][0] > _e1171[1][0]));
-                                                                let _e1278 = select(_e1171[1][1], _e1171[0][1], (_e1171[0][1] < _e1171[1][1]));
-                                                                let _e1282 = select(_e1171[1][1], _e1171[0][1], (_e1171[0][1] > _e1171[1][1]));
-                                                                let _e1286 = select(_e1171[1][2], _e1171[0][2], (_e1171[0][2] < _e1171[1][2]));
-                                                                let _e1290 = select(_e1171[1][2], _e1171[0][2], (_e1171[0][2] > _e1171[1][2]));
-                                                                let _e1295 = ((select(_e1171[2][0], _e1270, (_e1270 < _e1171[2][0])) - _e372) * _e377);
-                                                                let _e1296 = ((select(_e1171[2][0], _e1274, (_e1274 > _e1171[2][0])) - _e373) * _e377);
-                                                                let _e1299 = ((select(_e1171[2][1], _e1278, (_e1278 < _e1171[2][1])) - _e440) * _e445);
-                                                                let _e1300 = ((select(_e1171[2][1], _e1282, (_e1282 > _e1171[2][1])) - _e441) * _e445);
-                                                                let _e1303 = ((select(_e1171[2][2], _e1286, (_e1286 < _e1171[2][2])) - _e508) * _e513);
-                                                                let _e1304 = ((select(_e1171[2][2], _e1290, (_e1290 > _e1171[2][2])) - _e509) * _e513);
-                                                                let _e1306 = select(_e1304, _e1303, (_e1303 < _e1304));
-                                                                let _e1308 = select(_e1304, _e1303, (_e1303 > _e1304));
-                                                                let _e1310 = select(_e1296, _e1295, (_e1295 < _e1296));
-                                                                let _e1312 = select(_e1300, _e1299, (_e1299 < _e1300));
-                                                                let _e1314 = select(_e1312, _e1310, (_e1310 > _e1312));
-                                                                let _e1316 = select(_e1306, _e1314, (_e1314 > _e1306));
-                                                                let _e1318 = select(_e1296, _e1295, (_e1295 > _e1296));
-                                                                let _e1320 = select(_e1300, _e1299, (_e1299 > _e1300));
-                                                                let _e1322 = select(_e1320, _e1318, (_e1318 < _e1320));
-                                                                let _e1324 = select(_e1308, _e1322, (_e1322 < _e1308));
-                                                                let _e1325 = -(_e1306);
-                                                                let _e1331 = select(_e625, _e1316, (_e1316 > _e625));
-                                                                if (_e1331 > (_e1324 + (select(_e1325, _e1308, (_e1308 > _e1325)) * 0.0000019073523f))) {
-                                                                    phi_2938_ = type_24();
-                                                                    phi_2939_ = true;
-                                                                } else {
-                                                                    let _e1333 = (_e1331 > _e724.member_1);
-                                                                    if _e1333 {
-                                                                        phi_2937_ = type_24();
-                                                                    } else {
-                                                                        let _e1334 = vec3<f32>(_e1171[0][0], _e1171[0][1], _e1171[0][2]);
-                                                                        let _e1335 = vec3<f32>(_e1171[1][0], _e1171[1][1], _e1171[1][2]);
-                                                                        let _e1336 = vec3<f32>(_e1171[2][0], _e1171[2][1], _e1171[2][2]);
-                                                                        let _e1337 = (_e1171[1][0] - _e1171[0][0]);
-                                                                        let _e1338 = (_e1171[1][1] - _e1171[0][1]);
-                                                                        let _e1339 = (_e1171[1][2] - _e1171[0][2]);
-                                                                        let _e1340 = vec3<f32>(_e1337, _e1338, _e1339);
-                                                                        let _e1341 = (_e1171[2][0] - _e1171[1][0]);
-                                                                        let _e1342 = (_e1171[2][1] - _e1171[1][1]);
-                                                                        let _e1343 = (_e1171[2][2] - _e1171[1][2]);
-                                                                        let _e1344 = vec3<f32>(_e1341, _e1342, _e1343);
-                                                                        let _e1345 = (_e1171[0][0] - _e1171[2][0]);
-                                                                        let _e1346 = (_e1171[0][1] - _e1171[2][1]);
-                                                                        let _e1347 = (_e1171[0][2] - _e1171[2][2]);
-                                                                        let _e1348 = vec3<f32>(_e1345, _e1346, _e1347);
-                                                                        let _e1351 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
-                                                                        let _e1354 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
-                                                                        let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
-                                                                        let _e1359 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
-                                                                        let _e1361 = select(_e1359, _e1356, (_e1356 > _e1359));
-                                                                        let _e1364 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
-                                                                        let _e1367 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
-                                                                        let _e1369 = select(_e1367, _e1364, (_e1364 > _e1367));
-                                                                        let _e1372 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
-                                                                        let _e1374 = select(_e1372, _e1369, (_e1369 > _e1372));
-                                                                        let _e1377 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
-                                                                        let _e1380 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
-                                                                        let _e1382 = select(_e1380, _e1377, (_e1377 > _e1380));
-                                                                        let _e1385 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
-                                                                        let _e1387 = select(_e1385, _e1382, (_e1382 > _e1385));
-                                                                        let _e1389 = select(_e1374, _e1361, (_e1361 > _e1374));
-                                                                        let _e1391 = select(_e1387, _e1389, (_e1389 > _e1387));
-                                                                        if (_e1361 == _e1391) {
-                                                                            phi_2664_ = _e1198;
-                                                                            phi_2665_ = _e1195;
-                                                                            phi_2666_ = _e1185;
-                                                                            phi_2667_ = _e1182;
-                                                                            phi_2668_ = _e1334;
-                                                                            phi_2669_ = _e1348;
-                                                                            phi_2670_ = _e1344;
-                                                                            phi_2671_ = _e1340;
-                                                                        } else {
-                                                                            let _e1393 = (_e1374 == _e1391);
-                                                                            let _e1398 = vec3(_e1393);
-                                                                            phi_2664_ = select(_e1185, _e1211, _e1393);
-                                                                            phi_2665_ = select(_e1182, _e1208, _e1393);
-                                                                            phi_2666_ = select(_e1211, _e1198, _e1393);
-                                                                            phi_2667_ = select(_e1208, _e1195, _e1393);
-                                                                            phi_2668_ = select(_e1336, _e1335, _e1398);
-                                                                            phi_2669_ = select(_e1344, _e1340, _e1398);
-                                                                            phi_2670_ = select(_e1340, _e1348, _e1398);
-                                                                            phi_2671_ = select(_e1348, _e1344, _e1398);
-                                                                        }
-                                                                        let _e1404 = phi_2664_;
-                                                                        let _e1406 = phi_2665_;
-                                                                        let _e1408 = phi_2666_;
-                                                                        let _e1410 = phi_2667_;
-                                                                        let _e1412 = phi_2668_;
-                                                                        let _e1414 = phi_2669_;
-                                                                        let _e1416 = phi_2670_;
-                                                                        let _e1418 = phi_2671_;
-                                                                        let _e1425 = ((_e1416.y * _e1414.z) - (_e1414.y * _e1416.z));
-                                                                        let _e1430 = ((_e1416.z * _e1414.x) - (_e1414.z * _e1416.x));
-                                                                        let _e1433 = ((_e1416.x * _e1414.y) - (_e1414.x * _e1416.y));
-                                                                        if (_e1233 >= _e1237) {
-                                                                            phi_2708_ = select(true, false, (_e1233 >= _e1241));
-                                                                        } else {
-                                                                            phi_2708_ = true;
-                                                                        }
-                                                                        let _e1438 = phi_2708_;
-                                                                        if _e1438 {
-                                                                            phi_2717_ = select(_e1336, _e1335, vec3((_e1237 >= _e1241)));
-                                                                        } else {
-                                                                            phi_2717_ = _e1334;
-                                                                        }
-                                                                        let _e1443 = phi_2717_;
-                                                                        let _e1454 = (((_e1425 * (_e1443.x - _e334)) + (_e1430 * (_e1443.y - _e403))) + (_e1433 * (_e1443.z - _e471)));
-                                                                        let _e1459 = (((_e1425 * _e374) + (_e1430 * _e442)) + (_e1433 * _e510));
-                                                                        let _e1460 = (_e1406 - _e1410);
-                                                                        let _e1461 = (_e1404 - _e1408);
-                                                                        let _e1469 = (-(((_e1410 * _e1460) + (_e1408 * _e1461))) / ((_e1460 * _e1460) + (_e1461 * _e1461)));
-                                                                        let _e1471 = select(1f, _e1469, (_e1469 < 1f));
-                                                                        let _e1473 = select(0f, _e1471, (_e1471 > 0f));
-                                                                        let _e1486 = ((_e1412.x + (_e1418.x * _e1473)) - _e334);
-                                                                        let _e1487 = ((_e1412.y + (_e1418.y * _e1473)) - _e403);
-                                                                        let _e1488 = ((_e1412.z + (_e1418.z * _e1473)) - _e471);
-                                                                        let _e1489 = (_e1488 / _e510);
-                                                                        let _e1501 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
-                                                                        let _e1504 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
-                                                                        let _e1506 = select(_e1504, _e1501, (_e1501 > _e1504));
-                                                                        let _e1509 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
-                                                                        let _e1511 = select(_e1509, _e1506, (_e1506 > _e1509));
-                                                                        let _e1517 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
-                                                                        let _e1520 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
-                                                                        let _e1522 = select(_e1520, _e1517, (_e1517 > _e1520));
-                                                                        let _e1525 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1425 * _e1486) + (_e1430 * _e1487)) + (_e1433 * _e1488)) - _e1454)) & 2147483647u)) <= ((0.0000009536743f * select(_e1391, _e1511, (_e1511 > _e1391))) * select(_e1525, _e1522, (_e1522 > _e1525)))) {
-                                                                            let _e1535 = bitcast<f32>((bitcast<u32>(_e1416.x) & 2147483647u));
-                                                                            let _e1538 = bitcast<f32>((bitcast<u32>(_e1416.y) & 2147483647u));
-                                                                            let _e1540 = select(_e1538, _e1535, (_e1535 > _e1538));
-                                                                            let _e1543 = bitcast<f32>((bitcast<u32>(_e1416.z) & 2147483647u));
-                                                                            let _e1549 = bitcast<f32>((bitcast<u32>(_e1414.x) & 2147483647u));
-                                                                            let _e1552 = bitcast<f32>((bitcast<u32>(_e1414.y) & 2147483647u));
-                                                                            let _e1554 = select(_e1552, _e1549, (_e1549 > _e1552));
-                                                                            let _e1557 = bitcast<f32>((bitcast<u32>(_e1414.z) & 2147483647u));
-                                                                            let _e1561 = (bitcast<f32>((bitcast<u32>(_e1459) & 2147483647u)) > ((0.0000038146973f * select(_e1543, _e1540, (_e1540 > _e1543))) * select(_e1557, _e1554, (_e1554 > _e1557))));
-                                                                            if _e1561 {
-                                                                                phi_2882_ = (_e1454 / _e1459);
-                                                                            } else {
-                                                                                phi_2882_ = f32();
-                                                                            }
-                                                                            let _e1564 = phi_2882_;
-                                                                            phi_2884_ = _e1564;
-                                                                            phi_2885_ = select(true, false, _e1561);
-                                                                        } else {
-                                                                            phi_2884_ = f32();
-                                                                            phi_2885_ = true;
-                                                                        }
-                                                                        let _e1567 = phi_2884_;
-                                                                        let _e1569 = phi_2885_;
-                                                                        if _e1569 {
-                                                                            let _e1577 = (((_e1425 * (_e1486 - (_e374 * _e1489))) + (_e1430 * (_e1487 - (_e442 * _e1489)))) / _e1459);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)) <= _e1391) {
-                                                                                phi_2905_ = (_e1489 + _e1577);
-                                                                            } else {
-                                                                                phi_2905_ = _e1489;
-                                                                            }
-                                                                            let _e1584 = phi_2905_;
-                                                                            phi_2906_ = _e1584;
-                                                                        } else {
-                                                                            phi_2906_ = _e1567;
-                                                                        }
-                                                                        let _e1586 = phi_2906_;
-                                                                        let _e1588 = select(_e1324, _e1586, (_e1586 < _e1324));
-                                                                        let _e1590 = select(_e1316, _e1588, (_e1588 > _e1316));
-                                                                        if (_e1590 >= _e625) {
-                                                                            let _e1592 = (_e1590 <= _e724.member_1);
-                                                                            if _e1592 {
-                                                                                let _e1593 = (1f / _e1243);
-                                                                                phi_2929_ = type_24(_e1590, (_e1237 * _e1593), (_e1241 * _e1593), _e784);
-                                                                            } else {
-                                                                                phi_2929_ = type_24();
-                                                                            }
-                                                                            let _e1598 = phi_2929_;
-                                                                            phi_2931_ = _e1598;
-                                                                            phi_2932_ = select(true, false, _e1592);
-                                                                        } else {
-                                                                            phi_2931_ = type_24();
-                                                                            phi_2932_ = true;
-                                                                        }
-                                                                        let _e1601 = phi_2931_;
-                                                                        let _e1603 = phi_2932_;
-                                                                        if _e1603 {
-                                                                            phi_2936_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2936_ = _e1601;
-                                                                        }
-                                                                        let _e1605 = phi_2936_;
-                                                                        phi_2937_ = _e1605;
-                                                                    }
-                                                                    let _e1607 = phi_2937_;
-                                                                    phi_2938_ = _e1607;
-                                                                    phi_2939_ = _e1333;
-                                                                }
-                                                                let _e1609 = phi_2938_;
-                                                                let _e1611 = phi_2939_;
-                                                                phi_2943_ = _e1609;
-                                                                phi_2944_ = _e1611;
-                                                            }
-                                                            let _e1613 = phi_2943_;
-                                                            let _e1615 = phi_2944_;
-                                                            phi_2945_ = _e1613;
-                                                            phi_2946_ = _e1268;
-                                                            phi_2947_ = _e1615;
-                                                        }
-                                                        let _e1617 = phi_2945_;
-                                                        let _e1619 = phi_2946_;
-                                                        let _e1621 = phi_2947_;
-                                                        phi_2948_ = _e1617;
-                                                        phi_2949_ = _e1619;
-                                                        phi_2950_ = _e1621;
+                                                        phi_2861_ = type_40();
+                                                        phi_2862_ = type_40(0f, 0f, 0f, _e1322);
                                                     }
-                                                    let _e1623 = phi_2948_;
-                                                    let _e1625 = phi_2949_;
-                                                    let _e1627 = phi_2950_;
-                                                    phi_2958_ = _e1623;
-                                                    phi_2959_ = select(_e1627, true, _e1625);
+                                                    let _e1586 = phi_2861_;
+                                                    let _e1588 = phi_2862_;
+                                                    phi_2865_ = _e1586;
+                                                    phi_2866_ = _e1588;
+                                                    phi_2867_ = select(true, false, _e1322);
                                                 } else {
-                                                    phi_2958_ = type_24();
-                                                    phi_2959_ = true;
+                                                    phi_2865_ = type_40();
+                                                    phi_2866_ = type_40(0f, 0f, 0f, _e1213);
+                                                    phi_2867_ = true;
                                                 }
-                                                let _e1630 = phi_2958_;
-                                                let _e1632 = phi_2959_;
-                                                if _e1632 {
-                                                    phi_2963_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1591 = phi_2865_;
+                                                let _e1593 = phi_2866_;
+                                                let _e1595 = phi_2867_;
+                                                if _e1595 {
+                                                    phi_2871_ = _e1593;
                                                 } else {
-                                                    phi_2963_ = _e1630;
+                                                    phi_2871_ = _e1591;
                                                 }
-                                                let _e1634 = phi_2963_;
-                                                if (_e1634.member_3 != 4294967295u) {
-                                                    if (_e784 != 4294967295u) {
-                                                        if (_e1634.member < _e724.member.member) {
-                                                            phi_2989_ = true;
+                                                let _e1597 = phi_2871_;
+                                                if _e1597.member_3 {
+                                                    phi_2880_ = type_24(_e1597.member, _e1597.member_1, _e1597.member_2, _e769);
+                                                } else {
+                                                    phi_2880_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1604 = phi_2880_;
+                                                if (_e1604.member_3 != 4294967295u) {
+                                                    if (_e769 != 4294967295u) {
+                                                        if (_e1604.member < _e709.member.member) {
+                                                            phi_2906_ = true;
                                                         } else {
-                                                            if (_e1634.member == _e724.member.member) {
-                                                                phi_2988_ = (_e1634.member_3 < _e724.member.member_3);
+                                                            if (_e1604.member == _e709.member.member) {
+                                                                phi_2905_ = (_e1604.member_3 < _e709.member.member_3);
                                                             } else {
-                                                                phi_2988_ = false;
+                                                                phi_2905_ = false;
                                                             }
-                                                            let _e1647 = phi_2988_;
-                                                            phi_2989_ = _e1647;
+                                                            let _e1617 = phi_2905_;
+                                                            phi_2906_ = _e1617;
                                                         }
-                                                        let _e1649 = phi_2989_;
-                                                        if _e1649 {
-                                                            phi_2995_ = type_37(_e1634, _e1634.member);
+                                                        let _e1619 = phi_2906_;
+                                                        if _e1619 {
+                                                            phi_2912_ = type_37(_e1604, _e1604.member);
                                                         } else {
-                                                            phi_2995_ = _e724;
+                                                            phi_2912_ = _e709;
                                                         }
-                                                        let _e1652 = phi_2995_;
-                                                        phi_2996_ = _e1652;
+                                                        let _e1622 = phi_2912_;
+                                                        phi_2913_ = _e1622;
                                                     } else {
-                                                        phi_2996_ = _e724;
+                                                        phi_2913_ = _e709;
                                                     }
-                                                    let _e1654 = phi_2996_;
-                                                    phi_2997_ = _e1654;
+                                                    let _e1624 = phi_2913_;
+                                                    phi_2914_ = _e1624;
                                                 } else {
-                                                    phi_2997_ = _e724;
+                                                    phi_2914_ = _e709;
                                                 }
-                                                let _e1656 = phi_2997_;
-                                                phi_1301_ = _e1656;
+                                                let _e1626 = phi_2914_;
+                                                phi_1321_ = _e1626;
                                             } else {
-                                                phi_1301_ = type_37();
+                                                phi_1321_ = type_37();
                                             }
-                                            let _e1658 = phi_1301_;
+                                            let _e1628 = phi_1321_;
                                             continue;
                                             continuing {
-                                                phi_1300_ = _e1658;
-                                                phi_1303_ = _e739;
-                                                phi_4642_ = _e667;
-                                                break if !(_e745);
+                                                phi_1320_ = _e1628;
+                                                phi_1323_ = _e724;
+                                                phi_4739_ = _e652;
+                                                break if !(_e730);
                                             }
                                         }
-                                        let _e1661 = phi_4642_;
-                                        phi_4849_ = _e1661;
-                                        if _e1661 {
+                                        let _e1631 = phi_4739_;
+                                        phi_4951_ = _e1631;
+                                        if _e1631 {
                                             break;
                                         }
-                                        phi_4940_ = _e1661;
-                                        let _e2430 = local_11;
-                                        phi_2998_ = _e2430;
+                                        phi_5042_ = _e1631;
+                                        let _e2387 = local_11;
+                                        phi_2915_ = _e2387;
                                     } else {
-                                        phi_4940_ = _e667;
-                                        phi_2998_ = _e669;
+                                        phi_5042_ = _e652;
+                                        phi_2915_ = _e654;
                                     }
-                                    let _e1663 = phi_4940_;
-                                    let _e1665 = phi_2998_;
-                                    if _e716 {
-                                        phi_4263_ = bool();
-                                        phi_4264_ = u32();
-                                        phi_4265_ = type_49();
+                                    let _e1633 = phi_5042_;
+                                    let _e1635 = phi_2915_;
+                                    if _e701 {
+                                        phi_4180_ = bool();
+                                        phi_4181_ = u32();
+                                        phi_4182_ = type_50();
                                     } else {
-                                        if (_e712.member_1 >= _e99) {
-                                            phi_3799_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e697.member_1 >= _e99) {
+                                            phi_3716_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e712.member_1 < _e99) {
+                                            if (_e697.member_1 < _e99) {
                                             } else {
-                                                phi_4849_ = true;
+                                                phi_4951_ = true;
                                                 break;
                                             }
-                                            let _e1669 = ((1u + _e270) % 4u);
-                                            if (_e1669 < 4u) {
+                                            let _e1639 = ((1u + _e270) % 4u);
+                                            if (_e1639 < 4u) {
                                             } else {
-                                                phi_4849_ = true;
+                                                phi_4951_ = true;
                                                 break;
                                             }
-                                            let _e1674 = global_3.member[_e712.member_1][_e1669];
-                                            let _e1676 = (_e1674 >> bitcast<u32>(11u));
-                                            let _e1678 = ((1u + _e269) % 4u);
-                                            if (_e1678 < 4u) {
+                                            let _e1644 = global_3.member[_e697.member_1][_e1639];
+                                            let _e1646 = (_e1644 >> bitcast<u32>(11u));
+                                            let _e1648 = ((1u + _e269) % 4u);
+                                            if (_e1648 < 4u) {
                                             } else {
-                                                phi_4849_ = true;
+                                                phi_4951_ = true;
                                                 break;
                                             }
-                                            let _e1683 = global_3.member[_e712.member_1][_e1678];
-                                            let _e1685 = (_e1683 >> bitcast<u32>(11u));
-                                            let _e1687 = ((1u + _e271) % 4u);
-                                            if (_e1687 < 4u) {
+                                            let _e1653 = global_3.member[_e697.member_1][_e1648];
+                                            let _e1655 = (_e1653 >> bitcast<u32>(11u));
+                                            let _e1657 = ((1u + _e271) % 4u);
+                                            if (_e1657 < 4u) {
                                             } else {
-                                                phi_4849_ = true;
+                                                phi_4951_ = true;
                                                 break;
                                             }
-                                            let _e1692 = global_3.member[_e712.member_1][_e1687];
-                                            let _e1694 = (_e1692 >> bitcast<u32>(11u));
-                                            let _e1717 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.x - _e712.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e1718 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.y - _e712.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e1719 = (bitcast<f32>((bitcast<u32>((_e712.member.member_1.z - _e712.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e1721 = select(_e150, _e1717, (_e1717 > _e150));
-                                            let _e1723 = select(_e150, _e1718, (_e1718 > _e150));
-                                            let _e1725 = select(_e150, _e1719, (_e1719 > _e150));
-                                            let _e1756 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1674 & 1023u))) - 8388608f) * _e1721));
-                                            let _e1761 = (bitcast<i32>((_e1674 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1764 = bitcast<f32>((_e1756 & bitcast<u32>(_e1761)));
-                                            let _e1765 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1683 & 1023u))) - 8388608f) * _e1723));
-                                            let _e1770 = (bitcast<i32>((_e1683 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1662 = global_3.member[_e697.member_1][_e1657];
+                                            let _e1664 = (_e1662 >> bitcast<u32>(11u));
+                                            let _e1687 = (bitcast<f32>((bitcast<u32>((_e697.member.member_1.x - _e697.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1688 = (bitcast<f32>((bitcast<u32>((_e697.member.member_1.y - _e697.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1689 = (bitcast<f32>((bitcast<u32>((_e697.member.member_1.z - _e697.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1691 = select(_e150, _e1687, (_e1687 > _e150));
+                                            let _e1693 = select(_e150, _e1688, (_e1688 > _e150));
+                                            let _e1695 = select(_e150, _e1689, (_e1689 > _e150));
+                                            let _e1726 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1644 & 1023u))) - 8388608f) * _e1691));
+                                            let _e1731 = (bitcast<i32>((_e1644 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1734 = bitcast<f32>((_e1726 & bitcast<u32>(_e1731)));
+                                            let _e1735 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1653 & 1023u))) - 8388608f) * _e1693));
+                                            let _e1740 = (bitcast<i32>((_e1653 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1743 = bitcast<f32>((_e1735 & bitcast<u32>(_e1740)));
+                                            let _e1744 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1662 & 1023u))) - 8388608f) * _e1695));
+                                            let _e1749 = (bitcast<i32>((_e1662 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1752 = bitcast<f32>((_e1744 & bitcast<u32>(_e1749)));
+                                            let _e1756 = bitcast<f32>((_e1726 & bitcast<u32>(~(_e1731))));
+                                            let _e1760 = bitcast<f32>((_e1735 & bitcast<u32>(~(_e1740))));
+                                            let _e1764 = bitcast<f32>((_e1744 & bitcast<u32>(~(_e1749))));
+                                            let _e1765 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1646 & 1023u))) - 8388608f) * _e1691));
+                                            let _e1770 = (bitcast<i32>((_e1646 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
                                             let _e1773 = bitcast<f32>((_e1765 & bitcast<u32>(_e1770)));
-                                            let _e1774 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1692 & 1023u))) - 8388608f) * _e1725));
-                                            let _e1779 = (bitcast<i32>((_e1692 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1774 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1655 & 1023u))) - 8388608f) * _e1693));
+                                            let _e1779 = (bitcast<i32>((_e1655 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
                                             let _e1782 = bitcast<f32>((_e1774 & bitcast<u32>(_e1779)));
-                                            let _e1786 = bitcast<f32>((_e1756 & bitcast<u32>(~(_e1761))));
-                                            let _e1790 = bitcast<f32>((_e1765 & bitcast<u32>(~(_e1770))));
-                                            let _e1794 = bitcast<f32>((_e1774 & bitcast<u32>(~(_e1779))));
-                                            let _e1795 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1676 & 1023u))) - 8388608f) * _e1721));
-                                            let _e1800 = (bitcast<i32>((_e1676 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1803 = bitcast<f32>((_e1795 & bitcast<u32>(_e1800)));
-                                            let _e1804 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1685 & 1023u))) - 8388608f) * _e1723));
-                                            let _e1809 = (bitcast<i32>((_e1685 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1812 = bitcast<f32>((_e1804 & bitcast<u32>(_e1809)));
-                                            let _e1813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1694 & 1023u))) - 8388608f) * _e1725));
-                                            let _e1818 = (bitcast<i32>((_e1694 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1821 = bitcast<f32>((_e1813 & bitcast<u32>(_e1818)));
-                                            let _e1825 = bitcast<f32>((_e1795 & bitcast<u32>(~(_e1800))));
-                                            let _e1829 = bitcast<f32>((_e1804 & bitcast<u32>(~(_e1809))));
-                                            let _e1833 = bitcast<f32>((_e1813 & bitcast<u32>(~(_e1818))));
-                                            let _e1834 = (_e712.member.member.x + _e1764);
-                                            let _e1835 = (_e712.member.member.y + _e1773);
-                                            let _e1836 = (_e712.member.member.z + _e1782);
-                                            let _e1839 = (_e712.member.member_1.x - _e1803);
-                                            let _e1840 = (_e712.member.member_1.y - _e1812);
-                                            let _e1841 = (_e712.member.member_1.z - _e1821);
-                                            let _e1860 = (_e1839 - _e1834);
-                                            let _e1861 = (_e1840 - _e1835);
-                                            let _e1862 = (_e1841 - _e1836);
-                                            let _e1864 = select(_e1861, _e1860, (_e1860 > _e1861));
-                                            let _e1866 = select(_e1862, _e1864, (_e1864 > _e1862));
-                                            if (_e1866 < (1024f * _e150)) {
-                                                phi_3500_ = 0u;
+                                            let _e1783 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1664 & 1023u))) - 8388608f) * _e1695));
+                                            let _e1788 = (bitcast<i32>((_e1664 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1791 = bitcast<f32>((_e1783 & bitcast<u32>(_e1788)));
+                                            let _e1795 = bitcast<f32>((_e1765 & bitcast<u32>(~(_e1770))));
+                                            let _e1799 = bitcast<f32>((_e1774 & bitcast<u32>(~(_e1779))));
+                                            let _e1803 = bitcast<f32>((_e1783 & bitcast<u32>(~(_e1788))));
+                                            let _e1804 = (_e697.member.member.x + _e1734);
+                                            let _e1805 = (_e697.member.member.y + _e1743);
+                                            let _e1806 = (_e697.member.member.z + _e1752);
+                                            let _e1809 = (_e697.member.member_1.x - _e1773);
+                                            let _e1810 = (_e697.member.member_1.y - _e1782);
+                                            let _e1811 = (_e697.member.member_1.z - _e1791);
+                                            let _e1830 = (_e1809 - _e1804);
+                                            let _e1831 = (_e1810 - _e1805);
+                                            let _e1832 = (_e1811 - _e1806);
+                                            let _e1834 = select(_e1831, _e1830, (_e1830 > _e1831));
+                                            let _e1836 = select(_e1832, _e1834, (_e1834 > _e1832));
+                                            if (_e1836 < (1024f * _e150)) {
+                                                phi_3417_ = 0u;
                                             } else {
-                                                phi_3500_ = select(2u, 1u, (_e1866 < (2097152f * _e150)));
+                                                phi_3417_ = select(2u, 1u, (_e1836 < (2097152f * _e150)));
                                             }
-                                            let _e1873 = phi_3500_;
-                                            switch bitcast<i32>(_e1873) {
+                                            let _e1843 = phi_3417_;
+                                            switch bitcast<i32>(_e1843) {
                                                 case 0: {
-                                                    phi_3506_ = 1u;
+                                                    phi_3423_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3506_ = 2u;
+                                                    phi_3423_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3506_ = 3u;
+                                                    phi_3423_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3506_ = u32();
+                                                    phi_3423_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1876 = phi_3506_;
-                                            let _e1882 = global_3.member[_e712.member_1][0u];
-                                            let _e1886 = global_3.member[_e712.member_1][1u];
-                                            let _e1890 = global_3.member[_e712.member_1][2u];
-                                            let _e1894 = global_3.member[_e712.member_1][3u];
-                                            let _e1906 = (((_e1886 >> bitcast<u32>(22i)) | ((_e1890 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1894 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1907 = (_e1882 & 268435455u);
-                                            let _e1908 = (_e1906 & 268435455u);
-                                            let _e1911 = ((_e1882 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1919 = ((_e1882 >> bitcast<u32>(31i)) | (((_e1906 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1920 = (_e1911 != 0u);
-                                            if (_e1911 == 0u) {
-                                                phi_3761_ = _e1907;
+                                            let _e1846 = phi_3423_;
+                                            let _e1852 = global_3.member[_e697.member_1][0u];
+                                            let _e1856 = global_3.member[_e697.member_1][1u];
+                                            let _e1860 = global_3.member[_e697.member_1][2u];
+                                            let _e1864 = global_3.member[_e697.member_1][3u];
+                                            let _e1876 = (((_e1856 >> bitcast<u32>(22i)) | ((_e1860 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1864 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1877 = (_e1852 & 268435455u);
+                                            let _e1878 = (_e1876 & 268435455u);
+                                            let _e1881 = ((_e1852 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1889 = ((_e1852 >> bitcast<u32>(31i)) | (((_e1876 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1890 = (_e1881 != 0u);
+                                            if (_e1881 == 0u) {
+                                                phi_3678_ = _e1877;
                                             } else {
-                                                if (_e1911 == 7u) {
-                                                    phi_3760_ = 2147483648u;
+                                                if (_e1881 == 7u) {
+                                                    phi_3677_ = 2147483648u;
                                                 } else {
-                                                    phi_3760_ = ((2147483648u | (_e1911 << bitcast<u32>(28u))) | (_e1908 & 268435455u));
+                                                    phi_3677_ = ((2147483648u | (_e1881 << bitcast<u32>(28u))) | (_e1878 & 268435455u));
                                                 }
-                                                let _e1929 = phi_3760_;
-                                                phi_3761_ = _e1929;
+                                                let _e1899 = phi_3677_;
+                                                phi_3678_ = _e1899;
                                             }
-                                            let _e1931 = phi_3761_;
-                                            if _e1920 {
-                                                let _e1932 = (_e1911 != 7u);
-                                                if _e1932 {
-                                                    phi_3771_ = (_e1908 + (_e1911 * ((3u * _e1876) + 1u)));
+                                            let _e1901 = phi_3678_;
+                                            if _e1890 {
+                                                let _e1902 = (_e1881 != 7u);
+                                                if _e1902 {
+                                                    phi_3688_ = (_e1878 + (_e1881 * ((3u * _e1846) + 1u)));
                                                 } else {
-                                                    phi_3771_ = u32();
+                                                    phi_3688_ = u32();
                                                 }
-                                                let _e1936 = phi_3771_;
-                                                phi_3773_ = _e1936;
-                                                phi_3774_ = select(true, false, _e1932);
+                                                let _e1906 = phi_3688_;
+                                                phi_3690_ = _e1906;
+                                                phi_3691_ = select(true, false, _e1902);
                                             } else {
-                                                phi_3773_ = u32();
-                                                phi_3774_ = true;
+                                                phi_3690_ = u32();
+                                                phi_3691_ = true;
                                             }
-                                            let _e1939 = phi_3773_;
-                                            let _e1941 = phi_3774_;
-                                            if (_e1919 == 0u) {
-                                                phi_3795_ = (_e1907 + select(0u, 1u, !(_e1920)));
+                                            let _e1909 = phi_3690_;
+                                            let _e1911 = phi_3691_;
+                                            if (_e1889 == 0u) {
+                                                phi_3712_ = (_e1877 + select(0u, 1u, !(_e1890)));
                                             } else {
-                                                if (_e1919 == 7u) {
-                                                    phi_3794_ = 2147483648u;
+                                                if (_e1889 == 7u) {
+                                                    phi_3711_ = 2147483648u;
                                                 } else {
-                                                    phi_3794_ = ((2147483648u | (_e1919 << bitcast<u32>(28u))) | (select(_e1939, _e1908, _e1941) & 268435455u));
+                                                    phi_3711_ = ((2147483648u | (_e1889 << bitcast<u32>(28u))) | (select(_e1909, _e1878, _e1911) & 268435455u));
                                                 }
-                                                let _e1954 = phi_3794_;
-                                                phi_3795_ = _e1954;
+                                                let _e1924 = phi_3711_;
+                                                phi_3712_ = _e1924;
                                             }
-                                            let _e1956 = phi_3795_;
-                                            phi_3799_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e1834, (_e712.member.member.x + _e1786), _e1839, (_e712.member.member_1.x - _e1825)), vec4<f32>(_e1835, (_e712.member.member.y + _e1790), _e1840, (_e712.member.member_1.y - _e1829)), vec4<f32>(_e1836, (_e712.member.member.z + _e1794), _e1841, (_e712.member.member_1.z - _e1833))), type_49(type_32((_e712.member.member + vec4<f32>(_e1764, _e1773, _e1782, 0f)), (_e712.member.member_1 - vec4<f32>(_e1803, _e1812, _e1821, 0f))), _e1931), type_49(type_32((_e712.member.member + vec4<f32>(_e1786, _e1790, _e1794, 0f)), (_e712.member.member_1 - vec4<f32>(_e1825, _e1829, _e1833, 0f))), _e1956));
+                                            let _e1926 = phi_3712_;
+                                            phi_3716_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e1804, (_e697.member.member.x + _e1756), _e1809, (_e697.member.member_1.x - _e1795)), vec4<f32>(_e1805, (_e697.member.member.y + _e1760), _e1810, (_e697.member.member_1.y - _e1799)), vec4<f32>(_e1806, (_e697.member.member.z + _e1764), _e1811, (_e697.member.member_1.z - _e1803))), type_50(type_32((_e697.member.member + vec4<f32>(_e1734, _e1743, _e1752, 0f)), (_e697.member.member_1 - vec4<f32>(_e1773, _e1782, _e1791, 0f))), _e1901), type_50(type_32((_e697.member.member + vec4<f32>(_e1756, _e1760, _e1764, 0f)), (_e697.member.member_1 - vec4<f32>(_e1795, _e1799, _e1803, 0f))), _e1926));
                                         }
-                                        let _e1961 = phi_3799_;
-                                        let _e1973 = ((_e1961.member[0].x - _e372) * _e377);
-                                        let _e1974 = ((_e1961.member[0].y - _e372) * _e377);
-                                        let _e1975 = ((_e1961.member[0].z - _e373) * _e377);
-                                        let _e1976 = ((_e1961.member[0].w - _e373) * _e377);
-                                        let _e1986 = ((_e1961.member[1].x - _e440) * _e445);
-                                        let _e1987 = ((_e1961.member[1].y - _e440) * _e445);
-                                        let _e1988 = ((_e1961.member[1].z - _e441) * _e445);
-                                        let _e1989 = ((_e1961.member[1].w - _e441) * _e445);
-                                        let _e1999 = ((_e1961.member[2].x - _e508) * _e513);
-                                        let _e2000 = ((_e1961.member[2].y - _e508) * _e513);
-                                        let _e2001 = ((_e1961.member[2].z - _e509) * _e513);
-                                        let _e2002 = ((_e1961.member[2].w - _e509) * _e513);
-                                        let _e2004 = select(_e2001, _e1999, (_e1999 < _e2001));
-                                        let _e2006 = select(_e2002, _e2000, (_e2000 < _e2002));
-                                        let _e2008 = select(_e2001, _e1999, (_e1999 > _e2001));
-                                        let _e2010 = select(_e2002, _e2000, (_e2000 > _e2002));
-                                        let _e2012 = select(_e1975, _e1973, (_e1973 < _e1975));
-                                        let _e2014 = select(_e1976, _e1974, (_e1974 < _e1976));
-                                        let _e2016 = select(_e1988, _e1986, (_e1986 < _e1988));
-                                        let _e2018 = select(_e1989, _e1987, (_e1987 < _e1989));
-                                        let _e2020 = select(_e2016, _e2012, (_e2012 > _e2016));
-                                        let _e2022 = select(_e2018, _e2014, (_e2014 > _e2018));
-                                        let _e2024 = select(_e2004, _e2020, (_e2020 > _e2004));
-                                        let _e2026 = select(_e2006, _e2022, (_e2022 > _e2006));
-                                        let _e2028 = select(_e1975, _e1973, (_e1973 > _e1975));
-                                        let _e2030 = select(_e1976, _e1974, (_e1974 > _e1976));
-                                        let _e2032 = select(_e1988, _e1986, (_e1986 > _e1988));
-                                        let _e2034 = select(_e1989, _e1987, (_e1987 > _e1989));
-                                        let _e2036 = select(_e2032, _e2028, (_e2028 < _e2032));
-                                        let _e2038 = select(_e2034, _e2030, (_e2030 < _e2034));
-                                        let _e2043 = -(_e2004);
-                                        let _e2044 = -(_e2006);
-                                        let _e2051 = (select(_e2008, _e2036, (_e2036 < _e2008)) + (select(_e2043, _e2008, (_e2008 > _e2043)) * 0.0000019073523f));
-                                        let _e2052 = (select(_e2010, _e2038, (_e2038 < _e2010)) + (select(_e2044, _e2010, (_e2010 > _e2044)) * 0.0000019073523f));
-                                        let _e2054 = select(_e625, _e2024, (_e2024 > _e625));
-                                        let _e2056 = select(_e625, _e2026, (_e2026 > _e625));
-                                        let _e2061 = (_e2054 <= select(_e1665.member_1, _e2051, (_e2051 < _e1665.member_1)));
-                                        let _e2062 = (_e2056 <= select(_e1665.member_1, _e2052, (_e2052 < _e1665.member_1)));
-                                        let _e2063 = (_e2054 <= _e2056);
-                                        if _e2061 {
-                                            if _e2062 {
-                                                if _e2063 {
-                                                    phi_4161_ = _e1961.member_2;
+                                        let _e1931 = phi_3716_;
+                                        let _e1943 = ((_e1931.member[0].x - _e372) * _e375);
+                                        let _e1944 = ((_e1931.member[0].y - _e372) * _e375);
+                                        let _e1945 = ((_e1931.member[0].z - _e373) * _e375);
+                                        let _e1946 = ((_e1931.member[0].w - _e373) * _e375);
+                                        let _e1956 = ((_e1931.member[1].x - _e438) * _e441);
+                                        let _e1957 = ((_e1931.member[1].y - _e438) * _e441);
+                                        let _e1958 = ((_e1931.member[1].z - _e439) * _e441);
+                                        let _e1959 = ((_e1931.member[1].w - _e439) * _e441);
+                                        let _e1969 = ((_e1931.member[2].x - _e504) * _e507);
+                                        let _e1970 = ((_e1931.member[2].y - _e504) * _e507);
+                                        let _e1971 = ((_e1931.member[2].z - _e505) * _e507);
+                                        let _e1972 = ((_e1931.member[2].w - _e505) * _e507);
+                                        let _e1974 = select(_e1971, _e1969, (_e1969 < _e1971));
+                                        let _e1976 = select(_e1972, _e1970, (_e1970 < _e1972));
+                                        let _e1978 = select(_e1971, _e1969, (_e1969 > _e1971));
+                                        let _e1980 = select(_e1972, _e1970, (_e1970 > _e1972));
+                                        let _e1982 = select(_e1945, _e1943, (_e1943 < _e1945));
+                                        let _e1984 = select(_e1946, _e1944, (_e1944 < _e1946));
+                                        let _e1986 = select(_e1958, _e1956, (_e1956 < _e1958));
+                                        let _e1988 = select(_e1959, _e1957, (_e1957 < _e1959));
+                                        let _e1990 = select(_e1986, _e1982, (_e1982 > _e1986));
+                                        let _e1992 = select(_e1988, _e1984, (_e1984 > _e1988));
+                                        let _e1994 = select(_e1974, _e1990, (_e1990 > _e1974));
+                                        let _e1996 = select(_e1976, _e1992, (_e1992 > _e1976));
+                                        let _e1998 = select(_e1945, _e1943, (_e1943 > _e1945));
+                                        let _e2000 = select(_e1946, _e1944, (_e1944 > _e1946));
+                                        let _e2002 = select(_e1958, _e1956, (_e1956 > _e1958));
+                                        let _e2004 = select(_e1959, _e1957, (_e1957 > _e1959));
+                                        let _e2006 = select(_e2002, _e1998, (_e1998 < _e2002));
+                                        let _e2008 = select(_e2004, _e2000, (_e2000 < _e2004));
+                                        let _e2013 = -(_e1974);
+                                        let _e2014 = -(_e1976);
+                                        let _e2021 = (select(_e1978, _e2006, (_e2006 < _e1978)) + (select(_e2013, _e1978, (_e1978 > _e2013)) * 0.0000019073523f));
+                                        let _e2022 = (select(_e1980, _e2008, (_e2008 < _e1980)) + (select(_e2014, _e1980, (_e1980 > _e2014)) * 0.0000019073523f));
+                                        let _e2024 = select(_e610, _e1994, (_e1994 > _e610));
+                                        let _e2026 = select(_e610, _e1996, (_e1996 > _e610));
+                                        let _e2031 = (_e2024 <= select(_e1635.member_1, _e2021, (_e2021 < _e1635.member_1)));
+                                        let _e2032 = (_e2026 <= select(_e1635.member_1, _e2022, (_e2022 < _e1635.member_1)));
+                                        let _e2033 = (_e2024 <= _e2026);
+                                        if _e2031 {
+                                            if _e2032 {
+                                                if _e2033 {
+                                                    phi_4078_ = _e1931.member_2;
                                                 } else {
-                                                    phi_4161_ = _e1961.member_1;
+                                                    phi_4078_ = _e1931.member_1;
                                                 }
-                                                let _e2067 = phi_4161_;
-                                                let _e2088 = (_e710 % 128u);
-                                                let _e2089 = (_e2088 < 128u);
-                                                if _e2089 {
+                                                let _e2037 = phi_4078_;
+                                                let _e2058 = (_e695 % 128u);
+                                                let _e2059 = (_e2058 < 128u);
+                                                if _e2059 {
                                                 } else {
-                                                    phi_4849_ = true;
+                                                    phi_4951_ = true;
                                                     break;
                                                 }
-                                                local_8[_e2088] = _e2067.member_1;
-                                                if _e2089 {
+                                                local_8[_e2058] = _e2037.member_1;
+                                                if _e2059 {
                                                 } else {
-                                                    phi_4849_ = true;
+                                                    phi_4951_ = true;
                                                     break;
                                                 }
-                                                local_7[_e2088] = _e2067.member.member.x;
-                                                if _e2089 {
+                                                local_7[_e2058] = _e2037.member.member.x;
+                                                if _e2059 {
                                                 } else {
-                                                    phi_4849_ = true;
+                                                    phi_4951_ = true;
                                                     break;
                                                 }
-                                                local_6[_e2088] = _e2067.member.member.y;
-                                                if _e2089 {
+                                                local_6[_e2058] = _e2037.member.member.y;
+                                                if _e2059 {
                                                 } else {
-                                                    phi_4849_ = true;
+                                                    phi_4951_ = true;
                                                     break;
                                                 }
-                                                local_5[_e2088] = _e2067.member.member.z;
-                                                if _e2089 {
+                                                local_5[_e2058] = _e2037.member.member.z;
+                                                if _e2059 {
                                                 } else {
-                                                    phi_4849_ = true;
+                                                    phi_4951_ = true;
                                                     break;
                                                 }
-                                                local_4[_e2088] = _e2067.member.member_1.x;
-                                                if _e2089 {
+                                                local_4[_e2058] = _e2037.member.member_1.x;
+                                                if _e2059 {
                                                 } else {
-                                                    phi_4849_ = true;
+                                                    phi_4951_ = true;
                                                     break;
                                                 }
-                                                local_3[_e2088] = _e2067.member.member_1.y;
-                                                if _e2089 {
+                                                local_3[_e2058] = _e2037.member.member_1.y;
+                                                if _e2059 {
                                                 } else {
-                                                    phi_4849_ = true;
+                                                    phi_4951_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2088] = _e2067.member.member_1.z;
-                                                if _e2089 {
+                                                local_2[_e2058] = _e2037.member.member_1.z;
+                                                if _e2059 {
                                                 } else {
-                                                    phi_4849_ = true;
+                                                    phi_4951_ = true;
                                                     break;
                                                 }
-                                                local_9[_e2088] = select(_e2054, _e2056, _e2063);
-                                                if _e2063 {
-                                                    phi_4237_ = _e1961.member_1;
+                                                local_9[_e2058] = select(_e2024, _e2026, _e2033);
+                                                if _e2033 {
+                                                    phi_4154_ = _e1931.member_1;
                                                 } else {
-                                                    phi_4237_ = _e1961.member_2;
+                                                    phi_4154_ = _e1931.member_2;
                                                 }
-                                                let _e2102 = phi_4237_;
-                                                phi_4238_ = (_e710 + 1u);
-                                                phi_4239_ = _e2102;
+                                                let _e2072 = phi_4154_;
+                                                phi_4155_ = (_e695 + 1u);
+                                                phi_4156_ = _e2072;
                                             } else {
-                                                phi_4238_ = u32();
-                                                phi_4239_ = type_49();
+                                                phi_4155_ = u32();
+                                                phi_4156_ = type_50();
                                             }
-                                            let _e2104 = phi_4238_;
-                                            let _e2106 = phi_4239_;
-                                            phi_4241_ = _e2104;
-                                            phi_4242_ = _e2106;
-                                            phi_4243_ = select(true, false, _e2062);
+                                            let _e2074 = phi_4155_;
+                                            let _e2076 = phi_4156_;
+                                            phi_4158_ = _e2074;
+                                            phi_4159_ = _e2076;
+                                            phi_4160_ = select(true, false, _e2032);
                                         } else {
-                                            phi_4241_ = u32();
-                                            phi_4242_ = type_49();
-                                            phi_4243_ = true;
+                                            phi_4158_ = u32();
+                                            phi_4159_ = type_50();
+                                            phi_4160_ = true;
                                         }
-                                        let _e2109 = phi_4241_;
-                                        let _e2111 = phi_4242_;
-                                        let _e2113 = phi_4243_;
-                                        if _e2113 {
-                                            if _e2061 {
-                                                phi_4252_ = _e1961.member_1;
+                                        let _e2079 = phi_4158_;
+                                        let _e2081 = phi_4159_;
+                                        let _e2083 = phi_4160_;
+                                        if _e2083 {
+                                            if _e2031 {
+                                                phi_4169_ = _e1931.member_1;
                                             } else {
-                                                phi_4252_ = _e1961.member_2;
+                                                phi_4169_ = _e1931.member_2;
                                             }
-                                            let _e2117 = phi_4252_;
-                                            phi_4257_ = select(_e2062, true, _e2061);
-                                            phi_4259_ = _e2117;
+                                            let _e2087 = phi_4169_;
+                                            phi_4174_ = select(_e2032, true, _e2031);
+                                            phi_4176_ = _e2087;
                                         } else {
-                                            phi_4257_ = _e708;
-                                            phi_4259_ = _e2111;
+                                            phi_4174_ = _e693;
+                                            phi_4176_ = _e2081;
                                         }
-                                        let _e2120 = phi_4257_;
-                                        let _e2122 = phi_4259_;
-                                        phi_4263_ = _e2120;
-                                        phi_4264_ = select(_e2109, _e710, _e2113);
-                                        phi_4265_ = _e2122;
+                                        let _e2090 = phi_4174_;
+                                        let _e2092 = phi_4176_;
+                                        phi_4180_ = _e2090;
+                                        phi_4181_ = select(_e2079, _e695, _e2083);
+                                        phi_4182_ = _e2092;
                                     }
-                                    let _e2125 = phi_4263_;
-                                    let _e2127 = phi_4264_;
-                                    let _e2129 = phi_4265_;
-                                    if _e716 {
-                                        phi_4275_ = _e712;
+                                    let _e2095 = phi_4180_;
+                                    let _e2097 = phi_4181_;
+                                    let _e2099 = phi_4182_;
+                                    if _e701 {
+                                        phi_4192_ = _e697;
                                     } else {
-                                        phi_4275_ = _e2129;
+                                        phi_4192_ = _e2099;
                                     }
-                                    let _e2131 = phi_4275_;
-                                    phi_4852_ = _e1663;
-                                    phi_4276_ = _e1665;
-                                    phi_4277_ = (_e671 - 1u);
-                                    phi_4278_ = select(_e2125, false, _e716);
-                                    phi_4279_ = select(_e2127, _e710, _e716);
-                                    phi_4280_ = _e2131;
+                                    let _e2101 = phi_4192_;
+                                    phi_4954_ = _e1633;
+                                    phi_4193_ = _e1635;
+                                    phi_4194_ = (_e656 - 1u);
+                                    phi_4195_ = select(_e2095, false, _e701);
+                                    phi_4196_ = select(_e2097, _e695, _e701);
+                                    phi_4197_ = _e2101;
                                 } else {
-                                    phi_4852_ = _e667;
-                                    phi_4276_ = _e669;
-                                    phi_4277_ = _e671;
-                                    phi_4278_ = _e708;
-                                    phi_4279_ = _e710;
-                                    phi_4280_ = _e712;
+                                    phi_4954_ = _e652;
+                                    phi_4193_ = _e654;
+                                    phi_4194_ = _e656;
+                                    phi_4195_ = _e693;
+                                    phi_4196_ = _e695;
+                                    phi_4197_ = _e697;
                                 }
-                                let _e2135 = phi_4852_;
-                                let _e2137 = phi_4276_;
-                                let _e2139 = phi_4277_;
-                                let _e2141 = phi_4278_;
-                                let _e2143 = phi_4279_;
-                                let _e2145 = phi_4280_;
-                                phi_4851_ = _e2135;
-                                phi_4281_ = _e2137;
-                                phi_4282_ = _e2139;
-                                phi_4283_ = _e2141;
-                                phi_4284_ = _e2143;
-                                phi_4285_ = _e2145;
+                                let _e2105 = phi_4954_;
+                                let _e2107 = phi_4193_;
+                                let _e2109 = phi_4194_;
+                                let _e2111 = phi_4195_;
+                                let _e2113 = phi_4196_;
+                                let _e2115 = phi_4197_;
+                                phi_4953_ = _e2105;
+                                phi_4198_ = _e2107;
+                                phi_4199_ = _e2109;
+                                phi_4200_ = _e2111;
+                                phi_4201_ = _e2113;
+                                phi_4202_ = _e2115;
                             } else {
-                                phi_4851_ = _e667;
-                                phi_4281_ = type_37();
-                                phi_4282_ = u32();
-                                phi_4283_ = bool();
-                                phi_4284_ = u32();
-                                phi_4285_ = type_49();
+                                phi_4953_ = _e652;
+                                phi_4198_ = type_37();
+                                phi_4199_ = u32();
+                                phi_4200_ = bool();
+                                phi_4201_ = u32();
+                                phi_4202_ = type_50();
                             }
-                            let _e2147 = phi_4851_;
-                            let _e2149 = phi_4281_;
-                            let _e2151 = phi_4282_;
-                            let _e2153 = phi_4283_;
-                            let _e2155 = phi_4284_;
-                            let _e2157 = phi_4285_;
-                            phi_4850_ = _e2147;
-                            phi_1174_ = _e2149;
-                            phi_1177_ = _e2151;
-                            phi_1179_ = _e2153;
-                            phi_1181_ = _e2155;
-                            phi_1183_ = _e2157;
-                            phi_4286_ = _e681;
+                            let _e2117 = phi_4953_;
+                            let _e2119 = phi_4198_;
+                            let _e2121 = phi_4199_;
+                            let _e2123 = phi_4200_;
+                            let _e2125 = phi_4201_;
+                            let _e2127 = phi_4202_;
+                            phi_4952_ = _e2117;
+                            phi_1194_ = _e2119;
+                            phi_1197_ = _e2121;
+                            phi_1199_ = _e2123;
+                            phi_1201_ = _e2125;
+                            phi_1203_ = _e2127;
+                            phi_4203_ = _e666;
                         } else {
-                            phi_4850_ = _e667;
-                            phi_1174_ = type_37();
-                            phi_1177_ = u32();
-                            phi_1179_ = bool();
-                            phi_1181_ = u32();
-                            phi_1183_ = type_49();
-                            phi_4286_ = false;
+                            phi_4952_ = _e652;
+                            phi_1194_ = type_37();
+                            phi_1197_ = u32();
+                            phi_1199_ = bool();
+                            phi_1201_ = u32();
+                            phi_1203_ = type_50();
+                            phi_4203_ = false;
                         }
-                        let _e2159 = phi_4850_;
-                        let _e2161 = phi_1174_;
-                        let _e2163 = phi_1177_;
-                        let _e2165 = phi_1179_;
-                        let _e2167 = phi_1181_;
-                        let _e2169 = phi_1183_;
-                        let _e2171 = phi_4286_;
+                        let _e2129 = phi_4952_;
+                        let _e2131 = phi_1194_;
+                        let _e2133 = phi_1197_;
+                        let _e2135 = phi_1199_;
+                        let _e2137 = phi_1201_;
+                        let _e2139 = phi_1203_;
+                        let _e2141 = phi_4203_;
                         continue;
                         continuing {
-                            phi_4648_ = _e2159;
-                            phi_1173_ = _e2161;
-                            phi_1176_ = _e2163;
-                            phi_1178_ = _e2165;
-                            phi_1180_ = _e2167;
-                            phi_1182_ = _e2169;
-                            phi_4849_ = _e2159;
-                            break if !(_e2171);
+                            phi_4745_ = _e2129;
+                            phi_1193_ = _e2131;
+                            phi_1196_ = _e2133;
+                            phi_1198_ = _e2135;
+                            phi_1200_ = _e2137;
+                            phi_1202_ = _e2139;
+                            phi_4951_ = _e2129;
+                            break if !(_e2141);
                         }
                     }
-                    let _e2174 = phi_4849_;
-                    if _e2174 {
+                    let _e2144 = phi_4951_;
+                    if _e2144 {
                         break;
                     }
-                    let _e2176 = local_10;
-                    if (_e2176.member.member_3 != 4294967295u) {
-                        let _e2181 = -(_e527);
-                        let _e2182 = bitcast<u32>(_e2176.member.member);
-                        let _e2186 = (bitcast<i32>((_e2182 >> bitcast<u32>(23i))) & 255i);
-                        let _e2187 = (_e2186 + _e2181);
-                        if (_e2186 == 255i) {
-                            phi_4345_ = _e2176.member.member;
+                    let _e2146 = local_10;
+                    if (_e2146.member.member_3 != 4294967295u) {
+                        let _e2151 = -(_e512);
+                        let _e2152 = bitcast<u32>(_e2146.member.member);
+                        let _e2156 = (bitcast<i32>((_e2152 >> bitcast<u32>(23i))) & 255i);
+                        let _e2157 = (_e2156 + _e2151);
+                        if (_e2156 == 255i) {
+                            phi_4262_ = _e2146.member.member;
                         } else {
-                            if (_e2186 > 0i) {
-                                if (_e2187 > 0i) {
-                                    let _e2191 = (_e2187 < 255i);
-                                    if _e2191 {
-                                        phi_4324_ = bitcast<f32>((_e2182 + bitcast<u32>((_e2181 << bitcast<u32>(23i)))));
+                            if (_e2156 > 0i) {
+                                if (_e2157 > 0i) {
+                                    let _e2161 = (_e2157 < 255i);
+                                    if _e2161 {
+                                        phi_4241_ = bitcast<f32>((_e2152 + bitcast<u32>((_e2151 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4324_ = f32();
+                                        phi_4241_ = f32();
                                     }
-                                    let _e2198 = phi_4324_;
-                                    phi_4326_ = _e2198;
-                                    phi_4327_ = select(true, false, _e2191);
+                                    let _e2168 = phi_4241_;
+                                    phi_4243_ = _e2168;
+                                    phi_4244_ = select(true, false, _e2161);
                                 } else {
-                                    phi_4326_ = f32();
-                                    phi_4327_ = true;
+                                    phi_4243_ = f32();
+                                    phi_4244_ = true;
                                 }
-                                let _e2201 = phi_4326_;
-                                let _e2203 = phi_4327_;
-                                phi_4328_ = _e2201;
-                                phi_4329_ = _e2203;
+                                let _e2171 = phi_4243_;
+                                let _e2173 = phi_4244_;
+                                phi_4245_ = _e2171;
+                                phi_4246_ = _e2173;
                             } else {
-                                phi_4328_ = f32();
-                                phi_4329_ = true;
+                                phi_4245_ = f32();
+                                phi_4246_ = true;
                             }
-                            let _e2205 = phi_4328_;
-                            let _e2207 = phi_4329_;
-                            if _e2207 {
-                                let _e2208 = (_e2182 & 2147483648u);
-                                let _e2215 = ((_e2182 & 8388607u) | (select(0u, 1u, ((_e2182 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2219 = (_e2215 == 0u);
-                                if _e2219 {
-                                    phi_4600_ = bitcast<f32>(_e2208);
+                            let _e2175 = phi_4245_;
+                            let _e2177 = phi_4246_;
+                            if _e2177 {
+                                let _e2178 = (_e2152 & 2147483648u);
+                                let _e2185 = ((_e2152 & 8388607u) | (select(0u, 1u, ((_e2152 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2189 = (_e2185 == 0u);
+                                if _e2189 {
+                                    phi_4697_ = bitcast<f32>(_e2178);
                                 } else {
-                                    let _e2224 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2215)), 32u, _e2219) - 8u);
-                                    let _e2227 = (_e2215 << bitcast<u32>((_e2224 & 31u)));
-                                    let _e2229 = ((_e2187 + select(0i, 1i, (_e2186 == 0i))) - bitcast<i32>(_e2224));
-                                    if (_e2229 >= 255i) {
-                                        phi_4590_ = bitcast<f32>((_e2208 | 2139095040u));
-                                        phi_4591_ = f32();
-                                        phi_4592_ = true;
+                                    let _e2194 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2185)), 32u, _e2189) - 8u);
+                                    let _e2197 = (_e2185 << bitcast<u32>((_e2194 & 31u)));
+                                    let _e2199 = ((_e2157 + select(0i, 1i, (_e2156 == 0i))) - bitcast<i32>(_e2194));
+                                    if (_e2199 >= 255i) {
+                                        phi_4687_ = bitcast<f32>((_e2178 | 2139095040u));
+                                        phi_4688_ = f32();
+                                        phi_4689_ = true;
                                     } else {
-                                        let _e2231 = (_e2229 > 0i);
-                                        if _e2231 {
-                                            phi_4584_ = bitcast<f32>(((_e2208 | (bitcast<u32>(_e2229) << bitcast<u32>(23i))) | (_e2227 & 8388607u)));
-                                            phi_4585_ = f32();
+                                        let _e2201 = (_e2199 > 0i);
+                                        if _e2201 {
+                                            phi_4681_ = bitcast<f32>(((_e2178 | (bitcast<u32>(_e2199) << bitcast<u32>(23i))) | (_e2197 & 8388607u)));
+                                            phi_4682_ = f32();
                                         } else {
-                                            if (_e2229 < -24i) {
-                                                phi_4550_ = 26u;
+                                            if (_e2199 < -24i) {
+                                                phi_4647_ = 26u;
                                             } else {
-                                                phi_4550_ = bitcast<u32>((1i - _e2229));
+                                                phi_4647_ = bitcast<u32>((1i - _e2199));
                                             }
-                                            let _e2236 = phi_4550_;
-                                            let _e2237 = (_e2236 & 31u);
-                                            let _e2239 = (_e2227 >> bitcast<u32>(_e2237));
-                                            let _e2243 = (_e2227 & ((1u << bitcast<u32>(_e2237)) - 1u));
-                                            let _e2247 = (1u << bitcast<u32>(((_e2236 - 1u) & 31u)));
-                                            if (_e2243 > _e2247) {
-                                                phi_4571_ = true;
+                                            let _e2206 = phi_4647_;
+                                            let _e2207 = (_e2206 & 31u);
+                                            let _e2209 = (_e2197 >> bitcast<u32>(_e2207));
+                                            let _e2213 = (_e2197 & ((1u << bitcast<u32>(_e2207)) - 1u));
+                                            let _e2217 = (1u << bitcast<u32>(((_e2206 - 1u) & 31u)));
+                                            if (_e2213 > _e2217) {
+                                                phi_4668_ = true;
                                             } else {
-                                                if (_e2243 == _e2247) {
-                                                    phi_4568_ = ((_e2239 & 1u) == 1u);
+                                                if (_e2213 == _e2217) {
+                                                    phi_4665_ = ((_e2209 & 1u) == 1u);
                                                 } else {
-                                                    phi_4568_ = false;
+                                                    phi_4665_ = false;
                                                 }
-                                                let _e2253 = phi_4568_;
-                                                phi_4571_ = _e2253;
+                                                let _e2223 = phi_4665_;
+                                                phi_4668_ = _e2223;
                                             }
-                                            let _e2255 = phi_4571_;
-                                            phi_4584_ = f32();
-                                            phi_4585_ = bitcast<f32>((_e2208 | (_e2239 + select(0u, 1u, _e2255))));
+                                            let _e2225 = phi_4668_;
+                                            phi_4681_ = f32();
+                                            phi_4682_ = bitcast<f32>((_e2178 | (_e2209 + select(0u, 1u, _e2225))));
                                         }
-                                        let _e2268 = phi_4584_;
-                                        let _e2270 = phi_4585_;
-                                        phi_4590_ = _e2268;
-                                        phi_4591_ = _e2270;
-                                        phi_4592_ = _e2231;
+                                        let _e2238 = phi_4681_;
+                                        let _e2240 = phi_4682_;
+                                        phi_4687_ = _e2238;
+                                        phi_4688_ = _e2240;
+                                        phi_4689_ = _e2201;
                                     }
-                                    let _e2274 = phi_4590_;
-                                    let _e2276 = phi_4591_;
-                                    let _e2278 = phi_4592_;
-                                    phi_4600_ = select(_e2276, _e2274, _e2278);
+                                    let _e2244 = phi_4687_;
+                                    let _e2246 = phi_4688_;
+                                    let _e2248 = phi_4689_;
+                                    phi_4697_ = select(_e2246, _e2244, _e2248);
                                 }
-                                let _e2282 = phi_4600_;
-                                phi_4344_ = _e2282;
+                                let _e2252 = phi_4697_;
+                                phi_4261_ = _e2252;
                             } else {
-                                phi_4344_ = _e2205;
+                                phi_4261_ = _e2175;
                             }
-                            let _e2284 = phi_4344_;
-                            phi_4345_ = _e2284;
+                            let _e2254 = phi_4261_;
+                            phi_4262_ = _e2254;
                         }
-                        let _e2286 = phi_4345_;
-                        let _e2287 = bitcast<u32>(_e2286);
-                        if ((_e2287 & 2147483647u) >= 2139095040u) {
-                            phi_4357_ = bitcast<f32>(((_e2287 & 2147483648u) | 2139095039u));
+                        let _e2256 = phi_4262_;
+                        let _e2257 = bitcast<u32>(_e2256);
+                        if ((_e2257 & 2147483647u) >= 2139095040u) {
+                            phi_4274_ = bitcast<f32>(((_e2257 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4357_ = _e2286;
+                            phi_4274_ = _e2256;
                         }
-                        let _e2294 = phi_4357_;
-                        phi_4362_ = type_24(_e2294, _e2176.member.member_1, _e2176.member.member_2, _e2176.member.member_3);
+                        let _e2264 = phi_4274_;
+                        phi_4279_ = type_24(_e2264, _e2146.member.member_1, _e2146.member.member_2, _e2146.member.member_3);
                     } else {
-                        phi_4362_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4279_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2299 = phi_4362_;
+                    let _e2269 = phi_4279_;
                     if _e158 {
                     } else {
                         break;
                     }
-                    global_6.member[_e156] = _e2299;
+                    global_6.member[_e156] = _e2269;
                 }
             }
             break;

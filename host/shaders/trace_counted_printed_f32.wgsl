@@ -39,38 +39,45 @@ struct type_32 {
     member_1: f32,
 }
 
-struct type_36 {
+struct type_35 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_37 {
     member: array<type_26>,
 }
 
-struct type_38 {
+struct type_39 {
     member: type_32,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_40 {
+struct type_41 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_42 {
+struct type_43 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_44 {
-    member: array<type_42>,
+struct type_45 {
+    member: array<type_43>,
 }
 
-struct type_47 {
+struct type_48 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_49 {
-    member: type_47,
+struct type_50 {
+    member: type_48,
     member_1: u32,
 }
 
@@ -80,11 +87,11 @@ var<uniform> global_1: type_8;
 @group(0) @binding(3) 
 var<storage> global_2: type_15;
 @group(0) @binding(1) 
-var<uniform> global_3: type_40;
+var<uniform> global_3: type_41;
 @group(0) @binding(4) 
-var<storage> global_4: type_36;
+var<storage> global_4: type_37;
 @group(0) @binding(2) 
-var<storage> global_5: type_44;
+var<storage> global_5: type_45;
 @group(0) @binding(5) 
 var<storage, read_write> global_6: type_21;
 
@@ -99,457 +106,414 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_342_: i32;
-    var phi_343_: i32;
-    var phi_353_: bool;
-    var phi_363_: u32;
-    var phi_364_: u32;
-    var phi_366_: bool;
-    var phi_371_: u32;
-    var phi_384_: i32;
-    var phi_404_: i32;
-    var phi_422_: f32;
-    var phi_428_: f32;
-    var phi_468_: f32;
-    var phi_474_: f32;
-    var phi_526_: f32;
-    var phi_538_: f32;
-    var phi_547_: f32;
-    var phi_553_: f32;
-    var phi_593_: f32;
-    var phi_599_: f32;
-    var phi_651_: f32;
-    var phi_663_: f32;
-    var phi_672_: f32;
-    var phi_678_: f32;
-    var phi_718_: f32;
-    var phi_724_: f32;
-    var phi_776_: f32;
-    var phi_788_: f32;
-    var phi_843_: i32;
-    var phi_865_: u32;
-    var phi_866_: u32;
-    var phi_903_: i32;
-    var phi_925_: u32;
-    var phi_926_: u32;
-    var phi_934_: f32;
-    var phi_935_: f32;
-    var phi_3318_: bool;
-    var phi_1019_: type_38;
-    var phi_1022_: u32;
-    var phi_1024_: bool;
-    var phi_1026_: u32;
-    var phi_1028_: type_49;
-    var phi_1039_: bool;
-    var phi_1125_: bool;
-    var phi_1126_: u32;
-    var phi_1127_: type_49;
-    var phi_1145_: type_38;
-    var phi_1148_: type_4;
-    var phi_1149_: type_4;
-    var phi_1171_: type_4;
-    var phi_1195_: u32;
-    var phi_1287_: array<array<f32, 3>, 3>;
-    var phi_1439_: bool;
-    var phi_1468_: bool;
-    var phi_1887_: f32;
-    var phi_1888_: f32;
-    var phi_1889_: f32;
-    var phi_1890_: f32;
-    var phi_1891_: vec3<f32>;
-    var phi_1892_: vec3<f32>;
-    var phi_1893_: vec3<f32>;
-    var phi_1894_: vec3<f32>;
-    var phi_1931_: bool;
-    var phi_1940_: vec3<f32>;
-    var phi_2105_: f32;
-    var phi_2107_: f32;
-    var phi_2108_: bool;
-    var phi_2128_: f32;
-    var phi_2129_: f32;
-    var phi_2152_: type_25;
-    var phi_2154_: type_25;
-    var phi_2155_: bool;
-    var phi_2159_: type_25;
-    var phi_2160_: type_25;
-    var phi_2161_: type_25;
-    var phi_2162_: bool;
-    var phi_2166_: type_25;
-    var phi_2167_: bool;
-    var phi_2168_: type_25;
-    var phi_2169_: bool;
-    var phi_2170_: bool;
-    var phi_2171_: type_25;
-    var phi_2172_: bool;
-    var phi_2173_: bool;
-    var phi_2181_: type_25;
-    var phi_2182_: bool;
-    var phi_2186_: type_25;
-    var phi_2211_: bool;
-    var phi_2212_: bool;
-    var phi_2219_: type_38;
-    var phi_2220_: type_38;
-    var phi_2221_: type_38;
-    var phi_1146_: type_38;
-    var phi_3312_: bool;
-    var phi_3531_: bool;
-    var phi_2222_: type_38;
-    var phi_2243_: type_42;
-    var phi_3132_: type_49;
-    var phi_3208_: type_49;
-    var phi_3209_: u32;
-    var phi_3210_: type_49;
-    var phi_3212_: u32;
-    var phi_3213_: type_49;
-    var phi_3214_: bool;
-    var phi_3221_: type_49;
-    var phi_3226_: bool;
-    var phi_3228_: type_49;
-    var phi_3233_: type_38;
-    var phi_3234_: bool;
-    var phi_3235_: u32;
-    var phi_3236_: type_49;
-    var phi_3244_: type_38;
-    var phi_3247_: type_49;
-    var phi_3475_: bool;
-    var phi_3248_: type_38;
-    var phi_3249_: u32;
-    var phi_3250_: bool;
-    var phi_3251_: u32;
-    var phi_3252_: type_49;
-    var phi_3474_: bool;
-    var phi_3253_: type_38;
-    var phi_3254_: u32;
-    var phi_3255_: bool;
-    var phi_3256_: u32;
-    var phi_3257_: type_49;
-    var phi_3473_: bool;
-    var phi_1020_: type_38;
-    var phi_1023_: u32;
-    var phi_1025_: bool;
-    var phi_1027_: u32;
-    var phi_1029_: type_49;
-    var phi_3258_: bool;
-    var phi_3472_: bool;
-    var local_10: type_38;
-    var local_11: type_38;
-    var local_12: type_38;
+    var phi_361_: i32;
+    var phi_362_: i32;
+    var phi_372_: bool;
+    var phi_382_: u32;
+    var phi_383_: u32;
+    var phi_385_: bool;
+    var phi_390_: u32;
+    var phi_403_: i32;
+    var phi_423_: i32;
+    var phi_441_: f32;
+    var phi_447_: f32;
+    var phi_487_: f32;
+    var phi_493_: f32;
+    var phi_566_: f32;
+    var phi_572_: f32;
+    var phi_612_: f32;
+    var phi_618_: f32;
+    var phi_691_: f32;
+    var phi_697_: f32;
+    var phi_737_: f32;
+    var phi_743_: f32;
+    var phi_862_: i32;
+    var phi_884_: u32;
+    var phi_885_: u32;
+    var phi_922_: i32;
+    var phi_944_: u32;
+    var phi_945_: u32;
+    var phi_953_: f32;
+    var phi_954_: f32;
+    var phi_3414_: bool;
+    var phi_1038_: type_39;
+    var phi_1041_: u32;
+    var phi_1043_: bool;
+    var phi_1045_: u32;
+    var phi_1047_: type_50;
+    var phi_1058_: bool;
+    var phi_1144_: bool;
+    var phi_1145_: u32;
+    var phi_1146_: type_50;
+    var phi_1164_: type_39;
+    var phi_1167_: type_4;
+    var phi_1168_: type_4;
+    var phi_1190_: type_4;
+    var phi_1214_: u32;
+    var phi_1306_: array<array<f32, 3>, 3>;
+    var phi_3209_: bool;
+    var phi_3224_: bool;
+    var phi_3239_: bool;
+    var phi_3254_: bool;
+    var phi_3269_: bool;
+    var phi_3284_: bool;
+    var phi_1848_: f32;
+    var phi_1849_: f32;
+    var phi_1850_: f32;
+    var phi_1851_: f32;
+    var phi_1852_: vec3<f32>;
+    var phi_1853_: vec3<f32>;
+    var phi_1854_: vec3<f32>;
+    var phi_1855_: vec3<f32>;
+    var phi_3299_: bool;
+    var phi_3314_: bool;
+    var phi_3329_: bool;
+    var phi_3344_: bool;
+    var phi_3359_: bool;
+    var phi_3374_: bool;
+    var phi_2063_: f32;
+    var phi_2083_: type_35;
+    var phi_2084_: type_35;
+    var phi_2087_: type_35;
+    var phi_2088_: type_35;
+    var phi_2089_: bool;
+    var phi_2093_: type_35;
+    var phi_2102_: type_25;
+    var phi_2127_: bool;
+    var phi_2128_: bool;
+    var phi_2135_: type_39;
+    var phi_2136_: type_39;
+    var phi_2137_: type_39;
+    var phi_1165_: type_39;
+    var phi_3408_: bool;
+    var phi_3632_: bool;
+    var phi_2138_: type_39;
+    var phi_2159_: type_43;
+    var phi_3048_: type_50;
+    var phi_3124_: type_50;
+    var phi_3125_: u32;
+    var phi_3126_: type_50;
+    var phi_3128_: u32;
+    var phi_3129_: type_50;
+    var phi_3130_: bool;
+    var phi_3137_: type_50;
+    var phi_3142_: bool;
+    var phi_3144_: type_50;
+    var phi_3149_: type_39;
+    var phi_3150_: bool;
+    var phi_3151_: u32;
+    var phi_3152_: type_50;
+    var phi_3160_: type_39;
+    var phi_3163_: type_50;
+    var phi_3576_: bool;
+    var phi_3164_: type_39;
+    var phi_3165_: u32;
+    var phi_3166_: bool;
+    var phi_3167_: u32;
+    var phi_3168_: type_50;
+    var phi_3575_: bool;
+    var phi_3169_: type_39;
+    var phi_3170_: u32;
+    var phi_3171_: bool;
+    var phi_3172_: u32;
+    var phi_3173_: type_50;
+    var phi_3574_: bool;
+    var phi_1039_: type_39;
+    var phi_1042_: u32;
+    var phi_1044_: bool;
+    var phi_1046_: u32;
+    var phi_1048_: type_50;
+    var phi_3174_: bool;
+    var phi_3573_: bool;
+    var local_10: type_39;
+    var local_11: type_39;
+    var local_12: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e81 = global;
-            let _e84 = arrayLength((&global_5.member));
-            let _e86 = arrayLength((&global_2.member));
-            let _e94 = global_3.member[0u][0u];
-            let _e98 = global_3.member[0u][1u];
-            let _e102 = global_3.member[0u][2u];
-            let _e106 = global_3.member[1u][0u];
-            let _e110 = global_3.member[1u][1u];
-            let _e114 = global_3.member[1u][2u];
-            let _e118 = global_3.member[1u][3u];
-            let _e121 = global_1.member[0u];
-            let _e122 = bitcast<i32>(_e121);
-            let _e132 = (_e81.x + (_e81.y * 2097152u));
-            let _e133 = (_e132 < arrayLength((&global_4.member)));
-            if _e133 {
-                let _e134 = (_e132 < arrayLength((&global_6.member)));
-                if _e134 {
-                    if _e133 {
+            let _e80 = global;
+            let _e83 = arrayLength((&global_5.member));
+            let _e85 = arrayLength((&global_2.member));
+            let _e93 = global_3.member[0u][0u];
+            let _e97 = global_3.member[0u][1u];
+            let _e101 = global_3.member[0u][2u];
+            let _e105 = global_3.member[1u][0u];
+            let _e109 = global_3.member[1u][1u];
+            let _e113 = global_3.member[1u][2u];
+            let _e117 = global_3.member[1u][3u];
+            let _e120 = global_1.member[0u];
+            let _e121 = bitcast<i32>(_e120);
+            let _e131 = (_e80.x + (_e80.y * 2097152u));
+            let _e132 = (_e131 < arrayLength((&global_4.member)));
+            if _e132 {
+                let _e133 = (_e131 < arrayLength((&global_6.member)));
+                if _e133 {
+                    if _e132 {
                     } else {
                         break;
                     }
-                    let _e142 = global_4.member[_e132].member_2[0u];
-                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                    let _e149 = global_4.member[_e132].member_2[1u];
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e156 = global_4.member[_e132].member_2[2u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_4.member[_e132].member[0u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_4.member[_e132].member[1u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_4.member[_e132].member[2u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e181 = select(_e151, _e144, (_e151 < _e144));
-                    let _e183 = select(_e158, _e181, (_e158 < _e181));
-                    let _e185 = select(_e165, _e183, (_e165 < _e183));
-                    let _e187 = select(_e172, _e185, (_e172 < _e185));
-                    let _e189 = select(_e179, _e187, (_e179 < _e187));
-                    let _e193 = global_4.member[_e132].member_1;
-                    let _e194 = bitcast<u32>(_e193);
-                    let _e195 = (_e194 & 2147483647u);
-                    let _e202 = global_4.member[_e132].member_3;
-                    let _e203 = bitcast<u32>(_e202);
-                    let _e204 = (_e203 & 2147483647u);
-                    let _e208 = (((select(_e195, _e189, (_e195 < _e189)) < 2139095040u) && (_e204 <= 2139095040u)) && (_e183 > 0u));
-                    if _e208 {
-                        let _e211 = (bitcast<u32>(bitcast<f32>(_e183)) & 2147483647u);
-                        if (_e211 >= 8388608u) {
-                            phi_342_ = (bitcast<i32>((_e211 >> bitcast<u32>(23i))) - 127i);
+                    let _e141 = global_4.member[_e131].member_2[0u];
+                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
+                    let _e148 = global_4.member[_e131].member_2[1u];
+                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                    let _e155 = global_4.member[_e131].member_2[2u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_4.member[_e131].member[0u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_4.member[_e131].member[1u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_4.member[_e131].member[2u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e180 = select(_e150, _e143, (_e150 < _e143));
+                    let _e182 = select(_e157, _e180, (_e157 < _e180));
+                    let _e184 = select(_e164, _e182, (_e164 < _e182));
+                    let _e186 = select(_e171, _e184, (_e171 < _e184));
+                    let _e188 = select(_e178, _e186, (_e178 < _e186));
+                    let _e192 = global_4.member[_e131].member_1;
+                    let _e193 = bitcast<u32>(_e192);
+                    let _e194 = (_e193 & 2147483647u);
+                    let _e201 = global_4.member[_e131].member_3;
+                    let _e202 = bitcast<u32>(_e201);
+                    let _e203 = (_e202 & 2147483647u);
+                    let _e207 = (((select(_e194, _e188, (_e194 < _e188)) < 2139095040u) && (_e203 <= 2139095040u)) && (_e182 > 0u));
+                    if _e207 {
+                        let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
+                        if (_e210 >= 8388608u) {
+                            phi_361_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_342_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e211)), 32u, (_e211 == 0u))));
+                            phi_361_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
                         }
-                        let _e225 = phi_342_;
-                        phi_343_ = _e225;
+                        let _e224 = phi_361_;
+                        phi_362_ = _e224;
                     } else {
-                        phi_343_ = 0i;
+                        phi_362_ = 0i;
                     }
-                    let _e227 = phi_343_;
-                    let _e228 = (_e144 == _e183);
-                    if _e228 {
-                        phi_353_ = true;
+                    let _e226 = phi_362_;
+                    let _e227 = (_e143 == _e182);
+                    if _e227 {
+                        phi_372_ = true;
                     } else {
-                        phi_353_ = (_e151 == _e183);
+                        phi_372_ = (_e150 == _e182);
                     }
-                    let _e231 = phi_353_;
-                    let _e232 = select(1u, 0u, _e228);
-                    if _e231 {
-                        let _e233 = (_e232 + 1u);
-                        phi_363_ = _e233;
-                        phi_364_ = _e233;
-                        phi_366_ = select(true, false, (_e233 == 2u));
+                    let _e230 = phi_372_;
+                    let _e231 = select(1u, 0u, _e227);
+                    if _e230 {
+                        let _e232 = (_e231 + 1u);
+                        phi_382_ = _e232;
+                        phi_383_ = _e232;
+                        phi_385_ = select(true, false, (_e232 == 2u));
                     } else {
-                        phi_363_ = u32();
-                        phi_364_ = 0u;
-                        phi_366_ = true;
+                        phi_382_ = u32();
+                        phi_383_ = 0u;
+                        phi_385_ = true;
                     }
-                    let _e237 = phi_363_;
-                    let _e239 = phi_364_;
-                    let _e241 = phi_366_;
-                    if _e241 {
-                        phi_371_ = (_e239 + 1u);
+                    let _e236 = phi_382_;
+                    let _e238 = phi_383_;
+                    let _e240 = phi_385_;
+                    if _e240 {
+                        phi_390_ = (_e238 + 1u);
                     } else {
-                        phi_371_ = 0u;
+                        phi_390_ = 0u;
                     }
-                    let _e245 = phi_371_;
-                    let _e246 = select(_e237, _e239, _e241);
-                    let _e247 = select(_e232, select(2u, _e232, _e231), _e241);
-                    if (_e122 < -126i) {
-                        phi_384_ = -126i;
+                    let _e244 = phi_390_;
+                    let _e245 = select(_e236, _e238, _e240);
+                    let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
+                    if (_e121 < -126i) {
+                        phi_403_ = -126i;
                     } else {
-                        phi_384_ = select(_e122, 127i, (_e122 > 127i));
+                        phi_403_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e252 = phi_384_;
-                    let _e257 = bitcast<f32>((bitcast<u32>((_e252 + 127i)) << bitcast<u32>(23i)));
-                    let _e263 = bitcast<f32>((bitcast<u32>(((_e122 - _e252) + 127i)) << bitcast<u32>(23i)));
-                    let _e264 = -(_e227);
-                    if (_e264 < -126i) {
-                        phi_404_ = -126i;
+                    let _e251 = phi_403_;
+                    let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
+                    let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
+                    let _e263 = -(_e226);
+                    if (_e263 < -126i) {
+                        phi_423_ = -126i;
                     } else {
-                        phi_404_ = select(_e264, 127i, (_e264 > 127i));
+                        phi_423_ = select(_e263, 127i, (_e263 > 127i));
                     }
-                    let _e269 = phi_404_;
-                    let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
-                    let _e280 = bitcast<f32>((bitcast<u32>(((_e264 - _e269) + 127i)) << bitcast<u32>(23i)));
-                    let _e284 = global_4.member[_e132].member;
-                    let _e285 = (_e246 == 0u);
-                    if _e285 {
-                        phi_422_ = _e284[0];
+                    let _e268 = phi_423_;
+                    let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
+                    let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = global_4.member[_e131].member;
+                    let _e284 = (_e245 == 0u);
+                    if _e284 {
+                        phi_441_ = _e283[0];
                     } else {
-                        phi_422_ = _e284[1];
+                        phi_441_ = _e283[1];
                     }
-                    let _e289 = phi_422_;
-                    let _e290 = (_e246 == 2u);
-                    if _e290 {
-                        phi_428_ = _e284[2];
+                    let _e288 = phi_441_;
+                    let _e289 = (_e245 == 2u);
+                    if _e289 {
+                        phi_447_ = _e283[2];
                     } else {
-                        phi_428_ = _e289;
+                        phi_447_ = _e288;
                     }
-                    let _e293 = phi_428_;
-                    let _e294 = bitcast<u32>(_e293);
-                    let _e296 = ((_e294 & 2139095040u) != 0u);
-                    let _e310 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e293, _e296) * _e257) * select(0.00000011920929f, 1f, _e296)) * _e263);
-                    let _e311 = global_4.member[_e132].member_2;
-                    if _e285 {
-                        phi_468_ = _e311[0];
+                    let _e292 = phi_447_;
+                    let _e293 = bitcast<u32>(_e292);
+                    let _e295 = ((_e293 & 2139095040u) != 0u);
+                    let _e309 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e293 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e293 & 2147483648u))), _e292, _e295) * _e256) * select(0.00000011920929f, 1f, _e295)) * _e262);
+                    let _e310 = global_4.member[_e131].member_2;
+                    if _e284 {
+                        phi_487_ = _e310[0];
                     } else {
-                        phi_468_ = _e311[1];
+                        phi_487_ = _e310[1];
                     }
-                    let _e315 = phi_468_;
-                    if _e290 {
-                        phi_474_ = _e311[2];
+                    let _e314 = phi_487_;
+                    if _e289 {
+                        phi_493_ = _e310[2];
                     } else {
-                        phi_474_ = _e315;
+                        phi_493_ = _e314;
                     }
-                    let _e318 = phi_474_;
-                    let _e319 = bitcast<u32>(_e318);
-                    let _e321 = ((_e319 & 2139095040u) != 0u);
-                    let _e335 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e319 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e319 & 2147483648u))), _e318, _e321) * _e274) * select(0.00000011920929f, 1f, _e321)) * _e280);
-                    let _e339 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e339 {
-                        let _e343 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
-                        phi_526_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
+                    let _e317 = phi_493_;
+                    let _e318 = bitcast<u32>(_e317);
+                    let _e320 = ((_e318 & 2139095040u) != 0u);
+                    let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e273) * select(0.00000011920929f, 1f, _e320)) * _e279);
+                    let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e341 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                    let _e342 = (_e341 * 0.00000011920929f);
+                    let _e345 = select(select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f)), 0f, _e338);
+                    let _e346 = select(0f, _e334, _e338);
+                    let _e347 = (_e309 + _e345);
+                    let _e348 = (_e309 - _e345);
+                    let _e350 = select(38685626000000000000000000f, (1f / _e334), _e338);
+                    let _e351 = (_e244 == 0u);
+                    if _e351 {
+                        phi_566_ = _e283[0];
                     } else {
-                        phi_526_ = 0f;
+                        phi_566_ = _e283[1];
                     }
-                    let _e347 = phi_526_;
-                    let _e348 = (_e310 + _e347);
-                    let _e349 = (_e310 - _e347);
-                    let _e350 = select(_e335, 0f, _e339);
-                    if _e339 {
-                        phi_538_ = 38685626000000000000000000f;
+                    let _e355 = phi_566_;
+                    let _e356 = (_e244 == 2u);
+                    if _e356 {
+                        phi_572_ = _e283[2];
                     } else {
-                        phi_538_ = (1f / _e335);
+                        phi_572_ = _e355;
                     }
-                    let _e353 = phi_538_;
-                    let _e354 = (_e245 == 0u);
-                    if _e354 {
-                        phi_547_ = _e284[0];
+                    let _e359 = phi_572_;
+                    let _e360 = bitcast<u32>(_e359);
+                    let _e362 = ((_e360 & 2139095040u) != 0u);
+                    let _e376 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e360 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e360 & 2147483648u))), _e359, _e362) * _e256) * select(0.00000011920929f, 1f, _e362)) * _e262);
+                    if _e351 {
+                        phi_612_ = _e310[0];
                     } else {
-                        phi_547_ = _e284[1];
+                        phi_612_ = _e310[1];
                     }
-                    let _e358 = phi_547_;
-                    let _e359 = (_e245 == 2u);
-                    if _e359 {
-                        phi_553_ = _e284[2];
+                    let _e380 = phi_612_;
+                    if _e356 {
+                        phi_618_ = _e310[2];
                     } else {
-                        phi_553_ = _e358;
+                        phi_618_ = _e380;
                     }
-                    let _e362 = phi_553_;
-                    let _e363 = bitcast<u32>(_e362);
-                    let _e365 = ((_e363 & 2139095040u) != 0u);
-                    let _e379 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e363 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e363 & 2147483648u))), _e362, _e365) * _e257) * select(0.00000011920929f, 1f, _e365)) * _e263);
-                    if _e354 {
-                        phi_593_ = _e311[0];
+                    let _e383 = phi_618_;
+                    let _e384 = bitcast<u32>(_e383);
+                    let _e386 = ((_e384 & 2139095040u) != 0u);
+                    let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e273) * select(0.00000011920929f, 1f, _e386)) * _e279);
+                    let _e404 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e407 = bitcast<f32>((bitcast<u32>(_e376) & 2147483647u));
+                    let _e408 = (_e407 * 0.00000011920929f);
+                    let _e411 = select(select(0.00000000000011368684f, _e408, (_e408 > 0.00000000000011368684f)), 0f, _e404);
+                    let _e412 = select(0f, _e400, _e404);
+                    let _e413 = (_e376 + _e411);
+                    let _e414 = (_e376 - _e411);
+                    let _e416 = select(38685626000000000000000000f, (1f / _e400), _e404);
+                    let _e417 = (_e246 == 0u);
+                    if _e417 {
+                        phi_691_ = _e283[0];
                     } else {
-                        phi_593_ = _e311[1];
+                        phi_691_ = _e283[1];
                     }
-                    let _e383 = phi_593_;
-                    if _e359 {
-                        phi_599_ = _e311[2];
-                    } else {
-                        phi_599_ = _e383;
-                    }
-                    let _e386 = phi_599_;
-                    let _e387 = bitcast<u32>(_e386);
-                    let _e389 = ((_e387 & 2139095040u) != 0u);
-                    let _e403 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * _e274) * select(0.00000011920929f, 1f, _e389)) * _e280);
-                    let _e407 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e407 {
-                        let _e411 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_651_ = select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f));
-                    } else {
-                        phi_651_ = 0f;
-                    }
-                    let _e415 = phi_651_;
-                    let _e416 = (_e379 + _e415);
-                    let _e417 = (_e379 - _e415);
-                    let _e418 = select(_e403, 0f, _e407);
-                    if _e407 {
-                        phi_663_ = 38685626000000000000000000f;
-                    } else {
-                        phi_663_ = (1f / _e403);
-                    }
-                    let _e421 = phi_663_;
-                    let _e422 = (_e247 == 0u);
+                    let _e421 = phi_691_;
+                    let _e422 = (_e246 == 2u);
                     if _e422 {
-                        phi_672_ = _e284[0];
+                        phi_697_ = _e283[2];
                     } else {
-                        phi_672_ = _e284[1];
+                        phi_697_ = _e421;
                     }
-                    let _e426 = phi_672_;
-                    let _e427 = (_e247 == 2u);
-                    if _e427 {
-                        phi_678_ = _e284[2];
+                    let _e425 = phi_697_;
+                    let _e426 = bitcast<u32>(_e425);
+                    let _e428 = ((_e426 & 2139095040u) != 0u);
+                    let _e442 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e426 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e426 & 2147483648u))), _e425, _e428) * _e256) * select(0.00000011920929f, 1f, _e428)) * _e262);
+                    if _e417 {
+                        phi_737_ = _e310[0];
                     } else {
-                        phi_678_ = _e426;
+                        phi_737_ = _e310[1];
                     }
-                    let _e430 = phi_678_;
-                    let _e431 = bitcast<u32>(_e430);
-                    let _e433 = ((_e431 & 2139095040u) != 0u);
-                    let _e447 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e431 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e431 & 2147483648u))), _e430, _e433) * _e257) * select(0.00000011920929f, 1f, _e433)) * _e263);
+                    let _e446 = phi_737_;
                     if _e422 {
-                        phi_718_ = _e311[0];
+                        phi_743_ = _e310[2];
                     } else {
-                        phi_718_ = _e311[1];
+                        phi_743_ = _e446;
                     }
-                    let _e451 = phi_718_;
-                    if _e427 {
-                        phi_724_ = _e311[2];
-                    } else {
-                        phi_724_ = _e451;
-                    }
-                    let _e454 = phi_724_;
-                    let _e455 = bitcast<u32>(_e454);
-                    let _e457 = ((_e455 & 2139095040u) != 0u);
-                    let _e471 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e455 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e455 & 2147483648u))), _e454, _e457) * _e274) * select(0.00000011920929f, 1f, _e457)) * _e280);
-                    let _e475 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e475 {
-                        let _e479 = (bitcast<f32>((bitcast<u32>(_e447) & 2147483647u)) * 0.00000011920929f);
-                        phi_776_ = select(0.00000000000011368684f, _e479, (_e479 > 0.00000000000011368684f));
-                    } else {
-                        phi_776_ = 0f;
-                    }
-                    let _e483 = phi_776_;
-                    let _e484 = (_e447 + _e483);
-                    let _e485 = (_e447 - _e483);
-                    let _e486 = select(_e471, 0f, _e475);
-                    if _e475 {
-                        phi_788_ = 38685626000000000000000000f;
-                    } else {
-                        phi_788_ = (1f / _e471);
-                    }
-                    let _e489 = phi_788_;
-                    let _e492 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
-                    let _e495 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
-                    let _e497 = select(_e495, _e492, (_e492 > _e495));
-                    let _e500 = bitcast<f32>((bitcast<u32>(_e447) & 2147483647u));
-                    let _e503 = (_e122 + _e227);
-                    if (_e208 && (select(_e500, _e497, (_e497 > _e500)) <= 1099511600000f)) {
-                        let _e513 = ((_e195 & 8388607u) | (select(0u, 1u, ((_e195 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e516 = bitcast<i32>((_e195 >> bitcast<u32>(23i)));
-                        let _e520 = (_e513 == 0u);
-                        let _e523 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e513)), 32u, _e520)) - 8i);
-                        if (_e516 == 255i) {
-                            phi_843_ = 255i;
+                    let _e449 = phi_743_;
+                    let _e450 = bitcast<u32>(_e449);
+                    let _e452 = ((_e450 & 2139095040u) != 0u);
+                    let _e466 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e450 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e450 & 2147483648u))), _e449, _e452) * _e273) * select(0.00000011920929f, 1f, _e452)) * _e279);
+                    let _e470 = (bitcast<f32>((bitcast<u32>(_e466) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e473 = bitcast<f32>((bitcast<u32>(_e442) & 2147483647u));
+                    let _e474 = (_e473 * 0.00000011920929f);
+                    let _e477 = select(select(0.00000000000011368684f, _e474, (_e474 > 0.00000000000011368684f)), 0f, _e470);
+                    let _e478 = select(0f, _e466, _e470);
+                    let _e479 = (_e442 + _e477);
+                    let _e480 = (_e442 - _e477);
+                    let _e482 = select(38685626000000000000000000f, (1f / _e466), _e470);
+                    let _e484 = select(_e407, _e341, (_e341 > _e407));
+                    let _e487 = (_e121 + _e226);
+                    if (_e207 && (select(_e473, _e484, (_e484 > _e473)) <= 1099511600000f)) {
+                        let _e497 = ((_e194 & 8388607u) | (select(0u, 1u, ((_e194 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e500 = bitcast<i32>((_e194 >> bitcast<u32>(23i)));
+                        let _e504 = (_e497 == 0u);
+                        let _e507 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e497)), 32u, _e504)) - 8i);
+                        if (_e500 == 255i) {
+                            phi_862_ = 255i;
                         } else {
-                            phi_843_ = (((_e516 + select(0i, 1i, (_e516 == 0i))) - _e523) + _e503);
+                            phi_862_ = (((_e500 + select(0i, 1i, (_e500 == 0i))) - _e507) + _e487);
                         }
-                        let _e531 = phi_843_;
-                        let _e541 = (_e531 <= 0i);
-                        if _e541 {
-                            phi_866_ = u32();
+                        let _e515 = phi_862_;
+                        let _e525 = (_e515 <= 0i);
+                        if _e525 {
+                            phi_885_ = u32();
                         } else {
-                            if _e520 {
-                                phi_865_ = u32();
+                            if _e504 {
+                                phi_884_ = u32();
                             } else {
-                                phi_865_ = select(((bitcast<u32>(_e531) << bitcast<u32>(23i)) | ((_e513 << bitcast<u32>(((_e523 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e531 >= 255i));
+                                phi_884_ = select(((bitcast<u32>(_e515) << bitcast<u32>(23i)) | ((_e497 << bitcast<u32>(((_e507 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e515 >= 255i));
                             }
-                            let _e545 = phi_865_;
-                            phi_866_ = _e545;
+                            let _e529 = phi_884_;
+                            phi_885_ = _e529;
                         }
-                        let _e547 = phi_866_;
-                        let _e559 = ((_e204 & 8388607u) | (select(0u, 1u, ((_e204 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e562 = bitcast<i32>((_e204 >> bitcast<u32>(23i)));
-                        let _e566 = (_e559 == 0u);
-                        let _e569 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e559)), 32u, _e566)) - 8i);
-                        if (_e562 == 255i) {
-                            phi_903_ = 255i;
+                        let _e531 = phi_885_;
+                        let _e543 = ((_e203 & 8388607u) | (select(0u, 1u, ((_e203 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e546 = bitcast<i32>((_e203 >> bitcast<u32>(23i)));
+                        let _e550 = (_e543 == 0u);
+                        let _e553 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e543)), 32u, _e550)) - 8i);
+                        if (_e546 == 255i) {
+                            phi_922_ = 255i;
                         } else {
-                            phi_903_ = (((_e562 + select(0i, 1i, (_e562 == 0i))) - _e569) + _e503);
+                            phi_922_ = (((_e546 + select(0i, 1i, (_e546 == 0i))) - _e553) + _e487);
                         }
-                        let _e577 = phi_903_;
-                        let _e587 = (_e577 <= 0i);
-                        if _e587 {
-                            phi_926_ = u32();
+                        let _e561 = phi_922_;
+                        let _e571 = (_e561 <= 0i);
+                        if _e571 {
+                            phi_945_ = u32();
                         } else {
-                            if _e566 {
-                                phi_925_ = u32();
+                            if _e550 {
+                                phi_944_ = u32();
                             } else {
-                                phi_925_ = select(((bitcast<u32>(_e577) << bitcast<u32>(23i)) | ((_e559 << bitcast<u32>(((_e569 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e577 >= 255i));
+                                phi_944_ = select(((bitcast<u32>(_e561) << bitcast<u32>(23i)) | ((_e543 << bitcast<u32>(((_e553 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e561 >= 255i));
                             }
-                            let _e591 = phi_925_;
-                            phi_926_ = _e591;
+                            let _e575 = phi_944_;
+                            phi_945_ = _e575;
                         }
-                        let _e593 = phi_926_;
-                        phi_934_ = bitcast<f32>(((_e203 & 2147483648u) | select(_e593, 0u, select(_e566, true, _e587))));
-                        phi_935_ = bitcast<f32>(((_e194 & 2147483648u) | select(_e547, 0u, select(_e520, true, _e541))));
+                        let _e577 = phi_945_;
+                        phi_953_ = bitcast<f32>(((_e202 & 2147483648u) | select(_e577, 0u, select(_e550, true, _e571))));
+                        phi_954_ = bitcast<f32>(((_e193 & 2147483648u) | select(_e531, 0u, select(_e504, true, _e525))));
                     } else {
-                        phi_934_ = 0f;
-                        phi_935_ = 1f;
+                        phi_953_ = 0f;
+                        phi_954_ = 1f;
                     }
-                    let _e599 = phi_934_;
-                    let _e601 = phi_935_;
+                    let _e583 = phi_953_;
+                    let _e585 = phi_954_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -558,885 +522,862 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e94), bitcast<f32>(_e98), bitcast<f32>(_e102));
-                    let _e607 = (_e246 % 3u);
-                    let _e608 = (_e607 < 3u);
-                    if _e608 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
+                    let _e591 = (_e245 % 3u);
+                    let _e592 = (_e591 < 3u);
+                    if _e592 {
                     } else {
                         break;
                     }
-                    let _e610 = local_9[_e607];
-                    let _e611 = (_e245 % 3u);
-                    let _e612 = (_e611 < 3u);
-                    if _e612 {
+                    let _e594 = local_9[_e591];
+                    let _e595 = (_e244 % 3u);
+                    let _e596 = (_e595 < 3u);
+                    if _e596 {
                     } else {
                         break;
                     }
-                    let _e614 = local_9[_e611];
-                    let _e615 = (_e247 % 3u);
-                    let _e616 = (_e615 < 3u);
-                    if _e616 {
+                    let _e598 = local_9[_e595];
+                    let _e599 = (_e246 % 3u);
+                    let _e600 = (_e599 < 3u);
+                    if _e600 {
                     } else {
                         break;
                     }
-                    let _e618 = local_9[_e615];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e106), bitcast<f32>(_e110), bitcast<f32>(_e114));
-                    if _e608 {
+                    let _e602 = local_9[_e599];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
+                    if _e592 {
                     } else {
                         break;
                     }
-                    let _e622 = local_8[_e607];
-                    if _e612 {
+                    let _e606 = local_8[_e591];
+                    if _e596 {
                     } else {
                         break;
                     }
-                    let _e624 = local_8[_e611];
-                    if _e616 {
+                    let _e608 = local_8[_e595];
+                    if _e600 {
                     } else {
                         break;
                     }
-                    let _e626 = local_8[_e615];
-                    phi_3318_ = false;
-                    phi_1019_ = type_38(type_32(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e599), 0u, 0u);
-                    phi_1022_ = ((3u * _e84) + 1u);
-                    phi_1024_ = (_e601 <= _e599);
-                    phi_1026_ = 0u;
-                    phi_1028_ = type_49(type_47(array<f32, 3>(_e610, _e614, _e618), array<f32, 3>(_e622, _e624, _e626)), select(0u, 2147483648u, (_e84 == 0u)));
+                    let _e610 = local_8[_e599];
+                    phi_3414_ = false;
+                    phi_1038_ = type_39(type_32(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e583), 0u, 0u);
+                    phi_1041_ = ((3u * _e83) + 1u);
+                    phi_1043_ = (_e585 <= _e583);
+                    phi_1045_ = 0u;
+                    phi_1047_ = type_50(type_48(array<f32, 3>(_e594, _e598, _e602), array<f32, 3>(_e606, _e608, _e610)), select(0u, 2147483648u, (_e83 == 0u)));
                     loop {
-                        let _e634 = phi_3318_;
-                        let _e636 = phi_1019_;
-                        let _e638 = phi_1022_;
-                        let _e640 = phi_1024_;
-                        let _e642 = phi_1026_;
-                        let _e644 = phi_1028_;
-                        local_10 = _e636;
-                        local_11 = _e636;
-                        if _e640 {
-                            phi_1039_ = true;
+                        let _e618 = phi_3414_;
+                        let _e620 = phi_1038_;
+                        let _e622 = phi_1041_;
+                        let _e624 = phi_1043_;
+                        let _e626 = phi_1045_;
+                        let _e628 = phi_1047_;
+                        local_10 = _e620;
+                        local_11 = _e620;
+                        if _e624 {
+                            phi_1058_ = true;
                         } else {
-                            phi_1039_ = (_e642 > 0u);
+                            phi_1058_ = (_e626 > 0u);
                         }
-                        let _e647 = phi_1039_;
-                        if _e647 {
-                            let _e648 = (_e638 > 0u);
-                            if _e648 {
-                                if _e640 {
-                                    phi_1125_ = _e640;
-                                    phi_1126_ = _e642;
-                                    phi_1127_ = _e644;
+                        let _e631 = phi_1058_;
+                        if _e631 {
+                            let _e632 = (_e622 > 0u);
+                            if _e632 {
+                                if _e624 {
+                                    phi_1144_ = _e624;
+                                    phi_1145_ = _e626;
+                                    phi_1146_ = _e628;
                                 } else {
-                                    let _e649 = (_e642 - 1u);
-                                    let _e650 = (_e649 % 128u);
-                                    let _e651 = (_e650 < 128u);
-                                    if _e651 {
+                                    let _e633 = (_e626 - 1u);
+                                    let _e634 = (_e633 % 128u);
+                                    let _e635 = (_e634 < 128u);
+                                    if _e635 {
                                     } else {
-                                        phi_3472_ = true;
+                                        phi_3573_ = true;
                                         break;
                                     }
-                                    let _e653 = local_6[_e650];
-                                    if _e651 {
+                                    let _e637 = local_6[_e634];
+                                    if _e635 {
                                     } else {
-                                        phi_3472_ = true;
+                                        phi_3573_ = true;
                                         break;
                                     }
-                                    let _e655 = local_5[_e650];
-                                    if _e651 {
+                                    let _e639 = local_5[_e634];
+                                    if _e635 {
                                     } else {
-                                        phi_3472_ = true;
+                                        phi_3573_ = true;
                                         break;
                                     }
-                                    let _e657 = local_4[_e650];
-                                    if _e651 {
+                                    let _e641 = local_4[_e634];
+                                    if _e635 {
                                     } else {
-                                        phi_3472_ = true;
+                                        phi_3573_ = true;
                                         break;
                                     }
-                                    let _e659 = local_3[_e650];
-                                    if _e651 {
+                                    let _e643 = local_3[_e634];
+                                    if _e635 {
                                     } else {
-                                        phi_3472_ = true;
+                                        phi_3573_ = true;
                                         break;
                                     }
-                                    let _e662 = local_2[_e650];
-                                    if _e651 {
+                                    let _e646 = local_2[_e634];
+                                    if _e635 {
                                     } else {
-                                        phi_3472_ = true;
+                                        phi_3573_ = true;
                                         break;
                                     }
-                                    let _e664 = local_1[_e650];
-                                    if _e651 {
+                                    let _e648 = local_1[_e634];
+                                    if _e635 {
                                     } else {
-                                        phi_3472_ = true;
+                                        phi_3573_ = true;
                                         break;
                                     }
-                                    let _e666 = local[_e650];
-                                    if _e651 {
+                                    let _e650 = local[_e634];
+                                    if _e635 {
                                     } else {
-                                        phi_3472_ = true;
+                                        phi_3573_ = true;
                                         break;
                                     }
-                                    let _e671 = local_7[_e650];
-                                    phi_1125_ = (_e671 <= _e636.member.member_1);
-                                    phi_1126_ = _e649;
-                                    phi_1127_ = type_49(type_47(array<f32, 3>(_e655, _e657, _e659), array<f32, 3>(_e662, _e664, _e666)), _e653);
+                                    let _e655 = local_7[_e634];
+                                    phi_1144_ = (_e655 <= _e620.member.member_1);
+                                    phi_1145_ = _e633;
+                                    phi_1146_ = type_50(type_48(array<f32, 3>(_e639, _e641, _e643), array<f32, 3>(_e646, _e648, _e650)), _e637);
                                 }
-                                let _e676 = phi_1125_;
-                                let _e678 = phi_1126_;
-                                let _e680 = phi_1127_;
-                                if _e676 {
-                                    let _e684 = ((_e680.member_1 & 2147483648u) != 0u);
-                                    if _e684 {
-                                        phi_1145_ = _e636;
-                                        phi_1148_ = type_4(0u, ((_e680.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e660 = phi_1144_;
+                                let _e662 = phi_1145_;
+                                let _e664 = phi_1146_;
+                                if _e660 {
+                                    let _e668 = ((_e664.member_1 & 2147483648u) != 0u);
+                                    if _e668 {
+                                        phi_1164_ = _e620;
+                                        phi_1167_ = type_4(0u, ((_e664.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e691 = phi_1145_;
-                                            let _e693 = phi_1148_;
-                                            local_12 = _e691;
-                                            if (_e693.member < _e693.member_1) {
-                                                phi_1149_ = type_4((_e693.member + 1u), _e693.member_1);
-                                                phi_1171_ = type_4(1u, _e693.member);
+                                            let _e675 = phi_1164_;
+                                            let _e677 = phi_1167_;
+                                            local_12 = _e675;
+                                            if (_e677.member < _e677.member_1) {
+                                                phi_1168_ = type_4((_e677.member + 1u), _e677.member_1);
+                                                phi_1190_ = type_4(1u, _e677.member);
                                             } else {
-                                                phi_1149_ = _e693;
-                                                phi_1171_ = type_4(0u, type_4().member_1);
+                                                phi_1168_ = _e677;
+                                                phi_1190_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e706 = phi_1149_;
-                                            let _e708 = phi_1171_;
-                                            let _e712 = (bitcast<i32>(_e708.member) != 0i);
-                                            if _e712 {
-                                                let _e718 = type_38(_e691.member, _e691.member_1, (_e691.member_2 + 1u));
-                                                let _e719 = ((_e680.member_1 & 268435455u) + _e708.member_1);
-                                                let _e720 = (_e719 < _e86);
-                                                if _e720 {
-                                                    if _e720 {
+                                            let _e690 = phi_1168_;
+                                            let _e692 = phi_1190_;
+                                            let _e696 = (bitcast<i32>(_e692.member) != 0i);
+                                            if _e696 {
+                                                let _e702 = type_39(_e675.member, _e675.member_1, (_e675.member_2 + 1u));
+                                                let _e703 = ((_e664.member_1 & 268435455u) + _e692.member_1);
+                                                let _e704 = (_e703 < _e85);
+                                                if _e704 {
+                                                    if _e704 {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e724 = global_2.member[_e719].member_1;
-                                                    phi_1195_ = _e724;
+                                                    let _e708 = global_2.member[_e703].member_1;
+                                                    phi_1214_ = _e708;
                                                 } else {
-                                                    phi_1195_ = 4294967295u;
+                                                    phi_1214_ = 4294967295u;
                                                 }
-                                                let _e726 = phi_1195_;
-                                                if (_e719 >= _e86) {
-                                                    phi_1287_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e710 = phi_1214_;
+                                                if (_e703 >= _e85) {
+                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e720 {
+                                                    if _e704 {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    if (_e607 < 9u) {
+                                                    if (_e591 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e733 = global_2.member[_e719].member[_e607];
-                                                    if (_e611 < 9u) {
+                                                    let _e717 = global_2.member[_e703].member[_e591];
+                                                    if (_e595 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e739 = global_2.member[_e719].member[_e611];
-                                                    if (_e615 < 9u) {
+                                                    let _e723 = global_2.member[_e703].member[_e595];
+                                                    if (_e599 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e745 = global_2.member[_e719].member[_e615];
-                                                    let _e747 = (3u + _e607);
-                                                    if (_e747 < 9u) {
+                                                    let _e729 = global_2.member[_e703].member[_e599];
+                                                    let _e731 = (3u + _e591);
+                                                    if (_e731 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e753 = global_2.member[_e719].member[_e747];
-                                                    let _e754 = (3u + _e611);
-                                                    if (_e754 < 9u) {
+                                                    let _e737 = global_2.member[_e703].member[_e731];
+                                                    let _e738 = (3u + _e595);
+                                                    if (_e738 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e760 = global_2.member[_e719].member[_e754];
-                                                    let _e761 = (3u + _e615);
-                                                    if (_e761 < 9u) {
+                                                    let _e744 = global_2.member[_e703].member[_e738];
+                                                    let _e745 = (3u + _e599);
+                                                    if (_e745 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e767 = global_2.member[_e719].member[_e761];
-                                                    let _e769 = (6u + _e607);
-                                                    if (_e769 < 9u) {
+                                                    let _e751 = global_2.member[_e703].member[_e745];
+                                                    let _e753 = (6u + _e591);
+                                                    if (_e753 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e775 = global_2.member[_e719].member[_e769];
-                                                    let _e776 = (6u + _e611);
-                                                    if (_e776 < 9u) {
+                                                    let _e759 = global_2.member[_e703].member[_e753];
+                                                    let _e760 = (6u + _e595);
+                                                    if (_e760 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e782 = global_2.member[_e719].member[_e776];
-                                                    let _e783 = (6u + _e615);
-                                                    if (_e783 < 9u) {
+                                                    let _e766 = global_2.member[_e703].member[_e760];
+                                                    let _e767 = (6u + _e599);
+                                                    if (_e767 < 9u) {
                                                     } else {
-                                                        phi_3312_ = true;
+                                                        phi_3408_ = true;
                                                         break;
                                                     }
-                                                    let _e789 = global_2.member[_e719].member[_e783];
-                                                    phi_1287_ = array<array<f32, 3>, 3>(array<f32, 3>(_e733, _e739, _e745), array<f32, 3>(_e753, _e760, _e767), array<f32, 3>(_e775, _e782, _e789));
+                                                    let _e773 = global_2.member[_e703].member[_e767];
+                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(_e717, _e723, _e729), array<f32, 3>(_e737, _e744, _e751), array<f32, 3>(_e759, _e766, _e773));
                                                 }
-                                                let _e793 = phi_1287_;
-                                                let _e802 = (_e793[0][2] - _e447);
-                                                let _e805 = (((_e793[0][0] - _e310) * _e486) - (_e802 * _e350));
-                                                let _e808 = (((_e793[0][1] - _e379) * _e486) - (_e802 * _e418));
-                                                let _e815 = (_e793[1][2] - _e447);
-                                                let _e818 = (((_e793[1][0] - _e310) * _e486) - (_e815 * _e350));
-                                                let _e821 = (((_e793[1][1] - _e379) * _e486) - (_e815 * _e418));
-                                                let _e828 = (_e793[2][2] - _e447);
-                                                let _e831 = (((_e793[2][0] - _e310) * _e486) - (_e828 * _e350));
-                                                let _e834 = (((_e793[2][1] - _e379) * _e486) - (_e828 * _e418));
-                                                let _e835 = (_e831 * _e821);
-                                                let _e836 = (_e834 * _e818);
-                                                let _e837 = (_e805 * _e834);
-                                                let _e838 = (_e808 * _e831);
-                                                let _e839 = (_e818 * _e808);
-                                                let _e840 = (_e821 * _e805);
-                                                let _e845 = (((_e835 >= _e836) && (_e837 >= _e838)) && (_e839 >= _e840));
-                                                if (_e845 || (((_e835 <= _e836) && (_e837 <= _e838)) && (_e839 <= _e840))) {
-                                                    let _e852 = select(-1f, 1f, _e845);
-                                                    let _e854 = ((_e835 - _e836) * _e852);
-                                                    let _e856 = select(0f, _e854, (_e854 > 0f));
-                                                    let _e858 = ((_e837 - _e838) * _e852);
-                                                    let _e860 = select(0f, _e858, (_e858 > 0f));
-                                                    let _e862 = ((_e839 - _e840) * _e852);
-                                                    let _e864 = select(0f, _e862, (_e862 > 0f));
-                                                    let _e866 = ((_e856 + _e860) + _e864);
-                                                    if (_e866 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2171_ = type_25();
-                                                        phi_2172_ = true;
-                                                        phi_2173_ = false;
-                                                    } else {
-                                                        let _e869 = select(_e818, _e805, (_e805 < _e818));
-                                                        if (select(_e831, _e869, (_e869 < _e831)) > 0f) {
-                                                            phi_1439_ = true;
+                                                let _e777 = phi_1306_;
+                                                let _e794 = (_e777[0][2] - _e442);
+                                                let _e797 = (((_e777[0][0] - _e309) * _e478) - (_e794 * _e346));
+                                                let _e800 = (((_e777[0][1] - _e376) * _e478) - (_e794 * _e412));
+                                                let _e803 = (_e777[1][2] - _e442);
+                                                let _e806 = (((_e777[1][0] - _e309) * _e478) - (_e803 * _e346));
+                                                let _e809 = (((_e777[1][1] - _e376) * _e478) - (_e803 * _e412));
+                                                let _e812 = (_e777[2][2] - _e442);
+                                                let _e815 = (((_e777[2][0] - _e309) * _e478) - (_e812 * _e346));
+                                                let _e818 = (((_e777[2][1] - _e376) * _e478) - (_e812 * _e412));
+                                                let _e819 = (_e815 * _e809);
+                                                let _e820 = (_e818 * _e806);
+                                                let _e821 = (_e797 * _e818);
+                                                let _e822 = (_e800 * _e815);
+                                                let _e823 = (_e806 * _e800);
+                                                let _e824 = (_e809 * _e797);
+                                                let _e829 = (((_e819 >= _e820) && (_e821 >= _e822)) && (_e823 >= _e824));
+                                                let _e835 = (_e829 || (((_e819 <= _e820) && (_e821 <= _e822)) && (_e823 <= _e824)));
+                                                if _e835 {
+                                                    let _e837 = select(-1f, 1f, _e829);
+                                                    let _e839 = ((_e819 - _e820) * _e837);
+                                                    let _e841 = select(0f, _e839, (_e839 > 0f));
+                                                    let _e843 = ((_e821 - _e822) * _e837);
+                                                    let _e845 = select(0f, _e843, (_e843 > 0f));
+                                                    let _e847 = ((_e823 - _e824) * _e837);
+                                                    let _e849 = select(0f, _e847, (_e847 > 0f));
+                                                    let _e851 = ((_e841 + _e845) + _e849);
+                                                    let _e853 = select(_e777[1][0], _e777[0][0], (_e777[0][0] < _e777[1][0]));
+                                                    let _e857 = select(_e777[1][0], _e777[0][0], (_e777[0][0] > _e777[1][0]));
+                                                    let _e861 = select(_e777[1][1], _e777[0][1], (_e777[0][1] < _e777[1][1]));
+                                                    let _e865 = select(_e777[1][1], _e777[0][1], (_e777[0][1] > _e777[1][1]));
+                                                    let _e869 = select(_e777[1][2], _e777[0][2], (_e777[0][2] < _e777[1][2]));
+                                                    let _e873 = select(_e777[1][2], _e777[0][2], (_e777[0][2] > _e777[1][2]));
+                                                    let _e878 = ((select(_e777[2][0], _e853, (_e853 < _e777[2][0])) - _e347) * _e350);
+                                                    let _e879 = ((select(_e777[2][0], _e857, (_e857 > _e777[2][0])) - _e348) * _e350);
+                                                    let _e882 = ((select(_e777[2][1], _e861, (_e861 < _e777[2][1])) - _e413) * _e416);
+                                                    let _e883 = ((select(_e777[2][1], _e865, (_e865 > _e777[2][1])) - _e414) * _e416);
+                                                    let _e886 = ((select(_e777[2][2], _e869, (_e869 < _e777[2][2])) - _e479) * _e482);
+                                                    let _e887 = ((select(_e777[2][2], _e873, (_e873 > _e777[2][2])) - _e480) * _e482);
+                                                    let _e889 = select(_e887, _e886, (_e886 < _e887));
+                                                    let _e891 = select(_e887, _e886, (_e886 > _e887));
+                                                    let _e893 = select(_e879, _e878, (_e878 < _e879));
+                                                    let _e895 = select(_e883, _e882, (_e882 < _e883));
+                                                    let _e897 = select(_e895, _e893, (_e893 > _e895));
+                                                    let _e899 = select(_e889, _e897, (_e897 > _e889));
+                                                    let _e901 = select(_e879, _e878, (_e878 > _e879));
+                                                    let _e903 = select(_e883, _e882, (_e882 > _e883));
+                                                    let _e905 = select(_e903, _e901, (_e901 < _e903));
+                                                    let _e907 = select(_e891, _e905, (_e905 < _e891));
+                                                    let _e908 = -(_e889);
+                                                    let _e914 = select(_e585, _e899, (_e899 > _e585));
+                                                    let _e918 = select(_e806, _e797, (_e797 < _e806));
+                                                    let _e923 = select(_e806, _e797, (_e797 > _e806));
+                                                    let _e930 = select(_e809, _e800, (_e800 < _e809));
+                                                    let _e935 = select(_e809, _e800, (_e800 > _e809));
+                                                    let _e944 = (((((_e835 && (_e851 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e815, _e918, (_e918 < _e815)) <= 0f) && (select(_e815, _e923, (_e923 > _e815)) >= 0f))) && ((select(_e818, _e930, (_e930 < _e818)) <= 0f) && (select(_e818, _e935, (_e935 > _e818)) >= 0f))) && (_e914 <= (_e907 + (select(_e908, _e891, (_e891 > _e908)) * 0.0000019073523f)))) && (_e914 <= _e675.member.member_1));
+                                                    if _e944 {
+                                                        let _e949 = (_e777[1][0] - _e777[0][0]);
+                                                        let _e950 = (_e777[1][1] - _e777[0][1]);
+                                                        let _e951 = (_e777[1][2] - _e777[0][2]);
+                                                        let _e952 = vec3<f32>(_e949, _e950, _e951);
+                                                        let _e953 = (_e777[2][0] - _e777[1][0]);
+                                                        let _e954 = (_e777[2][1] - _e777[1][1]);
+                                                        let _e955 = (_e777[2][2] - _e777[1][2]);
+                                                        let _e956 = vec3<f32>(_e953, _e954, _e955);
+                                                        let _e957 = (_e777[0][0] - _e777[2][0]);
+                                                        let _e958 = (_e777[0][1] - _e777[2][1]);
+                                                        let _e959 = (_e777[0][2] - _e777[2][2]);
+                                                        let _e960 = vec3<f32>(_e957, _e958, _e959);
+                                                        let _e961 = abs(_e949);
+                                                        let _e962 = abs(_e950);
+                                                        if (_e961 != _e961) {
+                                                            phi_3209_ = true;
                                                         } else {
-                                                            let _e874 = select(_e818, _e805, (_e805 > _e818));
-                                                            phi_1439_ = (select(_e831, _e874, (_e874 > _e831)) < 0f);
+                                                            phi_3209_ = (_e962 >= _e961);
                                                         }
-                                                        let _e879 = phi_1439_;
-                                                        if _e879 {
-                                                            phi_2168_ = type_25();
-                                                            phi_2169_ = true;
-                                                            phi_2170_ = false;
+                                                        let _e966 = phi_3209_;
+                                                        let _e967 = select(_e961, _e962, _e966);
+                                                        let _e968 = abs(_e951);
+                                                        if (_e967 != _e967) {
+                                                            phi_3224_ = true;
                                                         } else {
-                                                            let _e881 = select(_e821, _e808, (_e808 < _e821));
-                                                            if (select(_e834, _e881, (_e881 < _e834)) > 0f) {
-                                                                phi_1468_ = true;
+                                                            phi_3224_ = (_e968 >= _e967);
+                                                        }
+                                                        let _e972 = phi_3224_;
+                                                        let _e973 = select(_e967, _e968, _e972);
+                                                        let _e974 = abs(_e953);
+                                                        let _e975 = abs(_e954);
+                                                        if (_e974 != _e974) {
+                                                            phi_3239_ = true;
+                                                        } else {
+                                                            phi_3239_ = (_e975 >= _e974);
+                                                        }
+                                                        let _e979 = phi_3239_;
+                                                        let _e980 = select(_e974, _e975, _e979);
+                                                        let _e981 = abs(_e955);
+                                                        if (_e980 != _e980) {
+                                                            phi_3254_ = true;
+                                                        } else {
+                                                            phi_3254_ = (_e981 >= _e980);
+                                                        }
+                                                        let _e985 = phi_3254_;
+                                                        let _e986 = select(_e980, _e981, _e985);
+                                                        let _e987 = abs(_e957);
+                                                        let _e988 = abs(_e958);
+                                                        if (_e987 != _e987) {
+                                                            phi_3269_ = true;
+                                                        } else {
+                                                            phi_3269_ = (_e988 >= _e987);
+                                                        }
+                                                        let _e992 = phi_3269_;
+                                                        let _e993 = select(_e987, _e988, _e992);
+                                                        let _e994 = abs(_e959);
+                                                        if (_e993 != _e993) {
+                                                            phi_3284_ = true;
+                                                        } else {
+                                                            phi_3284_ = (_e994 >= _e993);
+                                                        }
+                                                        let _e998 = phi_3284_;
+                                                        let _e999 = select(_e993, _e994, _e998);
+                                                        let _e1001 = select(_e986, _e973, (_e973 > _e986));
+                                                        let _e1003 = select(_e999, _e1001, (_e1001 > _e999));
+                                                        if (_e973 == _e1003) {
+                                                            phi_1848_ = _e809;
+                                                            phi_1849_ = _e806;
+                                                            phi_1850_ = _e800;
+                                                            phi_1851_ = _e797;
+                                                            phi_1852_ = vec3<f32>(_e777[0][0], _e777[0][1], _e777[0][2]);
+                                                            phi_1853_ = _e960;
+                                                            phi_1854_ = _e956;
+                                                            phi_1855_ = _e952;
+                                                        } else {
+                                                            let _e1005 = (_e986 == _e1003);
+                                                            let _e1010 = vec3(_e1005);
+                                                            phi_1848_ = select(_e800, _e818, _e1005);
+                                                            phi_1849_ = select(_e797, _e815, _e1005);
+                                                            phi_1850_ = select(_e818, _e809, _e1005);
+                                                            phi_1851_ = select(_e815, _e806, _e1005);
+                                                            phi_1852_ = select(vec3<f32>(_e777[2][0], _e777[2][1], _e777[2][2]), vec3<f32>(_e777[1][0], _e777[1][1], _e777[1][2]), _e1010);
+                                                            phi_1853_ = select(_e956, _e952, _e1010);
+                                                            phi_1854_ = select(_e952, _e960, _e1010);
+                                                            phi_1855_ = select(_e960, _e956, _e1010);
+                                                        }
+                                                        let _e1016 = phi_1848_;
+                                                        let _e1018 = phi_1849_;
+                                                        let _e1020 = phi_1850_;
+                                                        let _e1022 = phi_1851_;
+                                                        let _e1024 = phi_1852_;
+                                                        let _e1026 = phi_1853_;
+                                                        let _e1028 = phi_1854_;
+                                                        let _e1030 = phi_1855_;
+                                                        let _e1037 = ((_e1028.y * _e1026.z) - (_e1026.y * _e1028.z));
+                                                        let _e1042 = ((_e1028.z * _e1026.x) - (_e1026.z * _e1028.x));
+                                                        let _e1045 = ((_e1028.x * _e1026.y) - (_e1026.x * _e1028.y));
+                                                        let _e1048 = ((_e841 >= _e845) && (_e841 >= _e849));
+                                                        let _e1049 = (_e845 >= _e849);
+                                                        let _e1063 = (((_e1037 * (select(select(_e777[2][0], _e777[1][0], _e1049), _e777[0][0], _e1048) - _e309)) + (_e1042 * (select(select(_e777[2][1], _e777[1][1], _e1049), _e777[0][1], _e1048) - _e376))) + (_e1045 * (select(select(_e777[2][2], _e777[1][2], _e1049), _e777[0][2], _e1048) - _e442)));
+                                                        let _e1068 = (((_e1037 * _e346) + (_e1042 * _e412)) + (_e1045 * _e478));
+                                                        let _e1069 = (_e1018 - _e1022);
+                                                        let _e1070 = (_e1016 - _e1020);
+                                                        let _e1073 = ((_e1069 * _e1069) + (_e1070 * _e1070));
+                                                        let _e1080 = (-(((_e1022 * _e1069) + (_e1020 * _e1070))) / select(0.000000000000000000000000000000000000011754944f, _e1073, (_e1073 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1082 = select(1f, _e1080, (_e1080 < 1f));
+                                                        let _e1084 = select(0f, _e1082, (_e1082 > 0f));
+                                                        let _e1093 = ((_e1024.x + (_e1030.x * _e1084)) - _e309);
+                                                        let _e1096 = ((_e1024.y + (_e1030.y * _e1084)) - _e376);
+                                                        let _e1099 = ((_e1024.z + (_e1030.z * _e1084)) - _e442);
+                                                        let _e1102 = bitcast<f32>((bitcast<u32>(_e1093) & 2147483647u));
+                                                        let _e1105 = bitcast<f32>((bitcast<u32>(_e1096) & 2147483647u));
+                                                        let _e1107 = select(_e1105, _e1102, (_e1102 > _e1105));
+                                                        let _e1110 = bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u));
+                                                        let _e1112 = select(_e1110, _e1107, (_e1107 > _e1110));
+                                                        let _e1116 = abs(_e1037);
+                                                        let _e1117 = abs(_e1042);
+                                                        if (_e1116 != _e1116) {
+                                                            phi_3299_ = true;
+                                                        } else {
+                                                            phi_3299_ = (_e1117 >= _e1116);
+                                                        }
+                                                        let _e1121 = phi_3299_;
+                                                        let _e1122 = select(_e1116, _e1117, _e1121);
+                                                        let _e1123 = abs(_e1045);
+                                                        if (_e1122 != _e1122) {
+                                                            phi_3314_ = true;
+                                                        } else {
+                                                            phi_3314_ = (_e1123 >= _e1122);
+                                                        }
+                                                        let _e1127 = phi_3314_;
+                                                        let _e1143 = abs(_e1028.x);
+                                                        let _e1144 = abs(_e1028.y);
+                                                        if (_e1143 != _e1143) {
+                                                            phi_3329_ = true;
+                                                        } else {
+                                                            phi_3329_ = (_e1144 >= _e1143);
+                                                        }
+                                                        let _e1148 = phi_3329_;
+                                                        let _e1149 = select(_e1143, _e1144, _e1148);
+                                                        let _e1150 = abs(_e1028.z);
+                                                        if (_e1149 != _e1149) {
+                                                            phi_3344_ = true;
+                                                        } else {
+                                                            phi_3344_ = (_e1150 >= _e1149);
+                                                        }
+                                                        let _e1154 = phi_3344_;
+                                                        let _e1157 = abs(_e1026.x);
+                                                        let _e1158 = abs(_e1026.y);
+                                                        if (_e1157 != _e1157) {
+                                                            phi_3359_ = true;
+                                                        } else {
+                                                            phi_3359_ = (_e1158 >= _e1157);
+                                                        }
+                                                        let _e1162 = phi_3359_;
+                                                        let _e1163 = select(_e1157, _e1158, _e1162);
+                                                        let _e1164 = abs(_e1026.z);
+                                                        if (_e1163 != _e1163) {
+                                                            phi_3374_ = true;
+                                                        } else {
+                                                            phi_3374_ = (_e1164 >= _e1163);
+                                                        }
+                                                        let _e1168 = phi_3374_;
+                                                        let _e1173 = ((bitcast<f32>((bitcast<u32>(((((_e1037 * _e1093) + (_e1042 * _e1096)) + (_e1045 * _e1099)) - _e1063)) & 2147483647u)) <= ((0.0000009536743f * select(_e1003, _e1112, (_e1112 > _e1003))) * select(_e1122, _e1123, _e1127))) && !((bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u)) <= ((0.0000038146973f * select(_e1149, _e1150, _e1154)) * select(_e1163, _e1164, _e1168)))));
+                                                        let _e1174 = (_e1063 / _e1068);
+                                                        if (_e944 && !(_e1173)) {
+                                                            let _e1177 = (_e1099 / _e478);
+                                                            let _e1185 = (((_e1037 * (_e1093 - (_e346 * _e1177))) + (_e1042 * (_e1096 - (_e412 * _e1177)))) / _e1068);
+                                                            phi_2063_ = select(select(_e1177, (_e1177 + _e1185), (bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u)) <= _e1003)), _e1174, _e1173);
+                                                        } else {
+                                                            phi_2063_ = _e1174;
+                                                        }
+                                                        let _e1194 = phi_2063_;
+                                                        let _e1196 = select(_e907, _e1194, (_e1194 < _e907));
+                                                        let _e1198 = select(_e899, _e1196, (_e1196 > _e899));
+                                                        let _e1199 = (1f / _e851);
+                                                        phi_2083_ = type_35(_e1198, (_e845 * _e1199), (_e849 * _e1199), ((_e944 && (_e1198 >= _e585)) && (_e1198 <= _e675.member.member_1)));
+                                                        phi_2084_ = type_35();
+                                                    } else {
+                                                        phi_2083_ = type_35();
+                                                        phi_2084_ = type_35(0f, 0f, 0f, _e944);
+                                                    }
+                                                    let _e1208 = phi_2083_;
+                                                    let _e1210 = phi_2084_;
+                                                    phi_2087_ = _e1208;
+                                                    phi_2088_ = _e1210;
+                                                    phi_2089_ = select(true, false, _e944);
+                                                } else {
+                                                    phi_2087_ = type_35();
+                                                    phi_2088_ = type_35(0f, 0f, 0f, _e835);
+                                                    phi_2089_ = true;
+                                                }
+                                                let _e1213 = phi_2087_;
+                                                let _e1215 = phi_2088_;
+                                                let _e1217 = phi_2089_;
+                                                if _e1217 {
+                                                    phi_2093_ = _e1215;
+                                                } else {
+                                                    phi_2093_ = _e1213;
+                                                }
+                                                let _e1219 = phi_2093_;
+                                                if _e1219.member_3 {
+                                                    phi_2102_ = type_25(_e1219.member, _e1219.member_1, _e1219.member_2, _e710);
+                                                } else {
+                                                    phi_2102_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1226 = phi_2102_;
+                                                if (_e1226.member_3 != 4294967295u) {
+                                                    if (_e710 != 4294967295u) {
+                                                        if (_e1226.member < _e675.member.member.member) {
+                                                            phi_2128_ = true;
+                                                        } else {
+                                                            if (_e1226.member == _e675.member.member.member) {
+                                                                phi_2127_ = (_e1226.member_3 < _e675.member.member.member_3);
                                                             } else {
-                                                                let _e886 = select(_e821, _e808, (_e808 > _e821));
-                                                                phi_1468_ = (select(_e834, _e886, (_e886 > _e834)) < 0f);
+                                                                phi_2127_ = false;
                                                             }
-                                                            let _e891 = phi_1468_;
-                                                            if _e891 {
-                                                                phi_2166_ = type_25();
-                                                                phi_2167_ = false;
-                                                            } else {
-                                                                let _e893 = select(_e793[1][0], _e793[0][0], (_e793[0][0] < _e793[1][0]));
-                                                                let _e897 = select(_e793[1][0], _e793[0][0], (_e793[0][0] > _e793[1][0]));
-                                                                let _e901 = select(_e793[1][1], _e793[0][1], (_e793[0][1] < _e793[1][1]));
-                                                                let _e905 = select(_e793[1][1], _e793[0][1], (_e793[0][1] > _e793[1][1]));
-                                                                let _e909 = select(_e793[1][2], _e793[0][2], (_e793[0][2] < _e793[1][2]));
-                                                                let _e913 = select(_e793[1][2], _e793[0][2], (_e793[0][2] > _e793[1][2]));
-                                                                let _e918 = ((select(_e793[2][0], _e893, (_e893 < _e793[2][0])) - _e348) * _e353);
-                                                                let _e919 = ((select(_e793[2][0], _e897, (_e897 > _e793[2][0])) - _e349) * _e353);
-                                                                let _e922 = ((select(_e793[2][1], _e901, (_e901 < _e793[2][1])) - _e416) * _e421);
-                                                                let _e923 = ((select(_e793[2][1], _e905, (_e905 > _e793[2][1])) - _e417) * _e421);
-                                                                let _e926 = ((select(_e793[2][2], _e909, (_e909 < _e793[2][2])) - _e484) * _e489);
-                                                                let _e927 = ((select(_e793[2][2], _e913, (_e913 > _e793[2][2])) - _e485) * _e489);
-                                                                let _e929 = select(_e927, _e926, (_e926 < _e927));
-                                                                let _e931 = select(_e927, _e926, (_e926 > _e927));
-                                                                let _e933 = select(_e919, _e918, (_e918 < _e919));
-                                                                let _e935 = select(_e923, _e922, (_e922 < _e923));
-                                                                let _e937 = select(_e935, _e933, (_e933 > _e935));
-                                                                let _e939 = select(_e929, _e937, (_e937 > _e929));
-                                                                let _e941 = select(_e919, _e918, (_e918 > _e919));
-                                                                let _e943 = select(_e923, _e922, (_e922 > _e923));
-                                                                let _e945 = select(_e943, _e941, (_e941 < _e943));
-                                                                let _e947 = select(_e931, _e945, (_e945 < _e931));
-                                                                let _e948 = -(_e929);
-                                                                let _e954 = select(_e601, _e939, (_e939 > _e601));
-                                                                if (_e954 > (_e947 + (select(_e948, _e931, (_e931 > _e948)) * 0.0000019073523f))) {
-                                                                    phi_2161_ = type_25();
-                                                                    phi_2162_ = true;
-                                                                } else {
-                                                                    let _e956 = (_e954 > _e691.member.member_1);
-                                                                    if _e956 {
-                                                                        phi_2160_ = type_25();
-                                                                    } else {
-                                                                        let _e957 = vec3<f32>(_e793[0][0], _e793[0][1], _e793[0][2]);
-                                                                        let _e958 = vec3<f32>(_e793[1][0], _e793[1][1], _e793[1][2]);
-                                                                        let _e959 = vec3<f32>(_e793[2][0], _e793[2][1], _e793[2][2]);
-                                                                        let _e960 = (_e793[1][0] - _e793[0][0]);
-                                                                        let _e961 = (_e793[1][1] - _e793[0][1]);
-                                                                        let _e962 = (_e793[1][2] - _e793[0][2]);
-                                                                        let _e963 = vec3<f32>(_e960, _e961, _e962);
-                                                                        let _e964 = (_e793[2][0] - _e793[1][0]);
-                                                                        let _e965 = (_e793[2][1] - _e793[1][1]);
-                                                                        let _e966 = (_e793[2][2] - _e793[1][2]);
-                                                                        let _e967 = vec3<f32>(_e964, _e965, _e966);
-                                                                        let _e968 = (_e793[0][0] - _e793[2][0]);
-                                                                        let _e969 = (_e793[0][1] - _e793[2][1]);
-                                                                        let _e970 = (_e793[0][2] - _e793[2][2]);
-                                                                        let _e971 = vec3<f32>(_e968, _e969, _e970);
-                                                                        let _e974 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
-                                                                        let _e977 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
-                                                                        let _e979 = select(_e977, _e974, (_e974 > _e977));
-                                                                        let _e982 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
-                                                                        let _e984 = select(_e982, _e979, (_e979 > _e982));
-                                                                        let _e987 = bitcast<f32>((bitcast<u32>(_e964) & 2147483647u));
-                                                                        let _e990 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
-                                                                        let _e992 = select(_e990, _e987, (_e987 > _e990));
-                                                                        let _e995 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
-                                                                        let _e997 = select(_e995, _e992, (_e992 > _e995));
-                                                                        let _e1000 = bitcast<f32>((bitcast<u32>(_e968) & 2147483647u));
-                                                                        let _e1003 = bitcast<f32>((bitcast<u32>(_e969) & 2147483647u));
-                                                                        let _e1005 = select(_e1003, _e1000, (_e1000 > _e1003));
-                                                                        let _e1008 = bitcast<f32>((bitcast<u32>(_e970) & 2147483647u));
-                                                                        let _e1010 = select(_e1008, _e1005, (_e1005 > _e1008));
-                                                                        let _e1012 = select(_e997, _e984, (_e984 > _e997));
-                                                                        let _e1014 = select(_e1010, _e1012, (_e1012 > _e1010));
-                                                                        if (_e984 == _e1014) {
-                                                                            phi_1887_ = _e821;
-                                                                            phi_1888_ = _e818;
-                                                                            phi_1889_ = _e808;
-                                                                            phi_1890_ = _e805;
-                                                                            phi_1891_ = _e957;
-                                                                            phi_1892_ = _e971;
-                                                                            phi_1893_ = _e967;
-                                                                            phi_1894_ = _e963;
-                                                                        } else {
-                                                                            let _e1016 = (_e997 == _e1014);
-                                                                            let _e1021 = vec3(_e1016);
-                                                                            phi_1887_ = select(_e808, _e834, _e1016);
-                                                                            phi_1888_ = select(_e805, _e831, _e1016);
-                                                                            phi_1889_ = select(_e834, _e821, _e1016);
-                                                                            phi_1890_ = select(_e831, _e818, _e1016);
-                                                                            phi_1891_ = select(_e959, _e958, _e1021);
-                                                                            phi_1892_ = select(_e967, _e963, _e1021);
-                                                                            phi_1893_ = select(_e963, _e971, _e1021);
-                                                                            phi_1894_ = select(_e971, _e967, _e1021);
-                                                                        }
-                                                                        let _e1027 = phi_1887_;
-                                                                        let _e1029 = phi_1888_;
-                                                                        let _e1031 = phi_1889_;
-                                                                        let _e1033 = phi_1890_;
-                                                                        let _e1035 = phi_1891_;
-                                                                        let _e1037 = phi_1892_;
-                                                                        let _e1039 = phi_1893_;
-                                                                        let _e1041 = phi_1894_;
-                                                                        let _e1048 = ((_e1039.y * _e1037.z) - (_e1037.y * _e1039.z));
-                                                                        let _e1053 = ((_e1039.z * _e1037.x) - (_e1037.z * _e1039.x));
-                                                                        let _e1056 = ((_e1039.x * _e1037.y) - (_e1037.x * _e1039.y));
-                                                                        if (_e856 >= _e860) {
-                                                                            phi_1931_ = select(true, false, (_e856 >= _e864));
-                                                                        } else {
-                                                                            phi_1931_ = true;
-                                                                        }
-                                                                        let _e1061 = phi_1931_;
-                                                                        if _e1061 {
-                                                                            phi_1940_ = select(_e959, _e958, vec3((_e860 >= _e864)));
-                                                                        } else {
-                                                                            phi_1940_ = _e957;
-                                                                        }
-                                                                        let _e1066 = phi_1940_;
-                                                                        let _e1077 = (((_e1048 * (_e1066.x - _e310)) + (_e1053 * (_e1066.y - _e379))) + (_e1056 * (_e1066.z - _e447)));
-                                                                        let _e1082 = (((_e1048 * _e350) + (_e1053 * _e418)) + (_e1056 * _e486));
-                                                                        let _e1083 = (_e1029 - _e1033);
-                                                                        let _e1084 = (_e1027 - _e1031);
-                                                                        let _e1092 = (-(((_e1033 * _e1083) + (_e1031 * _e1084))) / ((_e1083 * _e1083) + (_e1084 * _e1084)));
-                                                                        let _e1094 = select(1f, _e1092, (_e1092 < 1f));
-                                                                        let _e1096 = select(0f, _e1094, (_e1094 > 0f));
-                                                                        let _e1109 = ((_e1035.x + (_e1041.x * _e1096)) - _e310);
-                                                                        let _e1110 = ((_e1035.y + (_e1041.y * _e1096)) - _e379);
-                                                                        let _e1111 = ((_e1035.z + (_e1041.z * _e1096)) - _e447);
-                                                                        let _e1112 = (_e1111 / _e486);
-                                                                        let _e1124 = bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u));
-                                                                        let _e1127 = bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u));
-                                                                        let _e1129 = select(_e1127, _e1124, (_e1124 > _e1127));
-                                                                        let _e1132 = bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u));
-                                                                        let _e1134 = select(_e1132, _e1129, (_e1129 > _e1132));
-                                                                        let _e1140 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
-                                                                        let _e1143 = bitcast<f32>((bitcast<u32>(_e1053) & 2147483647u));
-                                                                        let _e1145 = select(_e1143, _e1140, (_e1140 > _e1143));
-                                                                        let _e1148 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1048 * _e1109) + (_e1053 * _e1110)) + (_e1056 * _e1111)) - _e1077)) & 2147483647u)) <= ((0.0000009536743f * select(_e1014, _e1134, (_e1134 > _e1014))) * select(_e1148, _e1145, (_e1145 > _e1148)))) {
-                                                                            let _e1158 = bitcast<f32>((bitcast<u32>(_e1039.x) & 2147483647u));
-                                                                            let _e1161 = bitcast<f32>((bitcast<u32>(_e1039.y) & 2147483647u));
-                                                                            let _e1163 = select(_e1161, _e1158, (_e1158 > _e1161));
-                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1039.z) & 2147483647u));
-                                                                            let _e1172 = bitcast<f32>((bitcast<u32>(_e1037.x) & 2147483647u));
-                                                                            let _e1175 = bitcast<f32>((bitcast<u32>(_e1037.y) & 2147483647u));
-                                                                            let _e1177 = select(_e1175, _e1172, (_e1172 > _e1175));
-                                                                            let _e1180 = bitcast<f32>((bitcast<u32>(_e1037.z) & 2147483647u));
-                                                                            let _e1184 = (bitcast<f32>((bitcast<u32>(_e1082) & 2147483647u)) > ((0.0000038146973f * select(_e1166, _e1163, (_e1163 > _e1166))) * select(_e1180, _e1177, (_e1177 > _e1180))));
-                                                                            if _e1184 {
-                                                                                phi_2105_ = (_e1077 / _e1082);
-                                                                            } else {
-                                                                                phi_2105_ = f32();
-                                                                            }
-                                                                            let _e1187 = phi_2105_;
-                                                                            phi_2107_ = _e1187;
-                                                                            phi_2108_ = select(true, false, _e1184);
-                                                                        } else {
-                                                                            phi_2107_ = f32();
-                                                                            phi_2108_ = true;
-                                                                        }
-                                                                        let _e1190 = phi_2107_;
-                                                                        let _e1192 = phi_2108_;
-                                                                        if _e1192 {
-                                                                            let _e1200 = (((_e1048 * (_e1109 - (_e350 * _e1112))) + (_e1053 * (_e1110 - (_e418 * _e1112)))) / _e1082);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u)) <= _e1014) {
-                                                                                phi_2128_ = (_e1112 + _e1200);
-                                                                            } else {
-                                                                                phi_2128_ = _e1112;
-                                                                            }
-                                                                            let _e1207 = phi_2128_;
-                                                                            phi_2129_ = _e1207;
-                                                                        } else {
-                                                                            phi_2129_ = _e1190;
-                                                                        }
-                                                                        let _e1209 = phi_2129_;
-                                                                        let _e1211 = select(_e947, _e1209, (_e1209 < _e947));
-                                                                        let _e1213 = select(_e939, _e1211, (_e1211 > _e939));
-                                                                        if (_e1213 >= _e601) {
-                                                                            let _e1215 = (_e1213 <= _e691.member.member_1);
-                                                                            if _e1215 {
-                                                                                let _e1216 = (1f / _e866);
-                                                                                phi_2152_ = type_25(_e1213, (_e860 * _e1216), (_e864 * _e1216), _e726);
-                                                                            } else {
-                                                                                phi_2152_ = type_25();
-                                                                            }
-                                                                            let _e1221 = phi_2152_;
-                                                                            phi_2154_ = _e1221;
-                                                                            phi_2155_ = select(true, false, _e1215);
-                                                                        } else {
-                                                                            phi_2154_ = type_25();
-                                                                            phi_2155_ = true;
-                                                                        }
-                                                                        let _e1224 = phi_2154_;
-                                                                        let _e1226 = phi_2155_;
-                                                                        if _e1226 {
-                                                                            phi_2159_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2159_ = _e1224;
-                                                                        }
-                                                                        let _e1228 = phi_2159_;
-                                                                        phi_2160_ = _e1228;
-                                                                    }
-                                                                    let _e1230 = phi_2160_;
-                                                                    phi_2161_ = _e1230;
-                                                                    phi_2162_ = _e956;
-                                                                }
-                                                                let _e1232 = phi_2161_;
-                                                                let _e1234 = phi_2162_;
-                                                                phi_2166_ = _e1232;
-                                                                phi_2167_ = _e1234;
-                                                            }
-                                                            let _e1236 = phi_2166_;
-                                                            let _e1238 = phi_2167_;
-                                                            phi_2168_ = _e1236;
-                                                            phi_2169_ = _e891;
-                                                            phi_2170_ = _e1238;
+                                                            let _e1241 = phi_2127_;
+                                                            phi_2128_ = _e1241;
                                                         }
-                                                        let _e1240 = phi_2168_;
-                                                        let _e1242 = phi_2169_;
-                                                        let _e1244 = phi_2170_;
-                                                        phi_2171_ = _e1240;
-                                                        phi_2172_ = _e1242;
-                                                        phi_2173_ = _e1244;
-                                                    }
-                                                    let _e1246 = phi_2171_;
-                                                    let _e1248 = phi_2172_;
-                                                    let _e1250 = phi_2173_;
-                                                    phi_2181_ = _e1246;
-                                                    phi_2182_ = select(_e1250, true, _e1248);
-                                                } else {
-                                                    phi_2181_ = type_25();
-                                                    phi_2182_ = true;
-                                                }
-                                                let _e1253 = phi_2181_;
-                                                let _e1255 = phi_2182_;
-                                                if _e1255 {
-                                                    phi_2186_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_2186_ = _e1253;
-                                                }
-                                                let _e1257 = phi_2186_;
-                                                if (_e1257.member_3 != 4294967295u) {
-                                                    if (_e726 != 4294967295u) {
-                                                        if (_e1257.member < _e691.member.member.member) {
-                                                            phi_2212_ = true;
+                                                        let _e1243 = phi_2128_;
+                                                        if _e1243 {
+                                                            phi_2135_ = type_39(type_32(_e1226, _e1226.member), _e702.member_1, _e702.member_2);
                                                         } else {
-                                                            if (_e1257.member == _e691.member.member.member) {
-                                                                phi_2211_ = (_e1257.member_3 < _e691.member.member.member_3);
-                                                            } else {
-                                                                phi_2211_ = false;
-                                                            }
-                                                            let _e1272 = phi_2211_;
-                                                            phi_2212_ = _e1272;
+                                                            phi_2135_ = _e702;
                                                         }
-                                                        let _e1274 = phi_2212_;
-                                                        if _e1274 {
-                                                            phi_2219_ = type_38(type_32(_e1257, _e1257.member), _e718.member_1, _e718.member_2);
-                                                        } else {
-                                                            phi_2219_ = _e718;
-                                                        }
-                                                        let _e1281 = phi_2219_;
-                                                        phi_2220_ = _e1281;
+                                                        let _e1250 = phi_2135_;
+                                                        phi_2136_ = _e1250;
                                                     } else {
-                                                        phi_2220_ = _e718;
+                                                        phi_2136_ = _e702;
                                                     }
-                                                    let _e1283 = phi_2220_;
-                                                    phi_2221_ = _e1283;
+                                                    let _e1252 = phi_2136_;
+                                                    phi_2137_ = _e1252;
                                                 } else {
-                                                    phi_2221_ = _e718;
+                                                    phi_2137_ = _e702;
                                                 }
-                                                let _e1285 = phi_2221_;
-                                                phi_1146_ = _e1285;
+                                                let _e1254 = phi_2137_;
+                                                phi_1165_ = _e1254;
                                             } else {
-                                                phi_1146_ = type_38();
+                                                phi_1165_ = type_39();
                                             }
-                                            let _e1287 = phi_1146_;
+                                            let _e1256 = phi_1165_;
                                             continue;
                                             continuing {
-                                                phi_1145_ = _e1287;
-                                                phi_1148_ = _e706;
-                                                phi_3312_ = _e634;
-                                                break if !(_e712);
+                                                phi_1164_ = _e1256;
+                                                phi_1167_ = _e690;
+                                                phi_3408_ = _e618;
+                                                break if !(_e696);
                                             }
                                         }
-                                        let _e1290 = phi_3312_;
-                                        phi_3472_ = _e1290;
-                                        if _e1290 {
+                                        let _e1259 = phi_3408_;
+                                        phi_3573_ = _e1259;
+                                        if _e1259 {
                                             break;
                                         }
-                                        phi_3531_ = _e1290;
-                                        let _e1829 = local_12;
-                                        phi_2222_ = _e1829;
+                                        phi_3632_ = _e1259;
+                                        let _e1785 = local_12;
+                                        phi_2138_ = _e1785;
                                     } else {
-                                        phi_3531_ = _e634;
-                                        phi_2222_ = _e636;
+                                        phi_3632_ = _e618;
+                                        phi_2138_ = _e620;
                                     }
-                                    let _e1292 = phi_3531_;
-                                    let _e1294 = phi_2222_;
-                                    if _e684 {
-                                        phi_3233_ = type_38();
-                                        phi_3234_ = bool();
-                                        phi_3235_ = u32();
-                                        phi_3236_ = type_49();
+                                    let _e1261 = phi_3632_;
+                                    let _e1263 = phi_2138_;
+                                    if _e668 {
+                                        phi_3149_ = type_39();
+                                        phi_3150_ = bool();
+                                        phi_3151_ = u32();
+                                        phi_3152_ = type_50();
                                     } else {
-                                        let _e1295 = (_e680.member_1 < _e84);
-                                        if _e1295 {
-                                            if _e1295 {
+                                        let _e1264 = (_e664.member_1 < _e83);
+                                        if _e1264 {
+                                            if _e1264 {
                                             } else {
-                                                phi_3472_ = true;
+                                                phi_3573_ = true;
                                                 break;
                                             }
-                                            let _e1297 = global_5.member[_e680.member_1];
-                                            phi_2243_ = _e1297;
+                                            let _e1266 = global_5.member[_e664.member_1];
+                                            phi_2159_ = _e1266;
                                         } else {
-                                            phi_2243_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2159_ = type_43(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1299 = phi_2243_;
-                                        let _e1314 = ((10u * _e246) & 31u);
-                                        let _e1317 = ((_e1299.member[0] >> bitcast<u32>(_e1314)) & 1023u);
-                                        let _e1325 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e118));
-                                        let _e1330 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1317)) - 8388608f) * _e1325)) ^ _e118)));
-                                        let _e1334 = select(select(_e680.member.member_1[0], _e1330, (_e1330 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1317 == 1023u));
-                                        let _e1336 = ((10u * _e245) & 31u);
-                                        let _e1339 = ((_e1299.member[0] >> bitcast<u32>(_e1336)) & 1023u);
-                                        let _e1347 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e118));
-                                        let _e1352 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1339)) - 8388608f) * _e1347)) ^ _e118)));
-                                        let _e1356 = select(select(_e680.member.member_1[1], _e1352, (_e1352 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1339 == 1023u));
-                                        let _e1358 = ((10u * _e247) & 31u);
-                                        let _e1361 = ((_e1299.member[0] >> bitcast<u32>(_e1358)) & 1023u);
-                                        let _e1369 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e118));
-                                        let _e1374 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1361)) - 8388608f) * _e1369)) ^ _e118)));
-                                        let _e1378 = select(select(_e680.member.member_1[2], _e1374, (_e1374 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1361 == 1023u));
-                                        let _e1381 = ((_e1299.member[1] >> bitcast<u32>(_e1314)) & 1023u);
-                                        let _e1389 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1381)) - 8388608f) * _e1325)) ^ _e118)));
-                                        let _e1393 = select(select(_e680.member.member_1[0], _e1389, (_e1389 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1381 == 1023u));
-                                        let _e1396 = ((_e1299.member[1] >> bitcast<u32>(_e1336)) & 1023u);
-                                        let _e1404 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1396)) - 8388608f) * _e1347)) ^ _e118)));
-                                        let _e1408 = select(select(_e680.member.member_1[1], _e1404, (_e1404 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1396 == 1023u));
-                                        let _e1411 = ((_e1299.member[1] >> bitcast<u32>(_e1358)) & 1023u);
-                                        let _e1419 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1411)) - 8388608f) * _e1369)) ^ _e118)));
-                                        let _e1423 = select(select(_e680.member.member_1[2], _e1419, (_e1419 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1411 == 1023u));
-                                        let _e1429 = ((_e1299.member_1[0] >> bitcast<u32>(_e1314)) & 1023u);
-                                        let _e1437 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1429)) - 8388608f) * _e1325)) ^ _e118)));
-                                        let _e1441 = select(select(_e680.member.member_1[0], _e1437, (_e1437 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1429 == 1023u));
-                                        let _e1444 = ((_e1299.member_1[0] >> bitcast<u32>(_e1336)) & 1023u);
-                                        let _e1452 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1444)) - 8388608f) * _e1347)) ^ _e118)));
-                                        let _e1456 = select(select(_e680.member.member_1[1], _e1452, (_e1452 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1444 == 1023u));
-                                        let _e1459 = ((_e1299.member_1[0] >> bitcast<u32>(_e1358)) & 1023u);
-                                        let _e1467 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1459)) - 8388608f) * _e1369)) ^ _e118)));
-                                        let _e1471 = select(select(_e680.member.member_1[2], _e1467, (_e1467 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1459 == 1023u));
-                                        let _e1474 = ((_e1299.member_1[1] >> bitcast<u32>(_e1314)) & 1023u);
-                                        let _e1482 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1474)) - 8388608f) * _e1325)) ^ _e118)));
-                                        let _e1486 = select(select(_e680.member.member_1[0], _e1482, (_e1482 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1474 == 1023u));
-                                        let _e1489 = ((_e1299.member_1[1] >> bitcast<u32>(_e1336)) & 1023u);
-                                        let _e1497 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1489)) - 8388608f) * _e1347)) ^ _e118)));
-                                        let _e1501 = select(select(_e680.member.member_1[1], _e1497, (_e1497 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1489 == 1023u));
-                                        let _e1504 = ((_e1299.member_1[1] >> bitcast<u32>(_e1358)) & 1023u);
-                                        let _e1512 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1504)) - 8388608f) * _e1369)) ^ _e118)));
-                                        let _e1516 = select(select(_e680.member.member_1[2], _e1512, (_e1512 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1504 == 1023u));
-                                        let _e1521 = type_49(type_47(array<f32, 3>(_e1334, _e1356, _e1378), array<f32, 3>(_e1393, _e1408, _e1423)), _e1299.member_2);
-                                        let _e1526 = type_49(type_47(array<f32, 3>(_e1441, _e1456, _e1471), array<f32, 3>(_e1486, _e1501, _e1516)), _e1299.member_3);
-                                        let _e1539 = ((_e1334 - _e348) * _e353);
-                                        let _e1540 = ((_e1441 - _e348) * _e353);
-                                        let _e1541 = ((_e1393 - _e349) * _e353);
-                                        let _e1542 = ((_e1486 - _e349) * _e353);
-                                        let _e1547 = ((_e1356 - _e416) * _e421);
-                                        let _e1548 = ((_e1456 - _e416) * _e421);
-                                        let _e1549 = ((_e1408 - _e417) * _e421);
-                                        let _e1550 = ((_e1501 - _e417) * _e421);
-                                        let _e1555 = ((_e1378 - _e484) * _e489);
-                                        let _e1556 = ((_e1471 - _e484) * _e489);
-                                        let _e1557 = ((_e1423 - _e485) * _e489);
-                                        let _e1558 = ((_e1516 - _e485) * _e489);
-                                        let _e1560 = select(_e1557, _e1555, (_e1555 < _e1557));
-                                        let _e1562 = select(_e1558, _e1556, (_e1556 < _e1558));
-                                        let _e1564 = select(_e1557, _e1555, (_e1555 > _e1557));
-                                        let _e1566 = select(_e1558, _e1556, (_e1556 > _e1558));
-                                        let _e1568 = select(_e1541, _e1539, (_e1539 < _e1541));
-                                        let _e1570 = select(_e1542, _e1540, (_e1540 < _e1542));
-                                        let _e1572 = select(_e1549, _e1547, (_e1547 < _e1549));
-                                        let _e1574 = select(_e1550, _e1548, (_e1548 < _e1550));
-                                        let _e1576 = select(_e1572, _e1568, (_e1568 > _e1572));
-                                        let _e1578 = select(_e1574, _e1570, (_e1570 > _e1574));
-                                        let _e1580 = select(_e1560, _e1576, (_e1576 > _e1560));
-                                        let _e1582 = select(_e1562, _e1578, (_e1578 > _e1562));
-                                        let _e1584 = select(_e1541, _e1539, (_e1539 > _e1541));
-                                        let _e1586 = select(_e1542, _e1540, (_e1540 > _e1542));
-                                        let _e1588 = select(_e1549, _e1547, (_e1547 > _e1549));
-                                        let _e1590 = select(_e1550, _e1548, (_e1548 > _e1550));
-                                        let _e1592 = select(_e1588, _e1584, (_e1584 < _e1588));
-                                        let _e1594 = select(_e1590, _e1586, (_e1586 < _e1590));
-                                        let _e1599 = -(_e1560);
-                                        let _e1600 = -(_e1562);
-                                        let _e1607 = (select(_e1564, _e1592, (_e1592 < _e1564)) + (select(_e1599, _e1564, (_e1564 > _e1599)) * 0.0000019073523f));
-                                        let _e1608 = (select(_e1566, _e1594, (_e1594 < _e1566)) + (select(_e1600, _e1566, (_e1566 > _e1600)) * 0.0000019073523f));
-                                        let _e1610 = select(_e601, _e1580, (_e1580 > _e601));
-                                        let _e1612 = select(_e601, _e1582, (_e1582 > _e601));
-                                        let _e1617 = (_e1610 <= select(_e1294.member.member_1, _e1607, (_e1607 < _e1294.member.member_1)));
-                                        let _e1618 = (_e1612 <= select(_e1294.member.member_1, _e1608, (_e1608 < _e1294.member.member_1)));
-                                        let _e1619 = (_e1610 <= _e1612);
-                                        if _e1617 {
-                                            if _e1618 {
-                                                if _e1619 {
-                                                    phi_3132_ = _e1526;
+                                        let _e1268 = phi_2159_;
+                                        let _e1283 = ((10u * _e245) & 31u);
+                                        let _e1286 = ((_e1268.member[0] >> bitcast<u32>(_e1283)) & 1023u);
+                                        let _e1294 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[0] - _e664.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                        let _e1299 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1286)) - 8388608f) * _e1294)) ^ _e117)));
+                                        let _e1303 = select(select(_e664.member.member_1[0], _e1299, (_e1299 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1286 == 1023u));
+                                        let _e1305 = ((10u * _e244) & 31u);
+                                        let _e1308 = ((_e1268.member[0] >> bitcast<u32>(_e1305)) & 1023u);
+                                        let _e1316 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[1] - _e664.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                        let _e1321 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1308)) - 8388608f) * _e1316)) ^ _e117)));
+                                        let _e1325 = select(select(_e664.member.member_1[1], _e1321, (_e1321 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1308 == 1023u));
+                                        let _e1327 = ((10u * _e246) & 31u);
+                                        let _e1330 = ((_e1268.member[0] >> bitcast<u32>(_e1327)) & 1023u);
+                                        let _e1338 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[2] - _e664.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                        let _e1343 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1330)) - 8388608f) * _e1338)) ^ _e117)));
+                                        let _e1347 = select(select(_e664.member.member_1[2], _e1343, (_e1343 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1330 == 1023u));
+                                        let _e1350 = ((_e1268.member[1] >> bitcast<u32>(_e1283)) & 1023u);
+                                        let _e1358 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1350)) - 8388608f) * _e1294)) ^ _e117)));
+                                        let _e1362 = select(select(_e664.member.member_1[0], _e1358, (_e1358 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1350 == 1023u));
+                                        let _e1365 = ((_e1268.member[1] >> bitcast<u32>(_e1305)) & 1023u);
+                                        let _e1373 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1365)) - 8388608f) * _e1316)) ^ _e117)));
+                                        let _e1377 = select(select(_e664.member.member_1[1], _e1373, (_e1373 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1365 == 1023u));
+                                        let _e1380 = ((_e1268.member[1] >> bitcast<u32>(_e1327)) & 1023u);
+                                        let _e1388 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1380)) - 8388608f) * _e1338)) ^ _e117)));
+                                        let _e1392 = select(select(_e664.member.member_1[2], _e1388, (_e1388 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1380 == 1023u));
+                                        let _e1398 = ((_e1268.member_1[0] >> bitcast<u32>(_e1283)) & 1023u);
+                                        let _e1406 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1398)) - 8388608f) * _e1294)) ^ _e117)));
+                                        let _e1410 = select(select(_e664.member.member_1[0], _e1406, (_e1406 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1398 == 1023u));
+                                        let _e1413 = ((_e1268.member_1[0] >> bitcast<u32>(_e1305)) & 1023u);
+                                        let _e1421 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1413)) - 8388608f) * _e1316)) ^ _e117)));
+                                        let _e1425 = select(select(_e664.member.member_1[1], _e1421, (_e1421 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1413 == 1023u));
+                                        let _e1428 = ((_e1268.member_1[0] >> bitcast<u32>(_e1327)) & 1023u);
+                                        let _e1436 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1428)) - 8388608f) * _e1338)) ^ _e117)));
+                                        let _e1440 = select(select(_e664.member.member_1[2], _e1436, (_e1436 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1428 == 1023u));
+                                        let _e1443 = ((_e1268.member_1[1] >> bitcast<u32>(_e1283)) & 1023u);
+                                        let _e1451 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1443)) - 8388608f) * _e1294)) ^ _e117)));
+                                        let _e1455 = select(select(_e664.member.member_1[0], _e1451, (_e1451 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1443 == 1023u));
+                                        let _e1458 = ((_e1268.member_1[1] >> bitcast<u32>(_e1305)) & 1023u);
+                                        let _e1466 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1458)) - 8388608f) * _e1316)) ^ _e117)));
+                                        let _e1470 = select(select(_e664.member.member_1[1], _e1466, (_e1466 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1458 == 1023u));
+                                        let _e1473 = ((_e1268.member_1[1] >> bitcast<u32>(_e1327)) & 1023u);
+                                        let _e1481 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1473)) - 8388608f) * _e1338)) ^ _e117)));
+                                        let _e1485 = select(select(_e664.member.member_1[2], _e1481, (_e1481 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1473 == 1023u));
+                                        let _e1490 = type_50(type_48(array<f32, 3>(_e1303, _e1325, _e1347), array<f32, 3>(_e1362, _e1377, _e1392)), _e1268.member_2);
+                                        let _e1495 = type_50(type_48(array<f32, 3>(_e1410, _e1425, _e1440), array<f32, 3>(_e1455, _e1470, _e1485)), _e1268.member_3);
+                                        let _e1508 = ((_e1303 - _e347) * _e350);
+                                        let _e1509 = ((_e1410 - _e347) * _e350);
+                                        let _e1510 = ((_e1362 - _e348) * _e350);
+                                        let _e1511 = ((_e1455 - _e348) * _e350);
+                                        let _e1516 = ((_e1325 - _e413) * _e416);
+                                        let _e1517 = ((_e1425 - _e413) * _e416);
+                                        let _e1518 = ((_e1377 - _e414) * _e416);
+                                        let _e1519 = ((_e1470 - _e414) * _e416);
+                                        let _e1524 = ((_e1347 - _e479) * _e482);
+                                        let _e1525 = ((_e1440 - _e479) * _e482);
+                                        let _e1526 = ((_e1392 - _e480) * _e482);
+                                        let _e1527 = ((_e1485 - _e480) * _e482);
+                                        let _e1529 = select(_e1526, _e1524, (_e1524 < _e1526));
+                                        let _e1531 = select(_e1527, _e1525, (_e1525 < _e1527));
+                                        let _e1533 = select(_e1526, _e1524, (_e1524 > _e1526));
+                                        let _e1535 = select(_e1527, _e1525, (_e1525 > _e1527));
+                                        let _e1537 = select(_e1510, _e1508, (_e1508 < _e1510));
+                                        let _e1539 = select(_e1511, _e1509, (_e1509 < _e1511));
+                                        let _e1541 = select(_e1518, _e1516, (_e1516 < _e1518));
+                                        let _e1543 = select(_e1519, _e1517, (_e1517 < _e1519));
+                                        let _e1545 = select(_e1541, _e1537, (_e1537 > _e1541));
+                                        let _e1547 = select(_e1543, _e1539, (_e1539 > _e1543));
+                                        let _e1549 = select(_e1529, _e1545, (_e1545 > _e1529));
+                                        let _e1551 = select(_e1531, _e1547, (_e1547 > _e1531));
+                                        let _e1553 = select(_e1510, _e1508, (_e1508 > _e1510));
+                                        let _e1555 = select(_e1511, _e1509, (_e1509 > _e1511));
+                                        let _e1557 = select(_e1518, _e1516, (_e1516 > _e1518));
+                                        let _e1559 = select(_e1519, _e1517, (_e1517 > _e1519));
+                                        let _e1561 = select(_e1557, _e1553, (_e1553 < _e1557));
+                                        let _e1563 = select(_e1559, _e1555, (_e1555 < _e1559));
+                                        let _e1568 = -(_e1529);
+                                        let _e1569 = -(_e1531);
+                                        let _e1576 = (select(_e1533, _e1561, (_e1561 < _e1533)) + (select(_e1568, _e1533, (_e1533 > _e1568)) * 0.0000019073523f));
+                                        let _e1577 = (select(_e1535, _e1563, (_e1563 < _e1535)) + (select(_e1569, _e1535, (_e1535 > _e1569)) * 0.0000019073523f));
+                                        let _e1579 = select(_e585, _e1549, (_e1549 > _e585));
+                                        let _e1581 = select(_e585, _e1551, (_e1551 > _e585));
+                                        let _e1586 = (_e1579 <= select(_e1263.member.member_1, _e1576, (_e1576 < _e1263.member.member_1)));
+                                        let _e1587 = (_e1581 <= select(_e1263.member.member_1, _e1577, (_e1577 < _e1263.member.member_1)));
+                                        let _e1588 = (_e1579 <= _e1581);
+                                        if _e1586 {
+                                            if _e1587 {
+                                                if _e1588 {
+                                                    phi_3048_ = _e1495;
                                                 } else {
-                                                    phi_3132_ = _e1521;
+                                                    phi_3048_ = _e1490;
                                                 }
-                                                let _e1621 = phi_3132_;
-                                                let _e1628 = (_e678 % 128u);
-                                                let _e1629 = (_e1628 < 128u);
-                                                if _e1629 {
+                                                let _e1590 = phi_3048_;
+                                                let _e1597 = (_e662 % 128u);
+                                                let _e1598 = (_e1597 < 128u);
+                                                if _e1598 {
                                                 } else {
-                                                    phi_3472_ = true;
+                                                    phi_3573_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1628] = _e1621.member_1;
-                                                if _e1629 {
+                                                local_6[_e1597] = _e1590.member_1;
+                                                if _e1598 {
                                                 } else {
-                                                    phi_3472_ = true;
+                                                    phi_3573_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1628] = _e1621.member.member[0];
-                                                if _e1629 {
+                                                local_5[_e1597] = _e1590.member.member[0];
+                                                if _e1598 {
                                                 } else {
-                                                    phi_3472_ = true;
+                                                    phi_3573_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1628] = _e1621.member.member[1];
-                                                if _e1629 {
+                                                local_4[_e1597] = _e1590.member.member[1];
+                                                if _e1598 {
                                                 } else {
-                                                    phi_3472_ = true;
+                                                    phi_3573_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1628] = _e1621.member.member[2];
-                                                if _e1629 {
+                                                local_3[_e1597] = _e1590.member.member[2];
+                                                if _e1598 {
                                                 } else {
-                                                    phi_3472_ = true;
+                                                    phi_3573_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1628] = _e1621.member.member_1[0];
-                                                if _e1629 {
+                                                local_2[_e1597] = _e1590.member.member_1[0];
+                                                if _e1598 {
                                                 } else {
-                                                    phi_3472_ = true;
+                                                    phi_3573_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1628] = _e1621.member.member_1[1];
-                                                if _e1629 {
+                                                local_1[_e1597] = _e1590.member.member_1[1];
+                                                if _e1598 {
                                                 } else {
-                                                    phi_3472_ = true;
+                                                    phi_3573_ = true;
                                                     break;
                                                 }
-                                                local[_e1628] = _e1621.member.member_1[2];
-                                                if _e1629 {
+                                                local[_e1597] = _e1590.member.member_1[2];
+                                                if _e1598 {
                                                 } else {
-                                                    phi_3472_ = true;
+                                                    phi_3573_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1628] = select(_e1610, _e1612, _e1619);
-                                                if _e1619 {
-                                                    phi_3208_ = _e1521;
+                                                local_7[_e1597] = select(_e1579, _e1581, _e1588);
+                                                if _e1588 {
+                                                    phi_3124_ = _e1490;
                                                 } else {
-                                                    phi_3208_ = _e1526;
+                                                    phi_3124_ = _e1495;
                                                 }
-                                                let _e1646 = phi_3208_;
-                                                phi_3209_ = (_e678 + 1u);
-                                                phi_3210_ = _e1646;
+                                                let _e1615 = phi_3124_;
+                                                phi_3125_ = (_e662 + 1u);
+                                                phi_3126_ = _e1615;
                                             } else {
-                                                phi_3209_ = u32();
-                                                phi_3210_ = type_49();
+                                                phi_3125_ = u32();
+                                                phi_3126_ = type_50();
                                             }
-                                            let _e1648 = phi_3209_;
-                                            let _e1650 = phi_3210_;
-                                            phi_3212_ = _e1648;
-                                            phi_3213_ = _e1650;
-                                            phi_3214_ = select(true, false, _e1618);
+                                            let _e1617 = phi_3125_;
+                                            let _e1619 = phi_3126_;
+                                            phi_3128_ = _e1617;
+                                            phi_3129_ = _e1619;
+                                            phi_3130_ = select(true, false, _e1587);
                                         } else {
-                                            phi_3212_ = u32();
-                                            phi_3213_ = type_49();
-                                            phi_3214_ = true;
+                                            phi_3128_ = u32();
+                                            phi_3129_ = type_50();
+                                            phi_3130_ = true;
                                         }
-                                        let _e1653 = phi_3212_;
-                                        let _e1655 = phi_3213_;
-                                        let _e1657 = phi_3214_;
-                                        if _e1657 {
-                                            if _e1617 {
-                                                phi_3221_ = _e1521;
+                                        let _e1622 = phi_3128_;
+                                        let _e1624 = phi_3129_;
+                                        let _e1626 = phi_3130_;
+                                        if _e1626 {
+                                            if _e1586 {
+                                                phi_3137_ = _e1490;
                                             } else {
-                                                phi_3221_ = _e1526;
+                                                phi_3137_ = _e1495;
                                             }
-                                            let _e1659 = phi_3221_;
-                                            phi_3226_ = select(_e1618, true, _e1617);
-                                            phi_3228_ = _e1659;
+                                            let _e1628 = phi_3137_;
+                                            phi_3142_ = select(_e1587, true, _e1586);
+                                            phi_3144_ = _e1628;
                                         } else {
-                                            phi_3226_ = _e676;
-                                            phi_3228_ = _e1655;
+                                            phi_3142_ = _e660;
+                                            phi_3144_ = _e1624;
                                         }
-                                        let _e1662 = phi_3226_;
-                                        let _e1664 = phi_3228_;
-                                        phi_3233_ = type_38(_e1294.member, (_e1294.member_1 + 1u), _e1294.member_2);
-                                        phi_3234_ = _e1662;
-                                        phi_3235_ = select(_e1653, _e678, _e1657);
-                                        phi_3236_ = _e1664;
+                                        let _e1631 = phi_3142_;
+                                        let _e1633 = phi_3144_;
+                                        phi_3149_ = type_39(_e1263.member, (_e1263.member_1 + 1u), _e1263.member_2);
+                                        phi_3150_ = _e1631;
+                                        phi_3151_ = select(_e1622, _e662, _e1626);
+                                        phi_3152_ = _e1633;
                                     }
-                                    let _e1667 = phi_3233_;
-                                    let _e1669 = phi_3234_;
-                                    let _e1671 = phi_3235_;
-                                    let _e1673 = phi_3236_;
-                                    if _e684 {
-                                        phi_3244_ = _e1294;
-                                        phi_3247_ = _e680;
+                                    let _e1636 = phi_3149_;
+                                    let _e1638 = phi_3150_;
+                                    let _e1640 = phi_3151_;
+                                    let _e1642 = phi_3152_;
+                                    if _e668 {
+                                        phi_3160_ = _e1263;
+                                        phi_3163_ = _e664;
                                     } else {
-                                        phi_3244_ = _e1667;
-                                        phi_3247_ = _e1673;
+                                        phi_3160_ = _e1636;
+                                        phi_3163_ = _e1642;
                                     }
-                                    let _e1675 = phi_3244_;
-                                    let _e1677 = phi_3247_;
-                                    phi_3475_ = _e1292;
-                                    phi_3248_ = _e1675;
-                                    phi_3249_ = (_e638 - 1u);
-                                    phi_3250_ = select(_e1669, false, _e684);
-                                    phi_3251_ = select(_e1671, _e678, _e684);
-                                    phi_3252_ = _e1677;
+                                    let _e1644 = phi_3160_;
+                                    let _e1646 = phi_3163_;
+                                    phi_3576_ = _e1261;
+                                    phi_3164_ = _e1644;
+                                    phi_3165_ = (_e622 - 1u);
+                                    phi_3166_ = select(_e1638, false, _e668);
+                                    phi_3167_ = select(_e1640, _e662, _e668);
+                                    phi_3168_ = _e1646;
                                 } else {
-                                    phi_3475_ = _e634;
-                                    phi_3248_ = _e636;
-                                    phi_3249_ = _e638;
-                                    phi_3250_ = _e676;
-                                    phi_3251_ = _e678;
-                                    phi_3252_ = _e680;
+                                    phi_3576_ = _e618;
+                                    phi_3164_ = _e620;
+                                    phi_3165_ = _e622;
+                                    phi_3166_ = _e660;
+                                    phi_3167_ = _e662;
+                                    phi_3168_ = _e664;
                                 }
-                                let _e1681 = phi_3475_;
-                                let _e1683 = phi_3248_;
-                                let _e1685 = phi_3249_;
-                                let _e1687 = phi_3250_;
-                                let _e1689 = phi_3251_;
-                                let _e1691 = phi_3252_;
-                                phi_3474_ = _e1681;
-                                phi_3253_ = _e1683;
-                                phi_3254_ = _e1685;
-                                phi_3255_ = _e1687;
-                                phi_3256_ = _e1689;
-                                phi_3257_ = _e1691;
+                                let _e1650 = phi_3576_;
+                                let _e1652 = phi_3164_;
+                                let _e1654 = phi_3165_;
+                                let _e1656 = phi_3166_;
+                                let _e1658 = phi_3167_;
+                                let _e1660 = phi_3168_;
+                                phi_3575_ = _e1650;
+                                phi_3169_ = _e1652;
+                                phi_3170_ = _e1654;
+                                phi_3171_ = _e1656;
+                                phi_3172_ = _e1658;
+                                phi_3173_ = _e1660;
                             } else {
-                                phi_3474_ = _e634;
-                                phi_3253_ = type_38();
-                                phi_3254_ = u32();
-                                phi_3255_ = bool();
-                                phi_3256_ = u32();
-                                phi_3257_ = type_49();
+                                phi_3575_ = _e618;
+                                phi_3169_ = type_39();
+                                phi_3170_ = u32();
+                                phi_3171_ = bool();
+                                phi_3172_ = u32();
+                                phi_3173_ = type_50();
                             }
-                            let _e1693 = phi_3474_;
-                            let _e1695 = phi_3253_;
-                            let _e1697 = phi_3254_;
-                            let _e1699 = phi_3255_;
-                            let _e1701 = phi_3256_;
-                            let _e1703 = phi_3257_;
-                            phi_3473_ = _e1693;
-                            phi_1020_ = _e1695;
-                            phi_1023_ = _e1697;
-                            phi_1025_ = _e1699;
-                            phi_1027_ = _e1701;
-                            phi_1029_ = _e1703;
-                            phi_3258_ = _e648;
+                            let _e1662 = phi_3575_;
+                            let _e1664 = phi_3169_;
+                            let _e1666 = phi_3170_;
+                            let _e1668 = phi_3171_;
+                            let _e1670 = phi_3172_;
+                            let _e1672 = phi_3173_;
+                            phi_3574_ = _e1662;
+                            phi_1039_ = _e1664;
+                            phi_1042_ = _e1666;
+                            phi_1044_ = _e1668;
+                            phi_1046_ = _e1670;
+                            phi_1048_ = _e1672;
+                            phi_3174_ = _e632;
                         } else {
-                            phi_3473_ = _e634;
-                            phi_1020_ = type_38();
-                            phi_1023_ = u32();
-                            phi_1025_ = bool();
-                            phi_1027_ = u32();
-                            phi_1029_ = type_49();
-                            phi_3258_ = false;
+                            phi_3574_ = _e618;
+                            phi_1039_ = type_39();
+                            phi_1042_ = u32();
+                            phi_1044_ = bool();
+                            phi_1046_ = u32();
+                            phi_1048_ = type_50();
+                            phi_3174_ = false;
                         }
-                        let _e1705 = phi_3473_;
-                        let _e1707 = phi_1020_;
-                        let _e1709 = phi_1023_;
-                        let _e1711 = phi_1025_;
-                        let _e1713 = phi_1027_;
-                        let _e1715 = phi_1029_;
-                        let _e1717 = phi_3258_;
+                        let _e1674 = phi_3574_;
+                        let _e1676 = phi_1039_;
+                        let _e1678 = phi_1042_;
+                        let _e1680 = phi_1044_;
+                        let _e1682 = phi_1046_;
+                        let _e1684 = phi_1048_;
+                        let _e1686 = phi_3174_;
                         continue;
                         continuing {
-                            phi_3318_ = _e1705;
-                            phi_1019_ = _e1707;
-                            phi_1022_ = _e1709;
-                            phi_1024_ = _e1711;
-                            phi_1026_ = _e1713;
-                            phi_1028_ = _e1715;
-                            phi_3472_ = _e1705;
-                            break if !(_e1717);
+                            phi_3414_ = _e1674;
+                            phi_1038_ = _e1676;
+                            phi_1041_ = _e1678;
+                            phi_1043_ = _e1680;
+                            phi_1045_ = _e1682;
+                            phi_1047_ = _e1684;
+                            phi_3573_ = _e1674;
+                            break if !(_e1686);
                         }
                     }
-                    let _e1720 = phi_3472_;
-                    if _e1720 {
+                    let _e1689 = phi_3573_;
+                    if _e1689 {
                         break;
                     }
-                    let _e1722 = local_10;
-                    let _e1725 = local_11;
-                    if _e134 {
+                    let _e1691 = local_10;
+                    let _e1694 = local_11;
+                    if _e133 {
                     } else {
                         break;
                     }
-                    global_6.member[_e132][0u] = _e1722.member_1;
-                    global_6.member[_e132][1u] = _e1725.member_2;
+                    global_6.member[_e131][0u] = _e1691.member_1;
+                    global_6.member[_e131][1u] = _e1694.member_2;
                 }
             }
             break;

@@ -30,47 +30,54 @@ struct type_28 {
     member_1: f32,
 }
 
-struct type_31 {
+struct type_30 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_32 {
     member: array<type_22>,
 }
 
-struct type_33 {
+struct type_34 {
     member: type_28,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_37 {
+struct type_38 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_39 {
-    member: array<type_37>,
+struct type_40 {
+    member: array<type_38>,
 }
 
-struct type_42 {
+struct type_43 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_46 {
-    member: array<type_44>,
+struct type_47 {
+    member: array<type_45>,
 }
 
-struct type_50 {
-    member: type_42,
+struct type_51 {
+    member: type_43,
     member_1: u32,
 }
 
@@ -78,15 +85,15 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_8;
 @group(0) @binding(1) 
-var<uniform> global_2: type_35;
+var<uniform> global_2: type_36;
 @group(0) @binding(4) 
-var<storage> global_3: type_31;
+var<storage> global_3: type_32;
 @group(0) @binding(2) 
-var<storage> global_4: type_39;
+var<storage> global_4: type_40;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_17;
 @group(0) @binding(3) 
-var<storage> global_6: type_46;
+var<storage> global_6: type_47;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -99,456 +106,413 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_345_: i32;
-    var phi_346_: i32;
-    var phi_356_: bool;
-    var phi_366_: u32;
-    var phi_367_: u32;
-    var phi_369_: bool;
-    var phi_374_: u32;
-    var phi_387_: i32;
-    var phi_407_: i32;
-    var phi_425_: f32;
-    var phi_431_: f32;
-    var phi_471_: f32;
-    var phi_477_: f32;
-    var phi_529_: f32;
-    var phi_541_: f32;
-    var phi_550_: f32;
-    var phi_556_: f32;
-    var phi_596_: f32;
-    var phi_602_: f32;
-    var phi_654_: f32;
-    var phi_666_: f32;
-    var phi_675_: f32;
-    var phi_681_: f32;
-    var phi_721_: f32;
-    var phi_727_: f32;
-    var phi_779_: f32;
-    var phi_791_: f32;
-    var phi_846_: i32;
-    var phi_868_: u32;
-    var phi_869_: u32;
-    var phi_906_: i32;
-    var phi_928_: u32;
-    var phi_929_: u32;
-    var phi_937_: f32;
-    var phi_938_: f32;
-    var phi_3512_: bool;
-    var phi_1022_: type_33;
-    var phi_1025_: u32;
-    var phi_1027_: bool;
-    var phi_1029_: u32;
-    var phi_1031_: type_50;
-    var phi_1042_: bool;
-    var phi_1128_: bool;
-    var phi_1129_: u32;
-    var phi_1130_: type_50;
-    var phi_1149_: type_33;
-    var phi_1152_: type_4;
-    var phi_1153_: type_4;
-    var phi_1175_: type_4;
-    var phi_1203_: u32;
-    var phi_1219_: type_44;
-    var phi_1657_: bool;
-    var phi_1686_: bool;
-    var phi_2081_: f32;
-    var phi_2082_: f32;
-    var phi_2083_: f32;
-    var phi_2084_: f32;
-    var phi_2085_: vec3<f32>;
-    var phi_2086_: vec3<f32>;
-    var phi_2087_: vec3<f32>;
-    var phi_2088_: vec3<f32>;
-    var phi_2125_: bool;
-    var phi_2134_: vec3<f32>;
-    var phi_2299_: f32;
-    var phi_2301_: f32;
-    var phi_2302_: bool;
-    var phi_2322_: f32;
-    var phi_2323_: f32;
-    var phi_2346_: type_21;
-    var phi_2348_: type_21;
-    var phi_2349_: bool;
-    var phi_2353_: type_21;
-    var phi_2354_: type_21;
-    var phi_2355_: type_21;
-    var phi_2356_: bool;
-    var phi_2360_: type_21;
-    var phi_2361_: bool;
-    var phi_2362_: type_21;
-    var phi_2363_: bool;
-    var phi_2364_: bool;
-    var phi_2365_: type_21;
-    var phi_2366_: bool;
-    var phi_2367_: bool;
-    var phi_2375_: type_21;
-    var phi_2376_: bool;
-    var phi_2380_: type_21;
-    var phi_2405_: bool;
-    var phi_2406_: bool;
-    var phi_2413_: type_33;
-    var phi_2414_: type_33;
-    var phi_2415_: type_33;
-    var phi_1150_: type_33;
-    var phi_3506_: bool;
-    var phi_3743_: bool;
-    var phi_2416_: type_33;
-    var phi_2437_: type_37;
-    var phi_3326_: type_50;
-    var phi_3402_: type_50;
-    var phi_3403_: u32;
-    var phi_3404_: type_50;
-    var phi_3406_: u32;
-    var phi_3407_: type_50;
-    var phi_3408_: bool;
-    var phi_3415_: type_50;
-    var phi_3420_: bool;
-    var phi_3422_: type_50;
-    var phi_3427_: type_33;
-    var phi_3428_: bool;
-    var phi_3429_: u32;
-    var phi_3430_: type_50;
-    var phi_3438_: type_33;
-    var phi_3441_: type_50;
-    var phi_3687_: bool;
-    var phi_3442_: type_33;
-    var phi_3443_: u32;
-    var phi_3444_: bool;
-    var phi_3445_: u32;
-    var phi_3446_: type_50;
-    var phi_3686_: bool;
-    var phi_3447_: type_33;
-    var phi_3448_: u32;
-    var phi_3449_: bool;
-    var phi_3450_: u32;
-    var phi_3451_: type_50;
-    var phi_3685_: bool;
-    var phi_1023_: type_33;
-    var phi_1026_: u32;
-    var phi_1028_: bool;
-    var phi_1030_: u32;
-    var phi_1032_: type_50;
-    var phi_3452_: bool;
-    var phi_3684_: bool;
-    var local_10: type_33;
-    var local_11: type_33;
-    var local_12: type_33;
+    var phi_364_: i32;
+    var phi_365_: i32;
+    var phi_375_: bool;
+    var phi_385_: u32;
+    var phi_386_: u32;
+    var phi_388_: bool;
+    var phi_393_: u32;
+    var phi_406_: i32;
+    var phi_426_: i32;
+    var phi_444_: f32;
+    var phi_450_: f32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_569_: f32;
+    var phi_575_: f32;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_694_: f32;
+    var phi_700_: f32;
+    var phi_740_: f32;
+    var phi_746_: f32;
+    var phi_865_: i32;
+    var phi_887_: u32;
+    var phi_888_: u32;
+    var phi_925_: i32;
+    var phi_947_: u32;
+    var phi_948_: u32;
+    var phi_956_: f32;
+    var phi_957_: f32;
+    var phi_3611_: bool;
+    var phi_1041_: type_34;
+    var phi_1044_: u32;
+    var phi_1046_: bool;
+    var phi_1048_: u32;
+    var phi_1050_: type_51;
+    var phi_1061_: bool;
+    var phi_1147_: bool;
+    var phi_1148_: u32;
+    var phi_1149_: type_51;
+    var phi_1168_: type_34;
+    var phi_1171_: type_4;
+    var phi_1172_: type_4;
+    var phi_1194_: type_4;
+    var phi_1222_: u32;
+    var phi_1238_: type_45;
+    var phi_3406_: bool;
+    var phi_3421_: bool;
+    var phi_3436_: bool;
+    var phi_3451_: bool;
+    var phi_3466_: bool;
+    var phi_3481_: bool;
+    var phi_2045_: f32;
+    var phi_2046_: f32;
+    var phi_2047_: f32;
+    var phi_2048_: f32;
+    var phi_2049_: vec3<f32>;
+    var phi_2050_: vec3<f32>;
+    var phi_2051_: vec3<f32>;
+    var phi_2052_: vec3<f32>;
+    var phi_3496_: bool;
+    var phi_3511_: bool;
+    var phi_3526_: bool;
+    var phi_3541_: bool;
+    var phi_3556_: bool;
+    var phi_3571_: bool;
+    var phi_2260_: f32;
+    var phi_2280_: type_30;
+    var phi_2281_: type_30;
+    var phi_2284_: type_30;
+    var phi_2285_: type_30;
+    var phi_2286_: bool;
+    var phi_2290_: type_30;
+    var phi_2299_: type_21;
+    var phi_2324_: bool;
+    var phi_2325_: bool;
+    var phi_2332_: type_34;
+    var phi_2333_: type_34;
+    var phi_2334_: type_34;
+    var phi_1169_: type_34;
+    var phi_3605_: bool;
+    var phi_3847_: bool;
+    var phi_2335_: type_34;
+    var phi_2356_: type_38;
+    var phi_3245_: type_51;
+    var phi_3321_: type_51;
+    var phi_3322_: u32;
+    var phi_3323_: type_51;
+    var phi_3325_: u32;
+    var phi_3326_: type_51;
+    var phi_3327_: bool;
+    var phi_3334_: type_51;
+    var phi_3339_: bool;
+    var phi_3341_: type_51;
+    var phi_3346_: type_34;
+    var phi_3347_: bool;
+    var phi_3348_: u32;
+    var phi_3349_: type_51;
+    var phi_3357_: type_34;
+    var phi_3360_: type_51;
+    var phi_3791_: bool;
+    var phi_3361_: type_34;
+    var phi_3362_: u32;
+    var phi_3363_: bool;
+    var phi_3364_: u32;
+    var phi_3365_: type_51;
+    var phi_3790_: bool;
+    var phi_3366_: type_34;
+    var phi_3367_: u32;
+    var phi_3368_: bool;
+    var phi_3369_: u32;
+    var phi_3370_: type_51;
+    var phi_3789_: bool;
+    var phi_1042_: type_34;
+    var phi_1045_: u32;
+    var phi_1047_: bool;
+    var phi_1049_: u32;
+    var phi_1051_: type_51;
+    var phi_3371_: bool;
+    var phi_3788_: bool;
+    var local_10: type_34;
+    var local_11: type_34;
+    var local_12: type_34;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e79 = global;
-            let _e82 = arrayLength((&global_4.member));
-            let _e93 = global_2.member[0u][0u];
-            let _e97 = global_2.member[0u][1u];
-            let _e101 = global_2.member[0u][2u];
-            let _e105 = global_2.member[1u][0u];
-            let _e109 = global_2.member[1u][1u];
-            let _e113 = global_2.member[1u][2u];
-            let _e117 = global_2.member[1u][3u];
-            let _e120 = global_1.member[0u];
-            let _e121 = bitcast<i32>(_e120);
-            let _e131 = (_e79.x + (_e79.y * 2097152u));
-            let _e132 = (_e131 < arrayLength((&global_3.member)));
-            if _e132 {
-                let _e133 = (_e131 < arrayLength((&global_5.member)));
-                if _e133 {
-                    if _e132 {
+            let _e78 = global;
+            let _e81 = arrayLength((&global_4.member));
+            let _e92 = global_2.member[0u][0u];
+            let _e96 = global_2.member[0u][1u];
+            let _e100 = global_2.member[0u][2u];
+            let _e104 = global_2.member[1u][0u];
+            let _e108 = global_2.member[1u][1u];
+            let _e112 = global_2.member[1u][2u];
+            let _e116 = global_2.member[1u][3u];
+            let _e119 = global_1.member[0u];
+            let _e120 = bitcast<i32>(_e119);
+            let _e130 = (_e78.x + (_e78.y * 2097152u));
+            let _e131 = (_e130 < arrayLength((&global_3.member)));
+            if _e131 {
+                let _e132 = (_e130 < arrayLength((&global_5.member)));
+                if _e132 {
+                    if _e131 {
                     } else {
                         break;
                     }
-                    let _e141 = global_3.member[_e131].member_2[0u];
-                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
-                    let _e148 = global_3.member[_e131].member_2[1u];
-                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
-                    let _e155 = global_3.member[_e131].member_2[2u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_3.member[_e131].member[0u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_3.member[_e131].member[1u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e176 = global_3.member[_e131].member[2u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e180 = select(_e150, _e143, (_e150 < _e143));
-                    let _e182 = select(_e157, _e180, (_e157 < _e180));
-                    let _e184 = select(_e164, _e182, (_e164 < _e182));
-                    let _e186 = select(_e171, _e184, (_e171 < _e184));
-                    let _e188 = select(_e178, _e186, (_e178 < _e186));
-                    let _e192 = global_3.member[_e131].member_1;
-                    let _e193 = bitcast<u32>(_e192);
-                    let _e194 = (_e193 & 2147483647u);
-                    let _e201 = global_3.member[_e131].member_3;
-                    let _e202 = bitcast<u32>(_e201);
-                    let _e203 = (_e202 & 2147483647u);
-                    let _e207 = (((select(_e194, _e188, (_e194 < _e188)) < 2139095040u) && (_e203 <= 2139095040u)) && (_e182 > 0u));
-                    if _e207 {
-                        let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
-                        if (_e210 >= 8388608u) {
-                            phi_345_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
+                    let _e140 = global_3.member[_e130].member_2[0u];
+                    let _e142 = (bitcast<u32>(_e140) & 2147483647u);
+                    let _e147 = global_3.member[_e130].member_2[1u];
+                    let _e149 = (bitcast<u32>(_e147) & 2147483647u);
+                    let _e154 = global_3.member[_e130].member_2[2u];
+                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
+                    let _e161 = global_3.member[_e130].member[0u];
+                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
+                    let _e168 = global_3.member[_e130].member[1u];
+                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                    let _e175 = global_3.member[_e130].member[2u];
+                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                    let _e179 = select(_e149, _e142, (_e149 < _e142));
+                    let _e181 = select(_e156, _e179, (_e156 < _e179));
+                    let _e183 = select(_e163, _e181, (_e163 < _e181));
+                    let _e185 = select(_e170, _e183, (_e170 < _e183));
+                    let _e187 = select(_e177, _e185, (_e177 < _e185));
+                    let _e191 = global_3.member[_e130].member_1;
+                    let _e192 = bitcast<u32>(_e191);
+                    let _e193 = (_e192 & 2147483647u);
+                    let _e200 = global_3.member[_e130].member_3;
+                    let _e201 = bitcast<u32>(_e200);
+                    let _e202 = (_e201 & 2147483647u);
+                    let _e206 = (((select(_e193, _e187, (_e193 < _e187)) < 2139095040u) && (_e202 <= 2139095040u)) && (_e181 > 0u));
+                    if _e206 {
+                        let _e209 = (bitcast<u32>(bitcast<f32>(_e181)) & 2147483647u);
+                        if (_e209 >= 8388608u) {
+                            phi_364_ = (bitcast<i32>((_e209 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_345_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
+                            phi_364_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e209)), 32u, (_e209 == 0u))));
                         }
-                        let _e224 = phi_345_;
-                        phi_346_ = _e224;
+                        let _e223 = phi_364_;
+                        phi_365_ = _e223;
                     } else {
-                        phi_346_ = 0i;
+                        phi_365_ = 0i;
                     }
-                    let _e226 = phi_346_;
-                    let _e227 = (_e143 == _e182);
-                    if _e227 {
-                        phi_356_ = true;
+                    let _e225 = phi_365_;
+                    let _e226 = (_e142 == _e181);
+                    if _e226 {
+                        phi_375_ = true;
                     } else {
-                        phi_356_ = (_e150 == _e182);
+                        phi_375_ = (_e149 == _e181);
                     }
-                    let _e230 = phi_356_;
-                    let _e231 = select(1u, 0u, _e227);
-                    if _e230 {
-                        let _e232 = (_e231 + 1u);
-                        phi_366_ = _e232;
-                        phi_367_ = _e232;
-                        phi_369_ = select(true, false, (_e232 == 2u));
+                    let _e229 = phi_375_;
+                    let _e230 = select(1u, 0u, _e226);
+                    if _e229 {
+                        let _e231 = (_e230 + 1u);
+                        phi_385_ = _e231;
+                        phi_386_ = _e231;
+                        phi_388_ = select(true, false, (_e231 == 2u));
                     } else {
-                        phi_366_ = u32();
-                        phi_367_ = 0u;
-                        phi_369_ = true;
+                        phi_385_ = u32();
+                        phi_386_ = 0u;
+                        phi_388_ = true;
                     }
-                    let _e236 = phi_366_;
-                    let _e238 = phi_367_;
-                    let _e240 = phi_369_;
-                    if _e240 {
-                        phi_374_ = (_e238 + 1u);
+                    let _e235 = phi_385_;
+                    let _e237 = phi_386_;
+                    let _e239 = phi_388_;
+                    if _e239 {
+                        phi_393_ = (_e237 + 1u);
                     } else {
-                        phi_374_ = 0u;
+                        phi_393_ = 0u;
                     }
-                    let _e244 = phi_374_;
-                    let _e245 = select(_e236, _e238, _e240);
-                    let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
-                    if (_e121 < -126i) {
-                        phi_387_ = -126i;
+                    let _e243 = phi_393_;
+                    let _e244 = select(_e235, _e237, _e239);
+                    let _e245 = select(_e230, select(2u, _e230, _e229), _e239);
+                    if (_e120 < -126i) {
+                        phi_406_ = -126i;
                     } else {
-                        phi_387_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_406_ = select(_e120, 127i, (_e120 > 127i));
                     }
-                    let _e251 = phi_387_;
-                    let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
-                    let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
-                    let _e263 = -(_e226);
-                    if (_e263 < -126i) {
-                        phi_407_ = -126i;
+                    let _e250 = phi_406_;
+                    let _e255 = bitcast<f32>((bitcast<u32>((_e250 + 127i)) << bitcast<u32>(23i)));
+                    let _e261 = bitcast<f32>((bitcast<u32>(((_e120 - _e250) + 127i)) << bitcast<u32>(23i)));
+                    let _e262 = -(_e225);
+                    if (_e262 < -126i) {
+                        phi_426_ = -126i;
                     } else {
-                        phi_407_ = select(_e263, 127i, (_e263 > 127i));
+                        phi_426_ = select(_e262, 127i, (_e262 > 127i));
                     }
-                    let _e268 = phi_407_;
-                    let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
-                    let _e283 = global_3.member[_e131].member;
-                    let _e284 = (_e245 == 0u);
-                    if _e284 {
-                        phi_425_ = _e283[0];
+                    let _e267 = phi_426_;
+                    let _e272 = bitcast<f32>((bitcast<u32>((_e267 + 127i)) << bitcast<u32>(23i)));
+                    let _e278 = bitcast<f32>((bitcast<u32>(((_e262 - _e267) + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = global_3.member[_e130].member;
+                    let _e283 = (_e244 == 0u);
+                    if _e283 {
+                        phi_444_ = _e282[0];
                     } else {
-                        phi_425_ = _e283[1];
+                        phi_444_ = _e282[1];
                     }
-                    let _e288 = phi_425_;
-                    let _e289 = (_e245 == 2u);
-                    if _e289 {
-                        phi_431_ = _e283[2];
+                    let _e287 = phi_444_;
+                    let _e288 = (_e244 == 2u);
+                    if _e288 {
+                        phi_450_ = _e282[2];
                     } else {
-                        phi_431_ = _e288;
+                        phi_450_ = _e287;
                     }
-                    let _e292 = phi_431_;
-                    let _e293 = bitcast<u32>(_e292);
-                    let _e295 = ((_e293 & 2139095040u) != 0u);
-                    let _e309 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e293 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e293 & 2147483648u))), _e292, _e295) * _e256) * select(0.00000011920929f, 1f, _e295)) * _e262);
-                    let _e310 = global_3.member[_e131].member_2;
-                    if _e284 {
-                        phi_471_ = _e310[0];
+                    let _e291 = phi_450_;
+                    let _e292 = bitcast<u32>(_e291);
+                    let _e294 = ((_e292 & 2139095040u) != 0u);
+                    let _e308 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e292 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e292 & 2147483648u))), _e291, _e294) * _e255) * select(0.00000011920929f, 1f, _e294)) * _e261);
+                    let _e309 = global_3.member[_e130].member_2;
+                    if _e283 {
+                        phi_490_ = _e309[0];
                     } else {
-                        phi_471_ = _e310[1];
+                        phi_490_ = _e309[1];
                     }
-                    let _e314 = phi_471_;
-                    if _e289 {
-                        phi_477_ = _e310[2];
+                    let _e313 = phi_490_;
+                    if _e288 {
+                        phi_496_ = _e309[2];
                     } else {
-                        phi_477_ = _e314;
+                        phi_496_ = _e313;
                     }
-                    let _e317 = phi_477_;
-                    let _e318 = bitcast<u32>(_e317);
-                    let _e320 = ((_e318 & 2139095040u) != 0u);
-                    let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e273) * select(0.00000011920929f, 1f, _e320)) * _e279);
-                    let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e338 {
-                        let _e342 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_529_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
+                    let _e316 = phi_496_;
+                    let _e317 = bitcast<u32>(_e316);
+                    let _e319 = ((_e317 & 2139095040u) != 0u);
+                    let _e333 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e316, _e319) * _e272) * select(0.00000011920929f, 1f, _e319)) * _e278);
+                    let _e337 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e340 = bitcast<f32>((bitcast<u32>(_e308) & 2147483647u));
+                    let _e341 = (_e340 * 0.00000011920929f);
+                    let _e344 = select(select(0.00000000000011368684f, _e341, (_e341 > 0.00000000000011368684f)), 0f, _e337);
+                    let _e345 = select(0f, _e333, _e337);
+                    let _e346 = (_e308 + _e344);
+                    let _e347 = (_e308 - _e344);
+                    let _e349 = select(38685626000000000000000000f, (1f / _e333), _e337);
+                    let _e350 = (_e243 == 0u);
+                    if _e350 {
+                        phi_569_ = _e282[0];
                     } else {
-                        phi_529_ = 0f;
+                        phi_569_ = _e282[1];
                     }
-                    let _e346 = phi_529_;
-                    let _e347 = (_e309 + _e346);
-                    let _e348 = (_e309 - _e346);
-                    let _e349 = select(_e334, 0f, _e338);
-                    if _e338 {
-                        phi_541_ = 38685626000000000000000000f;
+                    let _e354 = phi_569_;
+                    let _e355 = (_e243 == 2u);
+                    if _e355 {
+                        phi_575_ = _e282[2];
                     } else {
-                        phi_541_ = (1f / _e334);
+                        phi_575_ = _e354;
                     }
-                    let _e352 = phi_541_;
-                    let _e353 = (_e244 == 0u);
-                    if _e353 {
-                        phi_550_ = _e283[0];
+                    let _e358 = phi_575_;
+                    let _e359 = bitcast<u32>(_e358);
+                    let _e361 = ((_e359 & 2139095040u) != 0u);
+                    let _e375 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e359 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e359 & 2147483648u))), _e358, _e361) * _e255) * select(0.00000011920929f, 1f, _e361)) * _e261);
+                    if _e350 {
+                        phi_615_ = _e309[0];
                     } else {
-                        phi_550_ = _e283[1];
+                        phi_615_ = _e309[1];
                     }
-                    let _e357 = phi_550_;
-                    let _e358 = (_e244 == 2u);
-                    if _e358 {
-                        phi_556_ = _e283[2];
+                    let _e379 = phi_615_;
+                    if _e355 {
+                        phi_621_ = _e309[2];
                     } else {
-                        phi_556_ = _e357;
+                        phi_621_ = _e379;
                     }
-                    let _e361 = phi_556_;
-                    let _e362 = bitcast<u32>(_e361);
-                    let _e364 = ((_e362 & 2139095040u) != 0u);
-                    let _e378 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e362 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e362 & 2147483648u))), _e361, _e364) * _e256) * select(0.00000011920929f, 1f, _e364)) * _e262);
-                    if _e353 {
-                        phi_596_ = _e310[0];
+                    let _e382 = phi_621_;
+                    let _e383 = bitcast<u32>(_e382);
+                    let _e385 = ((_e383 & 2139095040u) != 0u);
+                    let _e399 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e383 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e383 & 2147483648u))), _e382, _e385) * _e272) * select(0.00000011920929f, 1f, _e385)) * _e278);
+                    let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e406 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
+                    let _e407 = (_e406 * 0.00000011920929f);
+                    let _e410 = select(select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f)), 0f, _e403);
+                    let _e411 = select(0f, _e399, _e403);
+                    let _e412 = (_e375 + _e410);
+                    let _e413 = (_e375 - _e410);
+                    let _e415 = select(38685626000000000000000000f, (1f / _e399), _e403);
+                    let _e416 = (_e245 == 0u);
+                    if _e416 {
+                        phi_694_ = _e282[0];
                     } else {
-                        phi_596_ = _e310[1];
+                        phi_694_ = _e282[1];
                     }
-                    let _e382 = phi_596_;
-                    if _e358 {
-                        phi_602_ = _e310[2];
-                    } else {
-                        phi_602_ = _e382;
-                    }
-                    let _e385 = phi_602_;
-                    let _e386 = bitcast<u32>(_e385);
-                    let _e388 = ((_e386 & 2139095040u) != 0u);
-                    let _e402 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e385, _e388) * _e273) * select(0.00000011920929f, 1f, _e388)) * _e279);
-                    let _e406 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e406 {
-                        let _e410 = (bitcast<f32>((bitcast<u32>(_e378) & 2147483647u)) * 0.00000011920929f);
-                        phi_654_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
-                    } else {
-                        phi_654_ = 0f;
-                    }
-                    let _e414 = phi_654_;
-                    let _e415 = (_e378 + _e414);
-                    let _e416 = (_e378 - _e414);
-                    let _e417 = select(_e402, 0f, _e406);
-                    if _e406 {
-                        phi_666_ = 38685626000000000000000000f;
-                    } else {
-                        phi_666_ = (1f / _e402);
-                    }
-                    let _e420 = phi_666_;
-                    let _e421 = (_e246 == 0u);
+                    let _e420 = phi_694_;
+                    let _e421 = (_e245 == 2u);
                     if _e421 {
-                        phi_675_ = _e283[0];
+                        phi_700_ = _e282[2];
                     } else {
-                        phi_675_ = _e283[1];
+                        phi_700_ = _e420;
                     }
-                    let _e425 = phi_675_;
-                    let _e426 = (_e246 == 2u);
-                    if _e426 {
-                        phi_681_ = _e283[2];
+                    let _e424 = phi_700_;
+                    let _e425 = bitcast<u32>(_e424);
+                    let _e427 = ((_e425 & 2139095040u) != 0u);
+                    let _e441 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e425 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e425 & 2147483648u))), _e424, _e427) * _e255) * select(0.00000011920929f, 1f, _e427)) * _e261);
+                    if _e416 {
+                        phi_740_ = _e309[0];
                     } else {
-                        phi_681_ = _e425;
+                        phi_740_ = _e309[1];
                     }
-                    let _e429 = phi_681_;
-                    let _e430 = bitcast<u32>(_e429);
-                    let _e432 = ((_e430 & 2139095040u) != 0u);
-                    let _e446 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e430 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e430 & 2147483648u))), _e429, _e432) * _e256) * select(0.00000011920929f, 1f, _e432)) * _e262);
+                    let _e445 = phi_740_;
                     if _e421 {
-                        phi_721_ = _e310[0];
+                        phi_746_ = _e309[2];
                     } else {
-                        phi_721_ = _e310[1];
+                        phi_746_ = _e445;
                     }
-                    let _e450 = phi_721_;
-                    if _e426 {
-                        phi_727_ = _e310[2];
-                    } else {
-                        phi_727_ = _e450;
-                    }
-                    let _e453 = phi_727_;
-                    let _e454 = bitcast<u32>(_e453);
-                    let _e456 = ((_e454 & 2139095040u) != 0u);
-                    let _e470 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e454 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e454 & 2147483648u))), _e453, _e456) * _e273) * select(0.00000011920929f, 1f, _e456)) * _e279);
-                    let _e474 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e474 {
-                        let _e478 = (bitcast<f32>((bitcast<u32>(_e446) & 2147483647u)) * 0.00000011920929f);
-                        phi_779_ = select(0.00000000000011368684f, _e478, (_e478 > 0.00000000000011368684f));
-                    } else {
-                        phi_779_ = 0f;
-                    }
-                    let _e482 = phi_779_;
-                    let _e483 = (_e446 + _e482);
-                    let _e484 = (_e446 - _e482);
-                    let _e485 = select(_e470, 0f, _e474);
-                    if _e474 {
-                        phi_791_ = 38685626000000000000000000f;
-                    } else {
-                        phi_791_ = (1f / _e470);
-                    }
-                    let _e488 = phi_791_;
-                    let _e491 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
-                    let _e494 = bitcast<f32>((bitcast<u32>(_e378) & 2147483647u));
-                    let _e496 = select(_e494, _e491, (_e491 > _e494));
-                    let _e499 = bitcast<f32>((bitcast<u32>(_e446) & 2147483647u));
-                    let _e502 = (_e121 + _e226);
-                    if (_e207 && (select(_e499, _e496, (_e496 > _e499)) <= 1099511600000f)) {
-                        let _e512 = ((_e194 & 8388607u) | (select(0u, 1u, ((_e194 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e515 = bitcast<i32>((_e194 >> bitcast<u32>(23i)));
-                        let _e519 = (_e512 == 0u);
-                        let _e522 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e512)), 32u, _e519)) - 8i);
-                        if (_e515 == 255i) {
-                            phi_846_ = 255i;
+                    let _e448 = phi_746_;
+                    let _e449 = bitcast<u32>(_e448);
+                    let _e451 = ((_e449 & 2139095040u) != 0u);
+                    let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e272) * select(0.00000011920929f, 1f, _e451)) * _e278);
+                    let _e469 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e472 = bitcast<f32>((bitcast<u32>(_e441) & 2147483647u));
+                    let _e473 = (_e472 * 0.00000011920929f);
+                    let _e476 = select(select(0.00000000000011368684f, _e473, (_e473 > 0.00000000000011368684f)), 0f, _e469);
+                    let _e477 = select(0f, _e465, _e469);
+                    let _e478 = (_e441 + _e476);
+                    let _e479 = (_e441 - _e476);
+                    let _e481 = select(38685626000000000000000000f, (1f / _e465), _e469);
+                    let _e483 = select(_e406, _e340, (_e340 > _e406));
+                    let _e486 = (_e120 + _e225);
+                    if (_e206 && (select(_e472, _e483, (_e483 > _e472)) <= 1099511600000f)) {
+                        let _e496 = ((_e193 & 8388607u) | (select(0u, 1u, ((_e193 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e499 = bitcast<i32>((_e193 >> bitcast<u32>(23i)));
+                        let _e503 = (_e496 == 0u);
+                        let _e506 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e496)), 32u, _e503)) - 8i);
+                        if (_e499 == 255i) {
+                            phi_865_ = 255i;
                         } else {
-                            phi_846_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e502);
+                            phi_865_ = (((_e499 + select(0i, 1i, (_e499 == 0i))) - _e506) + _e486);
                         }
-                        let _e530 = phi_846_;
-                        let _e540 = (_e530 <= 0i);
-                        if _e540 {
-                            phi_869_ = u32();
+                        let _e514 = phi_865_;
+                        let _e524 = (_e514 <= 0i);
+                        if _e524 {
+                            phi_888_ = u32();
                         } else {
-                            if _e519 {
-                                phi_868_ = u32();
+                            if _e503 {
+                                phi_887_ = u32();
                             } else {
-                                phi_868_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
+                                phi_887_ = select(((bitcast<u32>(_e514) << bitcast<u32>(23i)) | ((_e496 << bitcast<u32>(((_e506 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e514 >= 255i));
                             }
-                            let _e544 = phi_868_;
-                            phi_869_ = _e544;
+                            let _e528 = phi_887_;
+                            phi_888_ = _e528;
                         }
-                        let _e546 = phi_869_;
-                        let _e558 = ((_e203 & 8388607u) | (select(0u, 1u, ((_e203 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e561 = bitcast<i32>((_e203 >> bitcast<u32>(23i)));
-                        let _e565 = (_e558 == 0u);
-                        let _e568 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e558)), 32u, _e565)) - 8i);
-                        if (_e561 == 255i) {
-                            phi_906_ = 255i;
+                        let _e530 = phi_888_;
+                        let _e542 = ((_e202 & 8388607u) | (select(0u, 1u, ((_e202 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e545 = bitcast<i32>((_e202 >> bitcast<u32>(23i)));
+                        let _e549 = (_e542 == 0u);
+                        let _e552 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e542)), 32u, _e549)) - 8i);
+                        if (_e545 == 255i) {
+                            phi_925_ = 255i;
                         } else {
-                            phi_906_ = (((_e561 + select(0i, 1i, (_e561 == 0i))) - _e568) + _e502);
+                            phi_925_ = (((_e545 + select(0i, 1i, (_e545 == 0i))) - _e552) + _e486);
                         }
-                        let _e576 = phi_906_;
-                        let _e586 = (_e576 <= 0i);
-                        if _e586 {
-                            phi_929_ = u32();
+                        let _e560 = phi_925_;
+                        let _e570 = (_e560 <= 0i);
+                        if _e570 {
+                            phi_948_ = u32();
                         } else {
-                            if _e565 {
-                                phi_928_ = u32();
+                            if _e549 {
+                                phi_947_ = u32();
                             } else {
-                                phi_928_ = select(((bitcast<u32>(_e576) << bitcast<u32>(23i)) | ((_e558 << bitcast<u32>(((_e568 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e576 >= 255i));
+                                phi_947_ = select(((bitcast<u32>(_e560) << bitcast<u32>(23i)) | ((_e542 << bitcast<u32>(((_e552 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e560 >= 255i));
                             }
-                            let _e590 = phi_928_;
-                            phi_929_ = _e590;
+                            let _e574 = phi_947_;
+                            phi_948_ = _e574;
                         }
-                        let _e592 = phi_929_;
-                        phi_937_ = bitcast<f32>(((_e202 & 2147483648u) | select(_e592, 0u, select(_e565, true, _e586))));
-                        phi_938_ = bitcast<f32>(((_e193 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
+                        let _e576 = phi_948_;
+                        phi_956_ = bitcast<f32>(((_e201 & 2147483648u) | select(_e576, 0u, select(_e549, true, _e570))));
+                        phi_957_ = bitcast<f32>(((_e192 & 2147483648u) | select(_e530, 0u, select(_e503, true, _e524))));
                     } else {
-                        phi_937_ = 0f;
-                        phi_938_ = 1f;
+                        phi_956_ = 0f;
+                        phi_957_ = 1f;
                     }
-                    let _e598 = phi_937_;
-                    let _e600 = phi_938_;
+                    let _e582 = phi_956_;
+                    let _e584 = phi_957_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -557,859 +521,836 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
-                    let _e606 = (_e245 % 3u);
-                    let _e607 = (_e606 < 3u);
-                    if _e607 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e92), bitcast<f32>(_e96), bitcast<f32>(_e100));
+                    let _e590 = (_e244 % 3u);
+                    let _e591 = (_e590 < 3u);
+                    if _e591 {
                     } else {
                         break;
                     }
-                    let _e609 = local_9[_e606];
-                    let _e610 = (_e244 % 3u);
-                    let _e611 = (_e610 < 3u);
-                    if _e611 {
+                    let _e593 = local_9[_e590];
+                    let _e594 = (_e243 % 3u);
+                    let _e595 = (_e594 < 3u);
+                    if _e595 {
                     } else {
                         break;
                     }
-                    let _e613 = local_9[_e610];
-                    let _e614 = (_e246 % 3u);
-                    let _e615 = (_e614 < 3u);
-                    if _e615 {
+                    let _e597 = local_9[_e594];
+                    let _e598 = (_e245 % 3u);
+                    let _e599 = (_e598 < 3u);
+                    if _e599 {
                     } else {
                         break;
                     }
-                    let _e617 = local_9[_e614];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
-                    if _e607 {
+                    let _e601 = local_9[_e598];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e104), bitcast<f32>(_e108), bitcast<f32>(_e112));
+                    if _e591 {
                     } else {
                         break;
                     }
-                    let _e621 = local_8[_e606];
-                    if _e611 {
+                    let _e605 = local_8[_e590];
+                    if _e595 {
                     } else {
                         break;
                     }
-                    let _e623 = local_8[_e610];
-                    if _e615 {
+                    let _e607 = local_8[_e594];
+                    if _e599 {
                     } else {
                         break;
                     }
-                    let _e625 = local_8[_e614];
-                    phi_3512_ = false;
-                    phi_1022_ = type_33(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e598), 0u, 0u);
-                    phi_1025_ = ((3u * _e82) + 1u);
-                    phi_1027_ = (_e600 <= _e598);
-                    phi_1029_ = 0u;
-                    phi_1031_ = type_50(type_42(array<f32, 3>(_e609, _e613, _e617), array<f32, 3>(_e621, _e623, _e625)), select(0u, 2147483648u, (_e82 == 0u)));
+                    let _e609 = local_8[_e598];
+                    phi_3611_ = false;
+                    phi_1041_ = type_34(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e582), 0u, 0u);
+                    phi_1044_ = ((3u * _e81) + 1u);
+                    phi_1046_ = (_e584 <= _e582);
+                    phi_1048_ = 0u;
+                    phi_1050_ = type_51(type_43(array<f32, 3>(_e593, _e597, _e601), array<f32, 3>(_e605, _e607, _e609)), select(0u, 2147483648u, (_e81 == 0u)));
                     loop {
-                        let _e633 = phi_3512_;
-                        let _e635 = phi_1022_;
-                        let _e637 = phi_1025_;
-                        let _e639 = phi_1027_;
-                        let _e641 = phi_1029_;
-                        let _e643 = phi_1031_;
-                        local_10 = _e635;
-                        local_11 = _e635;
-                        if _e639 {
-                            phi_1042_ = true;
+                        let _e617 = phi_3611_;
+                        let _e619 = phi_1041_;
+                        let _e621 = phi_1044_;
+                        let _e623 = phi_1046_;
+                        let _e625 = phi_1048_;
+                        let _e627 = phi_1050_;
+                        local_10 = _e619;
+                        local_11 = _e619;
+                        if _e623 {
+                            phi_1061_ = true;
                         } else {
-                            phi_1042_ = (_e641 > 0u);
+                            phi_1061_ = (_e625 > 0u);
                         }
-                        let _e646 = phi_1042_;
-                        if _e646 {
-                            let _e647 = (_e637 > 0u);
-                            if _e647 {
-                                if _e639 {
-                                    phi_1128_ = _e639;
-                                    phi_1129_ = _e641;
-                                    phi_1130_ = _e643;
+                        let _e630 = phi_1061_;
+                        if _e630 {
+                            let _e631 = (_e621 > 0u);
+                            if _e631 {
+                                if _e623 {
+                                    phi_1147_ = _e623;
+                                    phi_1148_ = _e625;
+                                    phi_1149_ = _e627;
                                 } else {
-                                    let _e648 = (_e641 - 1u);
-                                    let _e649 = (_e648 % 128u);
-                                    let _e650 = (_e649 < 128u);
-                                    if _e650 {
+                                    let _e632 = (_e625 - 1u);
+                                    let _e633 = (_e632 % 128u);
+                                    let _e634 = (_e633 < 128u);
+                                    if _e634 {
                                     } else {
-                                        phi_3684_ = true;
+                                        phi_3788_ = true;
                                         break;
                                     }
-                                    let _e652 = local_6[_e649];
-                                    if _e650 {
+                                    let _e636 = local_6[_e633];
+                                    if _e634 {
                                     } else {
-                                        phi_3684_ = true;
+                                        phi_3788_ = true;
                                         break;
                                     }
-                                    let _e654 = local_5[_e649];
-                                    if _e650 {
+                                    let _e638 = local_5[_e633];
+                                    if _e634 {
                                     } else {
-                                        phi_3684_ = true;
+                                        phi_3788_ = true;
                                         break;
                                     }
-                                    let _e656 = local_4[_e649];
-                                    if _e650 {
+                                    let _e640 = local_4[_e633];
+                                    if _e634 {
                                     } else {
-                                        phi_3684_ = true;
+                                        phi_3788_ = true;
                                         break;
                                     }
-                                    let _e658 = local_3[_e649];
-                                    if _e650 {
+                                    let _e642 = local_3[_e633];
+                                    if _e634 {
                                     } else {
-                                        phi_3684_ = true;
+                                        phi_3788_ = true;
                                         break;
                                     }
-                                    let _e661 = local_2[_e649];
-                                    if _e650 {
+                                    let _e645 = local_2[_e633];
+                                    if _e634 {
                                     } else {
-                                        phi_3684_ = true;
+                                        phi_3788_ = true;
                                         break;
                                     }
-                                    let _e663 = local_1[_e649];
-                                    if _e650 {
+                                    let _e647 = local_1[_e633];
+                                    if _e634 {
                                     } else {
-                                        phi_3684_ = true;
+                                        phi_3788_ = true;
                                         break;
                                     }
-                                    let _e665 = local[_e649];
-                                    if _e650 {
+                                    let _e649 = local[_e633];
+                                    if _e634 {
                                     } else {
-                                        phi_3684_ = true;
+                                        phi_3788_ = true;
                                         break;
                                     }
-                                    let _e670 = local_7[_e649];
-                                    phi_1128_ = (_e670 <= _e635.member.member_1);
-                                    phi_1129_ = _e648;
-                                    phi_1130_ = type_50(type_42(array<f32, 3>(_e654, _e656, _e658), array<f32, 3>(_e661, _e663, _e665)), _e652);
+                                    let _e654 = local_7[_e633];
+                                    phi_1147_ = (_e654 <= _e619.member.member_1);
+                                    phi_1148_ = _e632;
+                                    phi_1149_ = type_51(type_43(array<f32, 3>(_e638, _e640, _e642), array<f32, 3>(_e645, _e647, _e649)), _e636);
                                 }
-                                let _e675 = phi_1128_;
-                                let _e677 = phi_1129_;
-                                let _e679 = phi_1130_;
-                                if _e675 {
-                                    let _e683 = ((_e679.member_1 & 2147483648u) != 0u);
-                                    if _e683 {
-                                        phi_1149_ = _e635;
-                                        phi_1152_ = type_4(0u, ((_e679.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e659 = phi_1147_;
+                                let _e661 = phi_1148_;
+                                let _e663 = phi_1149_;
+                                if _e659 {
+                                    let _e667 = ((_e663.member_1 & 2147483648u) != 0u);
+                                    if _e667 {
+                                        phi_1168_ = _e619;
+                                        phi_1171_ = type_4(0u, ((_e663.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e691 = phi_1149_;
-                                            let _e693 = phi_1152_;
-                                            local_12 = _e691;
-                                            if (_e693.member < _e693.member_1) {
-                                                phi_1153_ = type_4((_e693.member + 1u), _e693.member_1);
-                                                phi_1175_ = type_4(1u, _e693.member);
+                                            let _e675 = phi_1168_;
+                                            let _e677 = phi_1171_;
+                                            local_12 = _e675;
+                                            if (_e677.member < _e677.member_1) {
+                                                phi_1172_ = type_4((_e677.member + 1u), _e677.member_1);
+                                                phi_1194_ = type_4(1u, _e677.member);
                                             } else {
-                                                phi_1153_ = _e693;
-                                                phi_1175_ = type_4(0u, type_4().member_1);
+                                                phi_1172_ = _e677;
+                                                phi_1194_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e706 = phi_1153_;
-                                            let _e708 = phi_1175_;
-                                            let _e712 = (bitcast<i32>(_e708.member) != 0i);
-                                            if _e712 {
-                                                let _e718 = type_33(_e691.member, _e691.member_1, (_e691.member_2 + 1u));
-                                                let _e719 = ((_e679.member_1 & 268435455u) + _e708.member_1);
-                                                let _e720 = (_e719 < arrayLength((&global_6.member)));
-                                                if _e720 {
-                                                    if _e720 {
+                                            let _e690 = phi_1172_;
+                                            let _e692 = phi_1194_;
+                                            let _e696 = (bitcast<i32>(_e692.member) != 0i);
+                                            if _e696 {
+                                                let _e702 = type_34(_e675.member, _e675.member_1, (_e675.member_2 + 1u));
+                                                let _e703 = ((_e663.member_1 & 268435455u) + _e692.member_1);
+                                                let _e704 = (_e703 < arrayLength((&global_6.member)));
+                                                if _e704 {
+                                                    if _e704 {
                                                     } else {
-                                                        phi_3506_ = true;
+                                                        phi_3605_ = true;
                                                         break;
                                                     }
-                                                    let _e723 = global_6.member[_e719].member_1;
-                                                    phi_1203_ = _e723;
+                                                    let _e707 = global_6.member[_e703].member_1;
+                                                    phi_1222_ = _e707;
                                                 } else {
-                                                    phi_1203_ = 4294967295u;
+                                                    phi_1222_ = 4294967295u;
                                                 }
-                                                let _e725 = phi_1203_;
-                                                if _e720 {
-                                                    if _e720 {
+                                                let _e709 = phi_1222_;
+                                                if _e704 {
+                                                    if _e704 {
                                                     } else {
-                                                        phi_3506_ = true;
+                                                        phi_3605_ = true;
                                                         break;
                                                     }
-                                                    let _e727 = global_6.member[_e719];
-                                                    phi_1219_ = _e727;
+                                                    let _e711 = global_6.member[_e703];
+                                                    phi_1238_ = _e711;
                                                 } else {
-                                                    phi_1219_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1238_ = type_45(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e729 = phi_1219_;
-                                                let _e741 = ((10u * _e245) & 31u);
-                                                let _e744 = ((_e729.member[0] >> bitcast<u32>(_e741)) & 1023u);
-                                                let _e752 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[0] - _e679.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                                let _e757 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e744)) - 8388608f) * _e752)) ^ _e117)));
-                                                let _e761 = select(select(_e679.member.member_1[0], _e757, (_e757 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e744 == 1023u));
-                                                let _e763 = ((10u * _e244) & 31u);
-                                                let _e766 = ((_e729.member[0] >> bitcast<u32>(_e763)) & 1023u);
-                                                let _e774 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[1] - _e679.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                                let _e779 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e766)) - 8388608f) * _e774)) ^ _e117)));
-                                                let _e783 = select(select(_e679.member.member_1[1], _e779, (_e779 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e766 == 1023u));
-                                                let _e785 = ((10u * _e246) & 31u);
-                                                let _e788 = ((_e729.member[0] >> bitcast<u32>(_e785)) & 1023u);
-                                                let _e796 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[2] - _e679.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                                let _e801 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e796)) ^ _e117)));
-                                                let _e805 = select(select(_e679.member.member_1[2], _e801, (_e801 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e788 == 1023u));
-                                                let _e809 = ((_e729.member[1] >> bitcast<u32>(_e741)) & 1023u);
-                                                let _e817 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e809)) - 8388608f) * _e752)) ^ _e117)));
-                                                let _e821 = select(select(_e679.member.member_1[0], _e817, (_e817 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e809 == 1023u));
-                                                let _e824 = ((_e729.member[1] >> bitcast<u32>(_e763)) & 1023u);
-                                                let _e832 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e774)) ^ _e117)));
-                                                let _e836 = select(select(_e679.member.member_1[1], _e832, (_e832 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e824 == 1023u));
-                                                let _e839 = ((_e729.member[1] >> bitcast<u32>(_e785)) & 1023u);
-                                                let _e847 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e796)) ^ _e117)));
-                                                let _e851 = select(select(_e679.member.member_1[2], _e847, (_e847 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e839 == 1023u));
-                                                let _e855 = ((_e729.member[2] >> bitcast<u32>(_e741)) & 1023u);
-                                                let _e863 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e752)) ^ _e117)));
-                                                let _e867 = select(select(_e679.member.member_1[0], _e863, (_e863 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e855 == 1023u));
-                                                let _e870 = ((_e729.member[2] >> bitcast<u32>(_e763)) & 1023u);
-                                                let _e878 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e774)) ^ _e117)));
-                                                let _e882 = select(select(_e679.member.member_1[1], _e878, (_e878 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e870 == 1023u));
-                                                let _e885 = ((_e729.member[2] >> bitcast<u32>(_e785)) & 1023u);
-                                                let _e893 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e796)) ^ _e117)));
-                                                let _e897 = select(select(_e679.member.member_1[2], _e893, (_e893 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e885 == 1023u));
-                                                let _e902 = (_e805 - _e446);
-                                                let _e905 = (((_e761 - _e309) * _e485) - (_e902 * _e349));
-                                                let _e908 = (((_e783 - _e378) * _e485) - (_e902 * _e417));
-                                                let _e911 = (_e851 - _e446);
-                                                let _e914 = (((_e821 - _e309) * _e485) - (_e911 * _e349));
-                                                let _e917 = (((_e836 - _e378) * _e485) - (_e911 * _e417));
-                                                let _e920 = (_e897 - _e446);
-                                                let _e923 = (((_e867 - _e309) * _e485) - (_e920 * _e349));
-                                                let _e926 = (((_e882 - _e378) * _e485) - (_e920 * _e417));
-                                                let _e927 = (_e923 * _e917);
-                                                let _e928 = (_e926 * _e914);
-                                                let _e929 = (_e905 * _e926);
-                                                let _e930 = (_e908 * _e923);
-                                                let _e931 = (_e914 * _e908);
-                                                let _e932 = (_e917 * _e905);
-                                                let _e937 = (((_e927 >= _e928) && (_e929 >= _e930)) && (_e931 >= _e932));
-                                                if (_e937 || (((_e927 <= _e928) && (_e929 <= _e930)) && (_e931 <= _e932))) {
-                                                    let _e944 = select(-1f, 1f, _e937);
-                                                    let _e946 = ((_e927 - _e928) * _e944);
-                                                    let _e948 = select(0f, _e946, (_e946 > 0f));
-                                                    let _e950 = ((_e929 - _e930) * _e944);
-                                                    let _e952 = select(0f, _e950, (_e950 > 0f));
-                                                    let _e954 = ((_e931 - _e932) * _e944);
-                                                    let _e956 = select(0f, _e954, (_e954 > 0f));
-                                                    let _e958 = ((_e948 + _e952) + _e956);
-                                                    if (_e958 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2365_ = type_21();
-                                                        phi_2366_ = true;
-                                                        phi_2367_ = false;
+                                                let _e713 = phi_1238_;
+                                                let _e725 = ((10u * _e244) & 31u);
+                                                let _e728 = ((_e713.member[0] >> bitcast<u32>(_e725)) & 1023u);
+                                                let _e736 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[0] - _e663.member.member[0]) * 0.0009775171f)) ^ _e116));
+                                                let _e741 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e728)) - 8388608f) * _e736)) ^ _e116)));
+                                                let _e745 = select(select(_e663.member.member_1[0], _e741, (_e741 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e728 == 1023u));
+                                                let _e747 = ((10u * _e243) & 31u);
+                                                let _e750 = ((_e713.member[0] >> bitcast<u32>(_e747)) & 1023u);
+                                                let _e758 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[1] - _e663.member.member[1]) * 0.0009775171f)) ^ _e116));
+                                                let _e763 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e750)) - 8388608f) * _e758)) ^ _e116)));
+                                                let _e767 = select(select(_e663.member.member_1[1], _e763, (_e763 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e750 == 1023u));
+                                                let _e769 = ((10u * _e245) & 31u);
+                                                let _e772 = ((_e713.member[0] >> bitcast<u32>(_e769)) & 1023u);
+                                                let _e780 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[2] - _e663.member.member[2]) * 0.0009775171f)) ^ _e116));
+                                                let _e785 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e772)) - 8388608f) * _e780)) ^ _e116)));
+                                                let _e789 = select(select(_e663.member.member_1[2], _e785, (_e785 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e772 == 1023u));
+                                                let _e793 = ((_e713.member[1] >> bitcast<u32>(_e725)) & 1023u);
+                                                let _e801 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e793)) - 8388608f) * _e736)) ^ _e116)));
+                                                let _e805 = select(select(_e663.member.member_1[0], _e801, (_e801 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e793 == 1023u));
+                                                let _e808 = ((_e713.member[1] >> bitcast<u32>(_e747)) & 1023u);
+                                                let _e816 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e808)) - 8388608f) * _e758)) ^ _e116)));
+                                                let _e820 = select(select(_e663.member.member_1[1], _e816, (_e816 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e808 == 1023u));
+                                                let _e823 = ((_e713.member[1] >> bitcast<u32>(_e769)) & 1023u);
+                                                let _e831 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e823)) - 8388608f) * _e780)) ^ _e116)));
+                                                let _e835 = select(select(_e663.member.member_1[2], _e831, (_e831 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e823 == 1023u));
+                                                let _e839 = ((_e713.member[2] >> bitcast<u32>(_e725)) & 1023u);
+                                                let _e847 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e736)) ^ _e116)));
+                                                let _e851 = select(select(_e663.member.member_1[0], _e847, (_e847 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e839 == 1023u));
+                                                let _e854 = ((_e713.member[2] >> bitcast<u32>(_e747)) & 1023u);
+                                                let _e862 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e758)) ^ _e116)));
+                                                let _e866 = select(select(_e663.member.member_1[1], _e862, (_e862 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e854 == 1023u));
+                                                let _e869 = ((_e713.member[2] >> bitcast<u32>(_e769)) & 1023u);
+                                                let _e877 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e780)) ^ _e116)));
+                                                let _e881 = select(select(_e663.member.member_1[2], _e877, (_e877 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e869 == 1023u));
+                                                let _e886 = (_e789 - _e441);
+                                                let _e889 = (((_e745 - _e308) * _e477) - (_e886 * _e345));
+                                                let _e892 = (((_e767 - _e375) * _e477) - (_e886 * _e411));
+                                                let _e895 = (_e835 - _e441);
+                                                let _e898 = (((_e805 - _e308) * _e477) - (_e895 * _e345));
+                                                let _e901 = (((_e820 - _e375) * _e477) - (_e895 * _e411));
+                                                let _e904 = (_e881 - _e441);
+                                                let _e907 = (((_e851 - _e308) * _e477) - (_e904 * _e345));
+                                                let _e910 = (((_e866 - _e375) * _e477) - (_e904 * _e411));
+                                                let _e911 = (_e907 * _e901);
+                                                let _e912 = (_e910 * _e898);
+                                                let _e913 = (_e889 * _e910);
+                                                let _e914 = (_e892 * _e907);
+                                                let _e915 = (_e898 * _e892);
+                                                let _e916 = (_e901 * _e889);
+                                                let _e921 = (((_e911 >= _e912) && (_e913 >= _e914)) && (_e915 >= _e916));
+                                                let _e927 = (_e921 || (((_e911 <= _e912) && (_e913 <= _e914)) && (_e915 <= _e916)));
+                                                if _e927 {
+                                                    let _e929 = select(-1f, 1f, _e921);
+                                                    let _e931 = ((_e911 - _e912) * _e929);
+                                                    let _e933 = select(0f, _e931, (_e931 > 0f));
+                                                    let _e935 = ((_e913 - _e914) * _e929);
+                                                    let _e937 = select(0f, _e935, (_e935 > 0f));
+                                                    let _e939 = ((_e915 - _e916) * _e929);
+                                                    let _e941 = select(0f, _e939, (_e939 > 0f));
+                                                    let _e943 = ((_e933 + _e937) + _e941);
+                                                    let _e945 = select(_e805, _e745, (_e745 < _e805));
+                                                    let _e949 = select(_e805, _e745, (_e745 > _e805));
+                                                    let _e953 = select(_e820, _e767, (_e767 < _e820));
+                                                    let _e957 = select(_e820, _e767, (_e767 > _e820));
+                                                    let _e961 = select(_e835, _e789, (_e789 < _e835));
+                                                    let _e965 = select(_e835, _e789, (_e789 > _e835));
+                                                    let _e970 = ((select(_e851, _e945, (_e945 < _e851)) - _e346) * _e349);
+                                                    let _e971 = ((select(_e851, _e949, (_e949 > _e851)) - _e347) * _e349);
+                                                    let _e974 = ((select(_e866, _e953, (_e953 < _e866)) - _e412) * _e415);
+                                                    let _e975 = ((select(_e866, _e957, (_e957 > _e866)) - _e413) * _e415);
+                                                    let _e978 = ((select(_e881, _e961, (_e961 < _e881)) - _e478) * _e481);
+                                                    let _e979 = ((select(_e881, _e965, (_e965 > _e881)) - _e479) * _e481);
+                                                    let _e981 = select(_e979, _e978, (_e978 < _e979));
+                                                    let _e983 = select(_e979, _e978, (_e978 > _e979));
+                                                    let _e985 = select(_e971, _e970, (_e970 < _e971));
+                                                    let _e987 = select(_e975, _e974, (_e974 < _e975));
+                                                    let _e989 = select(_e987, _e985, (_e985 > _e987));
+                                                    let _e991 = select(_e981, _e989, (_e989 > _e981));
+                                                    let _e993 = select(_e971, _e970, (_e970 > _e971));
+                                                    let _e995 = select(_e975, _e974, (_e974 > _e975));
+                                                    let _e997 = select(_e995, _e993, (_e993 < _e995));
+                                                    let _e999 = select(_e983, _e997, (_e997 < _e983));
+                                                    let _e1000 = -(_e981);
+                                                    let _e1006 = select(_e584, _e991, (_e991 > _e584));
+                                                    let _e1010 = select(_e898, _e889, (_e889 < _e898));
+                                                    let _e1015 = select(_e898, _e889, (_e889 > _e898));
+                                                    let _e1022 = select(_e901, _e892, (_e892 < _e901));
+                                                    let _e1027 = select(_e901, _e892, (_e892 > _e901));
+                                                    let _e1036 = (((((_e927 && (_e943 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e907, _e1010, (_e1010 < _e907)) <= 0f) && (select(_e907, _e1015, (_e1015 > _e907)) >= 0f))) && ((select(_e910, _e1022, (_e1022 < _e910)) <= 0f) && (select(_e910, _e1027, (_e1027 > _e910)) >= 0f))) && (_e1006 <= (_e999 + (select(_e1000, _e983, (_e983 > _e1000)) * 0.0000019073523f)))) && (_e1006 <= _e675.member.member_1));
+                                                    if _e1036 {
+                                                        let _e1041 = (_e805 - _e745);
+                                                        let _e1042 = (_e820 - _e767);
+                                                        let _e1043 = (_e835 - _e789);
+                                                        let _e1044 = vec3<f32>(_e1041, _e1042, _e1043);
+                                                        let _e1045 = (_e851 - _e805);
+                                                        let _e1046 = (_e866 - _e820);
+                                                        let _e1047 = (_e881 - _e835);
+                                                        let _e1048 = vec3<f32>(_e1045, _e1046, _e1047);
+                                                        let _e1049 = (_e745 - _e851);
+                                                        let _e1050 = (_e767 - _e866);
+                                                        let _e1051 = (_e789 - _e881);
+                                                        let _e1052 = vec3<f32>(_e1049, _e1050, _e1051);
+                                                        let _e1053 = abs(_e1041);
+                                                        let _e1054 = abs(_e1042);
+                                                        if (_e1053 != _e1053) {
+                                                            phi_3406_ = true;
+                                                        } else {
+                                                            phi_3406_ = (_e1054 >= _e1053);
+                                                        }
+                                                        let _e1058 = phi_3406_;
+                                                        let _e1059 = select(_e1053, _e1054, _e1058);
+                                                        let _e1060 = abs(_e1043);
+                                                        if (_e1059 != _e1059) {
+                                                            phi_3421_ = true;
+                                                        } else {
+                                                            phi_3421_ = (_e1060 >= _e1059);
+                                                        }
+                                                        let _e1064 = phi_3421_;
+                                                        let _e1065 = select(_e1059, _e1060, _e1064);
+                                                        let _e1066 = abs(_e1045);
+                                                        let _e1067 = abs(_e1046);
+                                                        if (_e1066 != _e1066) {
+                                                            phi_3436_ = true;
+                                                        } else {
+                                                            phi_3436_ = (_e1067 >= _e1066);
+                                                        }
+                                                        let _e1071 = phi_3436_;
+                                                        let _e1072 = select(_e1066, _e1067, _e1071);
+                                                        let _e1073 = abs(_e1047);
+                                                        if (_e1072 != _e1072) {
+                                                            phi_3451_ = true;
+                                                        } else {
+                                                            phi_3451_ = (_e1073 >= _e1072);
+                                                        }
+                                                        let _e1077 = phi_3451_;
+                                                        let _e1078 = select(_e1072, _e1073, _e1077);
+                                                        let _e1079 = abs(_e1049);
+                                                        let _e1080 = abs(_e1050);
+                                                        if (_e1079 != _e1079) {
+                                                            phi_3466_ = true;
+                                                        } else {
+                                                            phi_3466_ = (_e1080 >= _e1079);
+                                                        }
+                                                        let _e1084 = phi_3466_;
+                                                        let _e1085 = select(_e1079, _e1080, _e1084);
+                                                        let _e1086 = abs(_e1051);
+                                                        if (_e1085 != _e1085) {
+                                                            phi_3481_ = true;
+                                                        } else {
+                                                            phi_3481_ = (_e1086 >= _e1085);
+                                                        }
+                                                        let _e1090 = phi_3481_;
+                                                        let _e1091 = select(_e1085, _e1086, _e1090);
+                                                        let _e1093 = select(_e1078, _e1065, (_e1065 > _e1078));
+                                                        let _e1095 = select(_e1091, _e1093, (_e1093 > _e1091));
+                                                        if (_e1065 == _e1095) {
+                                                            phi_2045_ = _e901;
+                                                            phi_2046_ = _e898;
+                                                            phi_2047_ = _e892;
+                                                            phi_2048_ = _e889;
+                                                            phi_2049_ = vec3<f32>(_e745, _e767, _e789);
+                                                            phi_2050_ = _e1052;
+                                                            phi_2051_ = _e1048;
+                                                            phi_2052_ = _e1044;
+                                                        } else {
+                                                            let _e1097 = (_e1078 == _e1095);
+                                                            let _e1102 = vec3(_e1097);
+                                                            phi_2045_ = select(_e892, _e910, _e1097);
+                                                            phi_2046_ = select(_e889, _e907, _e1097);
+                                                            phi_2047_ = select(_e910, _e901, _e1097);
+                                                            phi_2048_ = select(_e907, _e898, _e1097);
+                                                            phi_2049_ = select(vec3<f32>(_e851, _e866, _e881), vec3<f32>(_e805, _e820, _e835), _e1102);
+                                                            phi_2050_ = select(_e1048, _e1044, _e1102);
+                                                            phi_2051_ = select(_e1044, _e1052, _e1102);
+                                                            phi_2052_ = select(_e1052, _e1048, _e1102);
+                                                        }
+                                                        let _e1108 = phi_2045_;
+                                                        let _e1110 = phi_2046_;
+                                                        let _e1112 = phi_2047_;
+                                                        let _e1114 = phi_2048_;
+                                                        let _e1116 = phi_2049_;
+                                                        let _e1118 = phi_2050_;
+                                                        let _e1120 = phi_2051_;
+                                                        let _e1122 = phi_2052_;
+                                                        let _e1129 = ((_e1120.y * _e1118.z) - (_e1118.y * _e1120.z));
+                                                        let _e1134 = ((_e1120.z * _e1118.x) - (_e1118.z * _e1120.x));
+                                                        let _e1137 = ((_e1120.x * _e1118.y) - (_e1118.x * _e1120.y));
+                                                        let _e1140 = ((_e933 >= _e937) && (_e933 >= _e941));
+                                                        let _e1141 = (_e937 >= _e941);
+                                                        let _e1155 = (((_e1129 * (select(select(_e851, _e805, _e1141), _e745, _e1140) - _e308)) + (_e1134 * (select(select(_e866, _e820, _e1141), _e767, _e1140) - _e375))) + (_e1137 * (select(select(_e881, _e835, _e1141), _e789, _e1140) - _e441)));
+                                                        let _e1160 = (((_e1129 * _e345) + (_e1134 * _e411)) + (_e1137 * _e477));
+                                                        let _e1161 = (_e1110 - _e1114);
+                                                        let _e1162 = (_e1108 - _e1112);
+                                                        let _e1165 = ((_e1161 * _e1161) + (_e1162 * _e1162));
+                                                        let _e1172 = (-(((_e1114 * _e1161) + (_e1112 * _e1162))) / select(0.000000000000000000000000000000000000011754944f, _e1165, (_e1165 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1174 = select(1f, _e1172, (_e1172 < 1f));
+                                                        let _e1176 = select(0f, _e1174, (_e1174 > 0f));
+                                                        let _e1185 = ((_e1116.x + (_e1122.x * _e1176)) - _e308);
+                                                        let _e1188 = ((_e1116.y + (_e1122.y * _e1176)) - _e375);
+                                                        let _e1191 = ((_e1116.z + (_e1122.z * _e1176)) - _e441);
+                                                        let _e1194 = bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u));
+                                                        let _e1197 = bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u));
+                                                        let _e1199 = select(_e1197, _e1194, (_e1194 > _e1197));
+                                                        let _e1202 = bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u));
+                                                        let _e1204 = select(_e1202, _e1199, (_e1199 > _e1202));
+                                                        let _e1208 = abs(_e1129);
+                                                        let _e1209 = abs(_e1134);
+                                                        if (_e1208 != _e1208) {
+                                                            phi_3496_ = true;
+                                                        } else {
+                                                            phi_3496_ = (_e1209 >= _e1208);
+                                                        }
+                                                        let _e1213 = phi_3496_;
+                                                        let _e1214 = select(_e1208, _e1209, _e1213);
+                                                        let _e1215 = abs(_e1137);
+                                                        if (_e1214 != _e1214) {
+                                                            phi_3511_ = true;
+                                                        } else {
+                                                            phi_3511_ = (_e1215 >= _e1214);
+                                                        }
+                                                        let _e1219 = phi_3511_;
+                                                        let _e1235 = abs(_e1120.x);
+                                                        let _e1236 = abs(_e1120.y);
+                                                        if (_e1235 != _e1235) {
+                                                            phi_3526_ = true;
+                                                        } else {
+                                                            phi_3526_ = (_e1236 >= _e1235);
+                                                        }
+                                                        let _e1240 = phi_3526_;
+                                                        let _e1241 = select(_e1235, _e1236, _e1240);
+                                                        let _e1242 = abs(_e1120.z);
+                                                        if (_e1241 != _e1241) {
+                                                            phi_3541_ = true;
+                                                        } else {
+                                                            phi_3541_ = (_e1242 >= _e1241);
+                                                        }
+                                                        let _e1246 = phi_3541_;
+                                                        let _e1249 = abs(_e1118.x);
+                                                        let _e1250 = abs(_e1118.y);
+                                                        if (_e1249 != _e1249) {
+                                                            phi_3556_ = true;
+                                                        } else {
+                                                            phi_3556_ = (_e1250 >= _e1249);
+                                                        }
+                                                        let _e1254 = phi_3556_;
+                                                        let _e1255 = select(_e1249, _e1250, _e1254);
+                                                        let _e1256 = abs(_e1118.z);
+                                                        if (_e1255 != _e1255) {
+                                                            phi_3571_ = true;
+                                                        } else {
+                                                            phi_3571_ = (_e1256 >= _e1255);
+                                                        }
+                                                        let _e1260 = phi_3571_;
+                                                        let _e1265 = ((bitcast<f32>((bitcast<u32>(((((_e1129 * _e1185) + (_e1134 * _e1188)) + (_e1137 * _e1191)) - _e1155)) & 2147483647u)) <= ((0.0000009536743f * select(_e1095, _e1204, (_e1204 > _e1095))) * select(_e1214, _e1215, _e1219))) && !((bitcast<f32>((bitcast<u32>(_e1160) & 2147483647u)) <= ((0.0000038146973f * select(_e1241, _e1242, _e1246)) * select(_e1255, _e1256, _e1260)))));
+                                                        let _e1266 = (_e1155 / _e1160);
+                                                        if (_e1036 && !(_e1265)) {
+                                                            let _e1269 = (_e1191 / _e477);
+                                                            let _e1277 = (((_e1129 * (_e1185 - (_e345 * _e1269))) + (_e1134 * (_e1188 - (_e411 * _e1269)))) / _e1160);
+                                                            phi_2260_ = select(select(_e1269, (_e1269 + _e1277), (bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u)) <= _e1095)), _e1266, _e1265);
+                                                        } else {
+                                                            phi_2260_ = _e1266;
+                                                        }
+                                                        let _e1286 = phi_2260_;
+                                                        let _e1288 = select(_e999, _e1286, (_e1286 < _e999));
+                                                        let _e1290 = select(_e991, _e1288, (_e1288 > _e991));
+                                                        let _e1291 = (1f / _e943);
+                                                        phi_2280_ = type_30(_e1290, (_e937 * _e1291), (_e941 * _e1291), ((_e1036 && (_e1290 >= _e584)) && (_e1290 <= _e675.member.member_1)));
+                                                        phi_2281_ = type_30();
                                                     } else {
-                                                        let _e961 = select(_e914, _e905, (_e905 < _e914));
-                                                        if (select(_e923, _e961, (_e961 < _e923)) > 0f) {
-                                                            phi_1657_ = true;
-                                                        } else {
-                                                            let _e966 = select(_e914, _e905, (_e905 > _e914));
-                                                            phi_1657_ = (select(_e923, _e966, (_e966 > _e923)) < 0f);
-                                                        }
-                                                        let _e971 = phi_1657_;
-                                                        if _e971 {
-                                                            phi_2362_ = type_21();
-                                                            phi_2363_ = true;
-                                                            phi_2364_ = false;
-                                                        } else {
-                                                            let _e973 = select(_e917, _e908, (_e908 < _e917));
-                                                            if (select(_e926, _e973, (_e973 < _e926)) > 0f) {
-                                                                phi_1686_ = true;
-                                                            } else {
-                                                                let _e978 = select(_e917, _e908, (_e908 > _e917));
-                                                                phi_1686_ = (select(_e926, _e978, (_e978 > _e926)) < 0f);
-                                                            }
-                                                            let _e983 = phi_1686_;
-                                                            if _e983 {
-                                                                phi_2360_ = type_21();
-                                                                phi_2361_ = false;
-                                                            } else {
-                                                                let _e985 = select(_e821, _e761, (_e761 < _e821));
-                                                                let _e989 = select(_e821, _e761, (_e761 > _e821));
-                                                                let _e993 = select(_e836, _e783, (_e783 < _e836));
-                                                                let _e997 = select(_e836, _e783, (_e783 > _e836));
-                                                                let _e1001 = select(_e851, _e805, (_e805 < _e851));
-                                                                let _e1005 = select(_e851, _e805, (_e805 > _e851));
-                                                                let _e1010 = ((select(_e867, _e985, (_e985 < _e867)) - _e347) * _e352);
-                                                                let _e1011 = ((select(_e867, _e989, (_e989 > _e867)) - _e348) * _e352);
-                                                                let _e1014 = ((select(_e882, _e993, (_e993 < _e882)) - _e415) * _e420);
-                                                                let _e1015 = ((select(_e882, _e997, (_e997 > _e882)) - _e416) * _e420);
-                                                                let _e1018 = ((select(_e897, _e1001, (_e1001 < _e897)) - _e483) * _e488);
-                                                                let _e1019 = ((select(_e897, _e1005, (_e1005 > _e897)) - _e484) * _e488);
-                                                                let _e1021 = select(_e1019, _e1018, (_e1018 < _e1019));
-                                                                let _e1023 = select(_e1019, _e1018, (_e1018 > _e1019));
-                                                                let _e1025 = select(_e1011, _e1010, (_e1010 < _e1011));
-                                                                let _e1027 = select(_e1015, _e1014, (_e1014 < _e1015));
-                                                                let _e1029 = select(_e1027, _e1025, (_e1025 > _e1027));
-                                                                let _e1031 = select(_e1021, _e1029, (_e1029 > _e1021));
-                                                                let _e1033 = select(_e1011, _e1010, (_e1010 > _e1011));
-                                                                let _e1035 = select(_e1015, _e1014, (_e1014 > _e1015));
-                                                                let _e1037 = select(_e1035, _e1033, (_e1033 < _e1035));
-                                                                let _e1039 = select(_e1023, _e1037, (_e1037 < _e1023));
-                                                                let _e1040 = -(_e1021);
-                                                                let _e1046 = select(_e600, _e1031, (_e1031 > _e600));
-                                                                if (_e1046 > (_e1039 + (select(_e1040, _e1023, (_e1023 > _e1040)) * 0.0000019073523f))) {
-                                                                    phi_2355_ = type_21();
-                                                                    phi_2356_ = true;
-                                                                } else {
-                                                                    let _e1048 = (_e1046 > _e691.member.member_1);
-                                                                    if _e1048 {
-                                                                        phi_2354_ = type_21();
-                                                                    } else {
-                                                                        let _e1049 = vec3<f32>(_e761, _e783, _e805);
-                                                                        let _e1050 = vec3<f32>(_e821, _e836, _e851);
-                                                                        let _e1051 = vec3<f32>(_e867, _e882, _e897);
-                                                                        let _e1052 = (_e821 - _e761);
-                                                                        let _e1053 = (_e836 - _e783);
-                                                                        let _e1054 = (_e851 - _e805);
-                                                                        let _e1055 = vec3<f32>(_e1052, _e1053, _e1054);
-                                                                        let _e1056 = (_e867 - _e821);
-                                                                        let _e1057 = (_e882 - _e836);
-                                                                        let _e1058 = (_e897 - _e851);
-                                                                        let _e1059 = vec3<f32>(_e1056, _e1057, _e1058);
-                                                                        let _e1060 = (_e761 - _e867);
-                                                                        let _e1061 = (_e783 - _e882);
-                                                                        let _e1062 = (_e805 - _e897);
-                                                                        let _e1063 = vec3<f32>(_e1060, _e1061, _e1062);
-                                                                        let _e1066 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
-                                                                        let _e1069 = bitcast<f32>((bitcast<u32>(_e1053) & 2147483647u));
-                                                                        let _e1071 = select(_e1069, _e1066, (_e1066 > _e1069));
-                                                                        let _e1074 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
-                                                                        let _e1076 = select(_e1074, _e1071, (_e1071 > _e1074));
-                                                                        let _e1079 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
-                                                                        let _e1082 = bitcast<f32>((bitcast<u32>(_e1057) & 2147483647u));
-                                                                        let _e1084 = select(_e1082, _e1079, (_e1079 > _e1082));
-                                                                        let _e1087 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
-                                                                        let _e1089 = select(_e1087, _e1084, (_e1084 > _e1087));
-                                                                        let _e1092 = bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u));
-                                                                        let _e1095 = bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u));
-                                                                        let _e1097 = select(_e1095, _e1092, (_e1092 > _e1095));
-                                                                        let _e1100 = bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u));
-                                                                        let _e1102 = select(_e1100, _e1097, (_e1097 > _e1100));
-                                                                        let _e1104 = select(_e1089, _e1076, (_e1076 > _e1089));
-                                                                        let _e1106 = select(_e1102, _e1104, (_e1104 > _e1102));
-                                                                        if (_e1076 == _e1106) {
-                                                                            phi_2081_ = _e917;
-                                                                            phi_2082_ = _e914;
-                                                                            phi_2083_ = _e908;
-                                                                            phi_2084_ = _e905;
-                                                                            phi_2085_ = _e1049;
-                                                                            phi_2086_ = _e1063;
-                                                                            phi_2087_ = _e1059;
-                                                                            phi_2088_ = _e1055;
-                                                                        } else {
-                                                                            let _e1108 = (_e1089 == _e1106);
-                                                                            let _e1113 = vec3(_e1108);
-                                                                            phi_2081_ = select(_e908, _e926, _e1108);
-                                                                            phi_2082_ = select(_e905, _e923, _e1108);
-                                                                            phi_2083_ = select(_e926, _e917, _e1108);
-                                                                            phi_2084_ = select(_e923, _e914, _e1108);
-                                                                            phi_2085_ = select(_e1051, _e1050, _e1113);
-                                                                            phi_2086_ = select(_e1059, _e1055, _e1113);
-                                                                            phi_2087_ = select(_e1055, _e1063, _e1113);
-                                                                            phi_2088_ = select(_e1063, _e1059, _e1113);
-                                                                        }
-                                                                        let _e1119 = phi_2081_;
-                                                                        let _e1121 = phi_2082_;
-                                                                        let _e1123 = phi_2083_;
-                                                                        let _e1125 = phi_2084_;
-                                                                        let _e1127 = phi_2085_;
-                                                                        let _e1129 = phi_2086_;
-                                                                        let _e1131 = phi_2087_;
-                                                                        let _e1133 = phi_2088_;
-                                                                        let _e1140 = ((_e1131.y * _e1129.z) - (_e1129.y * _e1131.z));
-                                                                        let _e1145 = ((_e1131.z * _e1129.x) - (_e1129.z * _e1131.x));
-                                                                        let _e1148 = ((_e1131.x * _e1129.y) - (_e1129.x * _e1131.y));
-                                                                        if (_e948 >= _e952) {
-                                                                            phi_2125_ = select(true, false, (_e948 >= _e956));
-                                                                        } else {
-                                                                            phi_2125_ = true;
-                                                                        }
-                                                                        let _e1153 = phi_2125_;
-                                                                        if _e1153 {
-                                                                            phi_2134_ = select(_e1051, _e1050, vec3((_e952 >= _e956)));
-                                                                        } else {
-                                                                            phi_2134_ = _e1049;
-                                                                        }
-                                                                        let _e1158 = phi_2134_;
-                                                                        let _e1169 = (((_e1140 * (_e1158.x - _e309)) + (_e1145 * (_e1158.y - _e378))) + (_e1148 * (_e1158.z - _e446)));
-                                                                        let _e1174 = (((_e1140 * _e349) + (_e1145 * _e417)) + (_e1148 * _e485));
-                                                                        let _e1175 = (_e1121 - _e1125);
-                                                                        let _e1176 = (_e1119 - _e1123);
-                                                                        let _e1184 = (-(((_e1125 * _e1175) + (_e1123 * _e1176))) / ((_e1175 * _e1175) + (_e1176 * _e1176)));
-                                                                        let _e1186 = select(1f, _e1184, (_e1184 < 1f));
-                                                                        let _e1188 = select(0f, _e1186, (_e1186 > 0f));
-                                                                        let _e1201 = ((_e1127.x + (_e1133.x * _e1188)) - _e309);
-                                                                        let _e1202 = ((_e1127.y + (_e1133.y * _e1188)) - _e378);
-                                                                        let _e1203 = ((_e1127.z + (_e1133.z * _e1188)) - _e446);
-                                                                        let _e1204 = (_e1203 / _e485);
-                                                                        let _e1216 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
-                                                                        let _e1219 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
-                                                                        let _e1221 = select(_e1219, _e1216, (_e1216 > _e1219));
-                                                                        let _e1224 = bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u));
-                                                                        let _e1226 = select(_e1224, _e1221, (_e1221 > _e1224));
-                                                                        let _e1232 = bitcast<f32>((bitcast<u32>(_e1140) & 2147483647u));
-                                                                        let _e1235 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
-                                                                        let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
-                                                                        let _e1240 = bitcast<f32>((bitcast<u32>(_e1148) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1140 * _e1201) + (_e1145 * _e1202)) + (_e1148 * _e1203)) - _e1169)) & 2147483647u)) <= ((0.0000009536743f * select(_e1106, _e1226, (_e1226 > _e1106))) * select(_e1240, _e1237, (_e1237 > _e1240)))) {
-                                                                            let _e1250 = bitcast<f32>((bitcast<u32>(_e1131.x) & 2147483647u));
-                                                                            let _e1253 = bitcast<f32>((bitcast<u32>(_e1131.y) & 2147483647u));
-                                                                            let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
-                                                                            let _e1258 = bitcast<f32>((bitcast<u32>(_e1131.z) & 2147483647u));
-                                                                            let _e1264 = bitcast<f32>((bitcast<u32>(_e1129.x) & 2147483647u));
-                                                                            let _e1267 = bitcast<f32>((bitcast<u32>(_e1129.y) & 2147483647u));
-                                                                            let _e1269 = select(_e1267, _e1264, (_e1264 > _e1267));
-                                                                            let _e1272 = bitcast<f32>((bitcast<u32>(_e1129.z) & 2147483647u));
-                                                                            let _e1276 = (bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u)) > ((0.0000038146973f * select(_e1258, _e1255, (_e1255 > _e1258))) * select(_e1272, _e1269, (_e1269 > _e1272))));
-                                                                            if _e1276 {
-                                                                                phi_2299_ = (_e1169 / _e1174);
-                                                                            } else {
-                                                                                phi_2299_ = f32();
-                                                                            }
-                                                                            let _e1279 = phi_2299_;
-                                                                            phi_2301_ = _e1279;
-                                                                            phi_2302_ = select(true, false, _e1276);
-                                                                        } else {
-                                                                            phi_2301_ = f32();
-                                                                            phi_2302_ = true;
-                                                                        }
-                                                                        let _e1282 = phi_2301_;
-                                                                        let _e1284 = phi_2302_;
-                                                                        if _e1284 {
-                                                                            let _e1292 = (((_e1140 * (_e1201 - (_e349 * _e1204))) + (_e1145 * (_e1202 - (_e417 * _e1204)))) / _e1174);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1292) & 2147483647u)) <= _e1106) {
-                                                                                phi_2322_ = (_e1204 + _e1292);
-                                                                            } else {
-                                                                                phi_2322_ = _e1204;
-                                                                            }
-                                                                            let _e1299 = phi_2322_;
-                                                                            phi_2323_ = _e1299;
-                                                                        } else {
-                                                                            phi_2323_ = _e1282;
-                                                                        }
-                                                                        let _e1301 = phi_2323_;
-                                                                        let _e1303 = select(_e1039, _e1301, (_e1301 < _e1039));
-                                                                        let _e1305 = select(_e1031, _e1303, (_e1303 > _e1031));
-                                                                        if (_e1305 >= _e600) {
-                                                                            let _e1307 = (_e1305 <= _e691.member.member_1);
-                                                                            if _e1307 {
-                                                                                let _e1308 = (1f / _e958);
-                                                                                phi_2346_ = type_21(_e1305, (_e952 * _e1308), (_e956 * _e1308), _e725);
-                                                                            } else {
-                                                                                phi_2346_ = type_21();
-                                                                            }
-                                                                            let _e1313 = phi_2346_;
-                                                                            phi_2348_ = _e1313;
-                                                                            phi_2349_ = select(true, false, _e1307);
-                                                                        } else {
-                                                                            phi_2348_ = type_21();
-                                                                            phi_2349_ = true;
-                                                                        }
-                                                                        let _e1316 = phi_2348_;
-                                                                        let _e1318 = phi_2349_;
-                                                                        if _e1318 {
-                                                                            phi_2353_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2353_ = _e1316;
-                                                                        }
-                                                                        let _e1320 = phi_2353_;
-                                                                        phi_2354_ = _e1320;
-                                                                    }
-                                                                    let _e1322 = phi_2354_;
-                                                                    phi_2355_ = _e1322;
-                                                                    phi_2356_ = _e1048;
-                                                                }
-                                                                let _e1324 = phi_2355_;
-                                                                let _e1326 = phi_2356_;
-                                                                phi_2360_ = _e1324;
-                                                                phi_2361_ = _e1326;
-                                                            }
-                                                            let _e1328 = phi_2360_;
-                                                            let _e1330 = phi_2361_;
-                                                            phi_2362_ = _e1328;
-                                                            phi_2363_ = _e983;
-                                                            phi_2364_ = _e1330;
-                                                        }
-                                                        let _e1332 = phi_2362_;
-                                                        let _e1334 = phi_2363_;
-                                                        let _e1336 = phi_2364_;
-                                                        phi_2365_ = _e1332;
-                                                        phi_2366_ = _e1334;
-                                                        phi_2367_ = _e1336;
+                                                        phi_2280_ = type_30();
+                                                        phi_2281_ = type_30(0f, 0f, 0f, _e1036);
                                                     }
-                                                    let _e1338 = phi_2365_;
-                                                    let _e1340 = phi_2366_;
-                                                    let _e1342 = phi_2367_;
-                                                    phi_2375_ = _e1338;
-                                                    phi_2376_ = select(_e1342, true, _e1340);
+                                                    let _e1300 = phi_2280_;
+                                                    let _e1302 = phi_2281_;
+                                                    phi_2284_ = _e1300;
+                                                    phi_2285_ = _e1302;
+                                                    phi_2286_ = select(true, false, _e1036);
                                                 } else {
-                                                    phi_2375_ = type_21();
-                                                    phi_2376_ = true;
+                                                    phi_2284_ = type_30();
+                                                    phi_2285_ = type_30(0f, 0f, 0f, _e927);
+                                                    phi_2286_ = true;
                                                 }
-                                                let _e1345 = phi_2375_;
-                                                let _e1347 = phi_2376_;
-                                                if _e1347 {
-                                                    phi_2380_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1305 = phi_2284_;
+                                                let _e1307 = phi_2285_;
+                                                let _e1309 = phi_2286_;
+                                                if _e1309 {
+                                                    phi_2290_ = _e1307;
                                                 } else {
-                                                    phi_2380_ = _e1345;
+                                                    phi_2290_ = _e1305;
                                                 }
-                                                let _e1349 = phi_2380_;
-                                                if (_e1349.member_3 != 4294967295u) {
-                                                    if (_e725 != 4294967295u) {
-                                                        if (_e1349.member < _e691.member.member.member) {
-                                                            phi_2406_ = true;
+                                                let _e1311 = phi_2290_;
+                                                if _e1311.member_3 {
+                                                    phi_2299_ = type_21(_e1311.member, _e1311.member_1, _e1311.member_2, _e709);
+                                                } else {
+                                                    phi_2299_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1318 = phi_2299_;
+                                                if (_e1318.member_3 != 4294967295u) {
+                                                    if (_e709 != 4294967295u) {
+                                                        if (_e1318.member < _e675.member.member.member) {
+                                                            phi_2325_ = true;
                                                         } else {
-                                                            if (_e1349.member == _e691.member.member.member) {
-                                                                phi_2405_ = (_e1349.member_3 < _e691.member.member.member_3);
+                                                            if (_e1318.member == _e675.member.member.member) {
+                                                                phi_2324_ = (_e1318.member_3 < _e675.member.member.member_3);
                                                             } else {
-                                                                phi_2405_ = false;
+                                                                phi_2324_ = false;
                                                             }
-                                                            let _e1364 = phi_2405_;
-                                                            phi_2406_ = _e1364;
+                                                            let _e1333 = phi_2324_;
+                                                            phi_2325_ = _e1333;
                                                         }
-                                                        let _e1366 = phi_2406_;
-                                                        if _e1366 {
-                                                            phi_2413_ = type_33(type_28(_e1349, _e1349.member), _e718.member_1, _e718.member_2);
+                                                        let _e1335 = phi_2325_;
+                                                        if _e1335 {
+                                                            phi_2332_ = type_34(type_28(_e1318, _e1318.member), _e702.member_1, _e702.member_2);
                                                         } else {
-                                                            phi_2413_ = _e718;
+                                                            phi_2332_ = _e702;
                                                         }
-                                                        let _e1373 = phi_2413_;
-                                                        phi_2414_ = _e1373;
+                                                        let _e1342 = phi_2332_;
+                                                        phi_2333_ = _e1342;
                                                     } else {
-                                                        phi_2414_ = _e718;
+                                                        phi_2333_ = _e702;
                                                     }
-                                                    let _e1375 = phi_2414_;
-                                                    phi_2415_ = _e1375;
+                                                    let _e1344 = phi_2333_;
+                                                    phi_2334_ = _e1344;
                                                 } else {
-                                                    phi_2415_ = _e718;
+                                                    phi_2334_ = _e702;
                                                 }
-                                                let _e1377 = phi_2415_;
-                                                phi_1150_ = _e1377;
+                                                let _e1346 = phi_2334_;
+                                                phi_1169_ = _e1346;
                                             } else {
-                                                phi_1150_ = type_33();
+                                                phi_1169_ = type_34();
                                             }
-                                            let _e1379 = phi_1150_;
+                                            let _e1348 = phi_1169_;
                                             continue;
                                             continuing {
-                                                phi_1149_ = _e1379;
-                                                phi_1152_ = _e706;
-                                                phi_3506_ = _e633;
-                                                break if !(_e712);
+                                                phi_1168_ = _e1348;
+                                                phi_1171_ = _e690;
+                                                phi_3605_ = _e617;
+                                                break if !(_e696);
                                             }
                                         }
-                                        let _e1382 = phi_3506_;
-                                        phi_3684_ = _e1382;
-                                        if _e1382 {
+                                        let _e1351 = phi_3605_;
+                                        phi_3788_ = _e1351;
+                                        if _e1351 {
                                             break;
                                         }
-                                        phi_3743_ = _e1382;
-                                        let _e1921 = local_12;
-                                        phi_2416_ = _e1921;
+                                        phi_3847_ = _e1351;
+                                        let _e1877 = local_12;
+                                        phi_2335_ = _e1877;
                                     } else {
-                                        phi_3743_ = _e633;
-                                        phi_2416_ = _e635;
+                                        phi_3847_ = _e617;
+                                        phi_2335_ = _e619;
                                     }
-                                    let _e1384 = phi_3743_;
-                                    let _e1386 = phi_2416_;
-                                    if _e683 {
-                                        phi_3427_ = type_33();
-                                        phi_3428_ = bool();
-                                        phi_3429_ = u32();
-                                        phi_3430_ = type_50();
+                                    let _e1353 = phi_3847_;
+                                    let _e1355 = phi_2335_;
+                                    if _e667 {
+                                        phi_3346_ = type_34();
+                                        phi_3347_ = bool();
+                                        phi_3348_ = u32();
+                                        phi_3349_ = type_51();
                                     } else {
-                                        let _e1387 = (_e679.member_1 < _e82);
-                                        if _e1387 {
-                                            if _e1387 {
+                                        let _e1356 = (_e663.member_1 < _e81);
+                                        if _e1356 {
+                                            if _e1356 {
                                             } else {
-                                                phi_3684_ = true;
+                                                phi_3788_ = true;
                                                 break;
                                             }
-                                            let _e1389 = global_4.member[_e679.member_1];
-                                            phi_2437_ = _e1389;
+                                            let _e1358 = global_4.member[_e663.member_1];
+                                            phi_2356_ = _e1358;
                                         } else {
-                                            phi_2437_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2356_ = type_38(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1391 = phi_2437_;
-                                        let _e1406 = ((10u * _e245) & 31u);
-                                        let _e1409 = ((_e1391.member[0] >> bitcast<u32>(_e1406)) & 1023u);
-                                        let _e1417 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[0] - _e679.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                        let _e1422 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1409)) - 8388608f) * _e1417)) ^ _e117)));
-                                        let _e1426 = select(select(_e679.member.member_1[0], _e1422, (_e1422 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1409 == 1023u));
-                                        let _e1428 = ((10u * _e244) & 31u);
-                                        let _e1431 = ((_e1391.member[0] >> bitcast<u32>(_e1428)) & 1023u);
-                                        let _e1439 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[1] - _e679.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                        let _e1444 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1431)) - 8388608f) * _e1439)) ^ _e117)));
-                                        let _e1448 = select(select(_e679.member.member_1[1], _e1444, (_e1444 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1431 == 1023u));
-                                        let _e1450 = ((10u * _e246) & 31u);
-                                        let _e1453 = ((_e1391.member[0] >> bitcast<u32>(_e1450)) & 1023u);
-                                        let _e1461 = bitcast<f32>((bitcast<u32>(((_e679.member.member_1[2] - _e679.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                        let _e1466 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1453)) - 8388608f) * _e1461)) ^ _e117)));
-                                        let _e1470 = select(select(_e679.member.member_1[2], _e1466, (_e1466 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1453 == 1023u));
-                                        let _e1473 = ((_e1391.member[1] >> bitcast<u32>(_e1406)) & 1023u);
-                                        let _e1481 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1473)) - 8388608f) * _e1417)) ^ _e117)));
-                                        let _e1485 = select(select(_e679.member.member_1[0], _e1481, (_e1481 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1473 == 1023u));
-                                        let _e1488 = ((_e1391.member[1] >> bitcast<u32>(_e1428)) & 1023u);
-                                        let _e1496 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1488)) - 8388608f) * _e1439)) ^ _e117)));
-                                        let _e1500 = select(select(_e679.member.member_1[1], _e1496, (_e1496 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1488 == 1023u));
-                                        let _e1503 = ((_e1391.member[1] >> bitcast<u32>(_e1450)) & 1023u);
-                                        let _e1511 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1503)) - 8388608f) * _e1461)) ^ _e117)));
-                                        let _e1515 = select(select(_e679.member.member_1[2], _e1511, (_e1511 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1503 == 1023u));
-                                        let _e1521 = ((_e1391.member_1[0] >> bitcast<u32>(_e1406)) & 1023u);
-                                        let _e1529 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1521)) - 8388608f) * _e1417)) ^ _e117)));
-                                        let _e1533 = select(select(_e679.member.member_1[0], _e1529, (_e1529 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1521 == 1023u));
-                                        let _e1536 = ((_e1391.member_1[0] >> bitcast<u32>(_e1428)) & 1023u);
-                                        let _e1544 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1536)) - 8388608f) * _e1439)) ^ _e117)));
-                                        let _e1548 = select(select(_e679.member.member_1[1], _e1544, (_e1544 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1536 == 1023u));
-                                        let _e1551 = ((_e1391.member_1[0] >> bitcast<u32>(_e1450)) & 1023u);
-                                        let _e1559 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1551)) - 8388608f) * _e1461)) ^ _e117)));
-                                        let _e1563 = select(select(_e679.member.member_1[2], _e1559, (_e1559 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1551 == 1023u));
-                                        let _e1566 = ((_e1391.member_1[1] >> bitcast<u32>(_e1406)) & 1023u);
-                                        let _e1574 = (_e679.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1566)) - 8388608f) * _e1417)) ^ _e117)));
-                                        let _e1578 = select(select(_e679.member.member_1[0], _e1574, (_e1574 < _e679.member.member_1[0])), _e679.member.member_1[0], (_e1566 == 1023u));
-                                        let _e1581 = ((_e1391.member_1[1] >> bitcast<u32>(_e1428)) & 1023u);
-                                        let _e1589 = (_e679.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1581)) - 8388608f) * _e1439)) ^ _e117)));
-                                        let _e1593 = select(select(_e679.member.member_1[1], _e1589, (_e1589 < _e679.member.member_1[1])), _e679.member.member_1[1], (_e1581 == 1023u));
-                                        let _e1596 = ((_e1391.member_1[1] >> bitcast<u32>(_e1450)) & 1023u);
-                                        let _e1604 = (_e679.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1596)) - 8388608f) * _e1461)) ^ _e117)));
-                                        let _e1608 = select(select(_e679.member.member_1[2], _e1604, (_e1604 < _e679.member.member_1[2])), _e679.member.member_1[2], (_e1596 == 1023u));
-                                        let _e1613 = type_50(type_42(array<f32, 3>(_e1426, _e1448, _e1470), array<f32, 3>(_e1485, _e1500, _e1515)), _e1391.member_2);
-                                        let _e1618 = type_50(type_42(array<f32, 3>(_e1533, _e1548, _e1563), array<f32, 3>(_e1578, _e1593, _e1608)), _e1391.member_3);
-                                        let _e1631 = ((_e1426 - _e347) * _e352);
-                                        let _e1632 = ((_e1533 - _e347) * _e352);
-                                        let _e1633 = ((_e1485 - _e348) * _e352);
-                                        let _e1634 = ((_e1578 - _e348) * _e352);
-                                        let _e1639 = ((_e1448 - _e415) * _e420);
-                                        let _e1640 = ((_e1548 - _e415) * _e420);
-                                        let _e1641 = ((_e1500 - _e416) * _e420);
-                                        let _e1642 = ((_e1593 - _e416) * _e420);
-                                        let _e1647 = ((_e1470 - _e483) * _e488);
-                                        let _e1648 = ((_e1563 - _e483) * _e488);
-                                        let _e1649 = ((_e1515 - _e484) * _e488);
-                                        let _e1650 = ((_e1608 - _e484) * _e488);
-                                        let _e1652 = select(_e1649, _e1647, (_e1647 < _e1649));
-                                        let _e1654 = select(_e1650, _e1648, (_e1648 < _e1650));
-                                        let _e1656 = select(_e1649, _e1647, (_e1647 > _e1649));
-                                        let _e1658 = select(_e1650, _e1648, (_e1648 > _e1650));
-                                        let _e1660 = select(_e1633, _e1631, (_e1631 < _e1633));
-                                        let _e1662 = select(_e1634, _e1632, (_e1632 < _e1634));
-                                        let _e1664 = select(_e1641, _e1639, (_e1639 < _e1641));
-                                        let _e1666 = select(_e1642, _e1640, (_e1640 < _e1642));
-                                        let _e1668 = select(_e1664, _e1660, (_e1660 > _e1664));
-                                        let _e1670 = select(_e1666, _e1662, (_e1662 > _e1666));
-                                        let _e1672 = select(_e1652, _e1668, (_e1668 > _e1652));
-                                        let _e1674 = select(_e1654, _e1670, (_e1670 > _e1654));
-                                        let _e1676 = select(_e1633, _e1631, (_e1631 > _e1633));
-                                        let _e1678 = select(_e1634, _e1632, (_e1632 > _e1634));
-                                        let _e1680 = select(_e1641, _e1639, (_e1639 > _e1641));
-                                        let _e1682 = select(_e1642, _e1640, (_e1640 > _e1642));
-                                        let _e1684 = select(_e1680, _e1676, (_e1676 < _e1680));
-                                        let _e1686 = select(_e1682, _e1678, (_e1678 < _e1682));
-                                        let _e1691 = -(_e1652);
-                                        let _e1692 = -(_e1654);
-                                        let _e1699 = (select(_e1656, _e1684, (_e1684 < _e1656)) + (select(_e1691, _e1656, (_e1656 > _e1691)) * 0.0000019073523f));
-                                        let _e1700 = (select(_e1658, _e1686, (_e1686 < _e1658)) + (select(_e1692, _e1658, (_e1658 > _e1692)) * 0.0000019073523f));
-                                        let _e1702 = select(_e600, _e1672, (_e1672 > _e600));
-                                        let _e1704 = select(_e600, _e1674, (_e1674 > _e600));
-                                        let _e1709 = (_e1702 <= select(_e1386.member.member_1, _e1699, (_e1699 < _e1386.member.member_1)));
-                                        let _e1710 = (_e1704 <= select(_e1386.member.member_1, _e1700, (_e1700 < _e1386.member.member_1)));
-                                        let _e1711 = (_e1702 <= _e1704);
-                                        if _e1709 {
-                                            if _e1710 {
-                                                if _e1711 {
-                                                    phi_3326_ = _e1618;
+                                        let _e1360 = phi_2356_;
+                                        let _e1375 = ((10u * _e244) & 31u);
+                                        let _e1378 = ((_e1360.member[0] >> bitcast<u32>(_e1375)) & 1023u);
+                                        let _e1386 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[0] - _e663.member.member[0]) * 0.0009775171f)) ^ _e116));
+                                        let _e1391 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1378)) - 8388608f) * _e1386)) ^ _e116)));
+                                        let _e1395 = select(select(_e663.member.member_1[0], _e1391, (_e1391 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1378 == 1023u));
+                                        let _e1397 = ((10u * _e243) & 31u);
+                                        let _e1400 = ((_e1360.member[0] >> bitcast<u32>(_e1397)) & 1023u);
+                                        let _e1408 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[1] - _e663.member.member[1]) * 0.0009775171f)) ^ _e116));
+                                        let _e1413 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1400)) - 8388608f) * _e1408)) ^ _e116)));
+                                        let _e1417 = select(select(_e663.member.member_1[1], _e1413, (_e1413 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1400 == 1023u));
+                                        let _e1419 = ((10u * _e245) & 31u);
+                                        let _e1422 = ((_e1360.member[0] >> bitcast<u32>(_e1419)) & 1023u);
+                                        let _e1430 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[2] - _e663.member.member[2]) * 0.0009775171f)) ^ _e116));
+                                        let _e1435 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1422)) - 8388608f) * _e1430)) ^ _e116)));
+                                        let _e1439 = select(select(_e663.member.member_1[2], _e1435, (_e1435 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1422 == 1023u));
+                                        let _e1442 = ((_e1360.member[1] >> bitcast<u32>(_e1375)) & 1023u);
+                                        let _e1450 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1442)) - 8388608f) * _e1386)) ^ _e116)));
+                                        let _e1454 = select(select(_e663.member.member_1[0], _e1450, (_e1450 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1442 == 1023u));
+                                        let _e1457 = ((_e1360.member[1] >> bitcast<u32>(_e1397)) & 1023u);
+                                        let _e1465 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1457)) - 8388608f) * _e1408)) ^ _e116)));
+                                        let _e1469 = select(select(_e663.member.member_1[1], _e1465, (_e1465 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1457 == 1023u));
+                                        let _e1472 = ((_e1360.member[1] >> bitcast<u32>(_e1419)) & 1023u);
+                                        let _e1480 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1472)) - 8388608f) * _e1430)) ^ _e116)));
+                                        let _e1484 = select(select(_e663.member.member_1[2], _e1480, (_e1480 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1472 == 1023u));
+                                        let _e1490 = ((_e1360.member_1[0] >> bitcast<u32>(_e1375)) & 1023u);
+                                        let _e1498 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1490)) - 8388608f) * _e1386)) ^ _e116)));
+                                        let _e1502 = select(select(_e663.member.member_1[0], _e1498, (_e1498 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1490 == 1023u));
+                                        let _e1505 = ((_e1360.member_1[0] >> bitcast<u32>(_e1397)) & 1023u);
+                                        let _e1513 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1505)) - 8388608f) * _e1408)) ^ _e116)));
+                                        let _e1517 = select(select(_e663.member.member_1[1], _e1513, (_e1513 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1505 == 1023u));
+                                        let _e1520 = ((_e1360.member_1[0] >> bitcast<u32>(_e1419)) & 1023u);
+                                        let _e1528 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1520)) - 8388608f) * _e1430)) ^ _e116)));
+                                        let _e1532 = select(select(_e663.member.member_1[2], _e1528, (_e1528 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1520 == 1023u));
+                                        let _e1535 = ((_e1360.member_1[1] >> bitcast<u32>(_e1375)) & 1023u);
+                                        let _e1543 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1535)) - 8388608f) * _e1386)) ^ _e116)));
+                                        let _e1547 = select(select(_e663.member.member_1[0], _e1543, (_e1543 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1535 == 1023u));
+                                        let _e1550 = ((_e1360.member_1[1] >> bitcast<u32>(_e1397)) & 1023u);
+                                        let _e1558 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1550)) - 8388608f) * _e1408)) ^ _e116)));
+                                        let _e1562 = select(select(_e663.member.member_1[1], _e1558, (_e1558 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1550 == 1023u));
+                                        let _e1565 = ((_e1360.member_1[1] >> bitcast<u32>(_e1419)) & 1023u);
+                                        let _e1573 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1565)) - 8388608f) * _e1430)) ^ _e116)));
+                                        let _e1577 = select(select(_e663.member.member_1[2], _e1573, (_e1573 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1565 == 1023u));
+                                        let _e1582 = type_51(type_43(array<f32, 3>(_e1395, _e1417, _e1439), array<f32, 3>(_e1454, _e1469, _e1484)), _e1360.member_2);
+                                        let _e1587 = type_51(type_43(array<f32, 3>(_e1502, _e1517, _e1532), array<f32, 3>(_e1547, _e1562, _e1577)), _e1360.member_3);
+                                        let _e1600 = ((_e1395 - _e346) * _e349);
+                                        let _e1601 = ((_e1502 - _e346) * _e349);
+                                        let _e1602 = ((_e1454 - _e347) * _e349);
+                                        let _e1603 = ((_e1547 - _e347) * _e349);
+                                        let _e1608 = ((_e1417 - _e412) * _e415);
+                                        let _e1609 = ((_e1517 - _e412) * _e415);
+                                        let _e1610 = ((_e1469 - _e413) * _e415);
+                                        let _e1611 = ((_e1562 - _e413) * _e415);
+                                        let _e1616 = ((_e1439 - _e478) * _e481);
+                                        let _e1617 = ((_e1532 - _e478) * _e481);
+                                        let _e1618 = ((_e1484 - _e479) * _e481);
+                                        let _e1619 = ((_e1577 - _e479) * _e481);
+                                        let _e1621 = select(_e1618, _e1616, (_e1616 < _e1618));
+                                        let _e1623 = select(_e1619, _e1617, (_e1617 < _e1619));
+                                        let _e1625 = select(_e1618, _e1616, (_e1616 > _e1618));
+                                        let _e1627 = select(_e1619, _e1617, (_e1617 > _e1619));
+                                        let _e1629 = select(_e1602, _e1600, (_e1600 < _e1602));
+                                        let _e1631 = select(_e1603, _e1601, (_e1601 < _e1603));
+                                        let _e1633 = select(_e1610, _e1608, (_e1608 < _e1610));
+                                        let _e1635 = select(_e1611, _e1609, (_e1609 < _e1611));
+                                        let _e1637 = select(_e1633, _e1629, (_e1629 > _e1633));
+                                        let _e1639 = select(_e1635, _e1631, (_e1631 > _e1635));
+                                        let _e1641 = select(_e1621, _e1637, (_e1637 > _e1621));
+                                        let _e1643 = select(_e1623, _e1639, (_e1639 > _e1623));
+                                        let _e1645 = select(_e1602, _e1600, (_e1600 > _e1602));
+                                        let _e1647 = select(_e1603, _e1601, (_e1601 > _e1603));
+                                        let _e1649 = select(_e1610, _e1608, (_e1608 > _e1610));
+                                        let _e1651 = select(_e1611, _e1609, (_e1609 > _e1611));
+                                        let _e1653 = select(_e1649, _e1645, (_e1645 < _e1649));
+                                        let _e1655 = select(_e1651, _e1647, (_e1647 < _e1651));
+                                        let _e1660 = -(_e1621);
+                                        let _e1661 = -(_e1623);
+                                        let _e1668 = (select(_e1625, _e1653, (_e1653 < _e1625)) + (select(_e1660, _e1625, (_e1625 > _e1660)) * 0.0000019073523f));
+                                        let _e1669 = (select(_e1627, _e1655, (_e1655 < _e1627)) + (select(_e1661, _e1627, (_e1627 > _e1661)) * 0.0000019073523f));
+                                        let _e1671 = select(_e584, _e1641, (_e1641 > _e584));
+                                        let _e1673 = select(_e584, _e1643, (_e1643 > _e584));
+                                        let _e1678 = (_e1671 <= select(_e1355.member.member_1, _e1668, (_e1668 < _e1355.member.member_1)));
+                                        let _e1679 = (_e1673 <= select(_e1355.member.member_1, _e1669, (_e1669 < _e1355.member.member_1)));
+                                        let _e1680 = (_e1671 <= _e1673);
+                                        if _e1678 {
+                                            if _e1679 {
+                                                if _e1680 {
+                                                    phi_3245_ = _e1587;
                                                 } else {
-                                                    phi_3326_ = _e1613;
+                                                    phi_3245_ = _e1582;
                                                 }
-                                                let _e1713 = phi_3326_;
-                                                let _e1720 = (_e677 % 128u);
-                                                let _e1721 = (_e1720 < 128u);
-                                                if _e1721 {
+                                                let _e1682 = phi_3245_;
+                                                let _e1689 = (_e661 % 128u);
+                                                let _e1690 = (_e1689 < 128u);
+                                                if _e1690 {
                                                 } else {
-                                                    phi_3684_ = true;
+                                                    phi_3788_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1720] = _e1713.member_1;
-                                                if _e1721 {
+                                                local_6[_e1689] = _e1682.member_1;
+                                                if _e1690 {
                                                 } else {
-                                                    phi_3684_ = true;
+                                                    phi_3788_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1720] = _e1713.member.member[0];
-                                                if _e1721 {
+                                                local_5[_e1689] = _e1682.member.member[0];
+                                                if _e1690 {
                                                 } else {
-                                                    phi_3684_ = true;
+                                                    phi_3788_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1720] = _e1713.member.member[1];
-                                                if _e1721 {
+                                                local_4[_e1689] = _e1682.member.member[1];
+                                                if _e1690 {
                                                 } else {
-                                                    phi_3684_ = true;
+                                                    phi_3788_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1720] = _e1713.member.member[2];
-                                                if _e1721 {
+                                                local_3[_e1689] = _e1682.member.member[2];
+                                                if _e1690 {
                                                 } else {
-                                                    phi_3684_ = true;
+                                                    phi_3788_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1720] = _e1713.member.member_1[0];
-                                                if _e1721 {
+                                                local_2[_e1689] = _e1682.member.member_1[0];
+                                                if _e1690 {
                                                 } else {
-                                                    phi_3684_ = true;
+                                                    phi_3788_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1720] = _e1713.member.member_1[1];
-                                                if _e1721 {
+                                                local_1[_e1689] = _e1682.member.member_1[1];
+                                                if _e1690 {
                                                 } else {
-                                                    phi_3684_ = true;
+                                                    phi_3788_ = true;
                                                     break;
                                                 }
-                                                local[_e1720] = _e1713.member.member_1[2];
-                                                if _e1721 {
+                                                local[_e1689] = _e1682.member.member_1[2];
+                                                if _e1690 {
                                                 } else {
-                                                    phi_3684_ = true;
+                                                    phi_3788_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1720] = select(_e1702, _e1704, _e1711);
-                                                if _e1711 {
-                                                    phi_3402_ = _e1613;
+                                                local_7[_e1689] = select(_e1671, _e1673, _e1680);
+                                                if _e1680 {
+                                                    phi_3321_ = _e1582;
                                                 } else {
-                                                    phi_3402_ = _e1618;
+                                                    phi_3321_ = _e1587;
                                                 }
-                                                let _e1738 = phi_3402_;
-                                                phi_3403_ = (_e677 + 1u);
-                                                phi_3404_ = _e1738;
+                                                let _e1707 = phi_3321_;
+                                                phi_3322_ = (_e661 + 1u);
+                                                phi_3323_ = _e1707;
                                             } else {
-                                                phi_3403_ = u32();
-                                                phi_3404_ = type_50();
+                                                phi_3322_ = u32();
+                                                phi_3323_ = type_51();
                                             }
-                                            let _e1740 = phi_3403_;
-                                            let _e1742 = phi_3404_;
-                                            phi_3406_ = _e1740;
-                                            phi_3407_ = _e1742;
-                                            phi_3408_ = select(true, false, _e1710);
+                                            let _e1709 = phi_3322_;
+                                            let _e1711 = phi_3323_;
+                                            phi_3325_ = _e1709;
+                                            phi_3326_ = _e1711;
+                                            phi_3327_ = select(true, false, _e1679);
                                         } else {
-                                            phi_3406_ = u32();
-                                            phi_3407_ = type_50();
-                                            phi_3408_ = true;
+                                            phi_3325_ = u32();
+                                            phi_3326_ = type_51();
+                                            phi_3327_ = true;
                                         }
-                                        let _e1745 = phi_3406_;
-                                        let _e1747 = phi_3407_;
-                                        let _e1749 = phi_3408_;
-                                        if _e1749 {
-                                            if _e1709 {
-                                                phi_3415_ = _e1613;
+                                        let _e1714 = phi_3325_;
+                                        let _e1716 = phi_3326_;
+                                        let _e1718 = phi_3327_;
+                                        if _e1718 {
+                                            if _e1678 {
+                                                phi_3334_ = _e1582;
                                             } else {
-                                                phi_3415_ = _e1618;
+                                                phi_3334_ = _e1587;
                                             }
-                                            let _e1751 = phi_3415_;
-                                            phi_3420_ = select(_e1710, true, _e1709);
-                                            phi_3422_ = _e1751;
+                                            let _e1720 = phi_3334_;
+                                            phi_3339_ = select(_e1679, true, _e1678);
+                                            phi_3341_ = _e1720;
                                         } else {
-                                            phi_3420_ = _e675;
-                                            phi_3422_ = _e1747;
+                                            phi_3339_ = _e659;
+                                            phi_3341_ = _e1716;
                                         }
-                                        let _e1754 = phi_3420_;
-                                        let _e1756 = phi_3422_;
-                                        phi_3427_ = type_33(_e1386.member, (_e1386.member_1 + 1u), _e1386.member_2);
-                                        phi_3428_ = _e1754;
-                                        phi_3429_ = select(_e1745, _e677, _e1749);
-                                        phi_3430_ = _e1756;
+                                        let _e1723 = phi_3339_;
+                                        let _e1725 = phi_3341_;
+                                        phi_3346_ = type_34(_e1355.member, (_e1355.member_1 + 1u), _e1355.member_2);
+                                        phi_3347_ = _e1723;
+                                        phi_3348_ = select(_e1714, _e661, _e1718);
+                                        phi_3349_ = _e1725;
                                     }
-                                    let _e1759 = phi_3427_;
-                                    let _e1761 = phi_3428_;
-                                    let _e1763 = phi_3429_;
-                                    let _e1765 = phi_3430_;
-                                    if _e683 {
-                                        phi_3438_ = _e1386;
-                                        phi_3441_ = _e679;
+                                    let _e1728 = phi_3346_;
+                                    let _e1730 = phi_3347_;
+                                    let _e1732 = phi_3348_;
+                                    let _e1734 = phi_3349_;
+                                    if _e667 {
+                                        phi_3357_ = _e1355;
+                                        phi_3360_ = _e663;
                                     } else {
-                                        phi_3438_ = _e1759;
-                                        phi_3441_ = _e1765;
+                                        phi_3357_ = _e1728;
+                                        phi_3360_ = _e1734;
                                     }
-                                    let _e1767 = phi_3438_;
-                                    let _e1769 = phi_3441_;
-                                    phi_3687_ = _e1384;
-                                    phi_3442_ = _e1767;
-                                    phi_3443_ = (_e637 - 1u);
-                                    phi_3444_ = select(_e1761, false, _e683);
-                                    phi_3445_ = select(_e1763, _e677, _e683);
-                                    phi_3446_ = _e1769;
+                                    let _e1736 = phi_3357_;
+                                    let _e1738 = phi_3360_;
+                                    phi_3791_ = _e1353;
+                                    phi_3361_ = _e1736;
+                                    phi_3362_ = (_e621 - 1u);
+                                    phi_3363_ = select(_e1730, false, _e667);
+                                    phi_3364_ = select(_e1732, _e661, _e667);
+                                    phi_3365_ = _e1738;
                                 } else {
-                                    phi_3687_ = _e633;
-                                    phi_3442_ = _e635;
-                                    phi_3443_ = _e637;
-                                    phi_3444_ = _e675;
-                                    phi_3445_ = _e677;
-                                    phi_3446_ = _e679;
+                                    phi_3791_ = _e617;
+                                    phi_3361_ = _e619;
+                                    phi_3362_ = _e621;
+                                    phi_3363_ = _e659;
+                                    phi_3364_ = _e661;
+                                    phi_3365_ = _e663;
                                 }
-                                let _e1773 = phi_3687_;
-                                let _e1775 = phi_3442_;
-                                let _e1777 = phi_3443_;
-                                let _e1779 = phi_3444_;
-                                let _e1781 = phi_3445_;
-                                let _e1783 = phi_3446_;
-                                phi_3686_ = _e1773;
-                                phi_3447_ = _e1775;
-                                phi_3448_ = _e1777;
-                                phi_3449_ = _e1779;
-                                phi_3450_ = _e1781;
-                                phi_3451_ = _e1783;
+                                let _e1742 = phi_3791_;
+                                let _e1744 = phi_3361_;
+                                let _e1746 = phi_3362_;
+                                let _e1748 = phi_3363_;
+                                let _e1750 = phi_3364_;
+                                let _e1752 = phi_3365_;
+                                phi_3790_ = _e1742;
+                                phi_3366_ = _e1744;
+                                phi_3367_ = _e1746;
+                                phi_3368_ = _e1748;
+                                phi_3369_ = _e1750;
+                                phi_3370_ = _e1752;
                             } else {
-                                phi_3686_ = _e633;
-                                phi_3447_ = type_33();
-                                phi_3448_ = u32();
-                                phi_3449_ = bool();
-                                phi_3450_ = u32();
-                                phi_3451_ = type_50();
+                                phi_3790_ = _e617;
+                                phi_3366_ = type_34();
+                                phi_3367_ = u32();
+                                phi_3368_ = bool();
+                                phi_3369_ = u32();
+                                phi_3370_ = type_51();
                             }
-                            let _e1785 = phi_3686_;
-                            let _e1787 = phi_3447_;
-                            let _e1789 = phi_3448_;
-                            let _e1791 = phi_3449_;
-                            let _e1793 = phi_3450_;
-                            let _e1795 = phi_3451_;
-                            phi_3685_ = _e1785;
-                            phi_1023_ = _e1787;
-                            phi_1026_ = _e1789;
-                            phi_1028_ = _e1791;
-                            phi_1030_ = _e1793;
-                            phi_1032_ = _e1795;
-                            phi_3452_ = _e647;
+                            let _e1754 = phi_3790_;
+                            let _e1756 = phi_3366_;
+                            let _e1758 = phi_3367_;
+                            let _e1760 = phi_3368_;
+                            let _e1762 = phi_3369_;
+                            let _e1764 = phi_3370_;
+                            phi_3789_ = _e1754;
+                            phi_1042_ = _e1756;
+                            phi_1045_ = _e1758;
+                            phi_1047_ = _e1760;
+                            phi_1049_ = _e1762;
+                            phi_1051_ = _e1764;
+                            phi_3371_ = _e631;
                         } else {
-                            phi_3685_ = _e633;
-                            phi_1023_ = type_33();
-                            phi_1026_ = u32();
-                            phi_1028_ = bool();
-                            phi_1030_ = u32();
-                            phi_1032_ = type_50();
-                            phi_3452_ = false;
+                            phi_3789_ = _e617;
+                            phi_1042_ = type_34();
+                            phi_1045_ = u32();
+                            phi_1047_ = bool();
+                            phi_1049_ = u32();
+                            phi_1051_ = type_51();
+                            phi_3371_ = false;
                         }
-                        let _e1797 = phi_3685_;
-                        let _e1799 = phi_1023_;
-                        let _e1801 = phi_1026_;
-                        let _e1803 = phi_1028_;
-                        let _e1805 = phi_1030_;
-                        let _e1807 = phi_1032_;
-                        let _e1809 = phi_3452_;
+                        let _e1766 = phi_3789_;
+                        let _e1768 = phi_1042_;
+                        let _e1770 = phi_1045_;
+                        let _e1772 = phi_1047_;
+                        let _e1774 = phi_1049_;
+                        let _e1776 = phi_1051_;
+                        let _e1778 = phi_3371_;
                         continue;
                         continuing {
-                            phi_3512_ = _e1797;
-                            phi_1022_ = _e1799;
-                            phi_1025_ = _e1801;
-                            phi_1027_ = _e1803;
-                            phi_1029_ = _e1805;
-                            phi_1031_ = _e1807;
-                            phi_3684_ = _e1797;
-                            break if !(_e1809);
+                            phi_3611_ = _e1766;
+                            phi_1041_ = _e1768;
+                            phi_1044_ = _e1770;
+                            phi_1046_ = _e1772;
+                            phi_1048_ = _e1774;
+                            phi_1050_ = _e1776;
+                            phi_3788_ = _e1766;
+                            break if !(_e1778);
                         }
                     }
-                    let _e1812 = phi_3684_;
-                    if _e1812 {
+                    let _e1781 = phi_3788_;
+                    if _e1781 {
                         break;
                     }
-                    let _e1814 = local_10;
-                    let _e1817 = local_11;
-                    if _e133 {
+                    let _e1783 = local_10;
+                    let _e1786 = local_11;
+                    if _e132 {
                     } else {
                         break;
                     }
-                    global_5.member[_e131][0u] = _e1814.member_1;
-                    global_5.member[_e131][1u] = _e1817.member_2;
+                    global_5.member[_e130][0u] = _e1783.member_1;
+                    global_5.member[_e130][1u] = _e1786.member_2;
                 }
             }
             break;

@@ -48,29 +48,36 @@ struct type_38 {
     member_1: f32,
 }
 
-struct type_42 {
+struct type_41 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_43 {
     member: array<type_30>,
 }
 
-struct type_44 {
+struct type_45 {
     member: type_38,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_51 {
+struct type_52 {
     member: type_33,
     member_1: u32,
 }
 
-struct type_52 {
+struct type_53 {
     member: array<vec4<f32>, 3>,
-    member_1: type_51,
-    member_2: type_51,
+    member_1: type_52,
+    member_2: type_52,
 }
 
 var<private> global: vec3<u32>;
@@ -79,11 +86,11 @@ var<uniform> global_1: type_12;
 @group(0) @binding(3) 
 var<storage> global_2: type_19;
 @group(0) @binding(1) 
-var<uniform> global_3: type_46;
+var<uniform> global_3: type_47;
 @group(0) @binding(2) 
 var<storage> global_4: type_9;
 @group(0) @binding(4) 
-var<storage> global_5: type_42;
+var<storage> global_5: type_43;
 @group(0) @binding(5) 
 var<storage, read_write> global_6: type_25;
 
@@ -98,467 +105,424 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_391_: i32;
-    var phi_392_: i32;
-    var phi_402_: bool;
-    var phi_412_: u32;
-    var phi_413_: u32;
-    var phi_415_: bool;
-    var phi_420_: u32;
-    var phi_433_: i32;
-    var phi_453_: i32;
-    var phi_471_: f32;
-    var phi_477_: f32;
-    var phi_517_: f32;
-    var phi_523_: f32;
-    var phi_575_: f32;
-    var phi_587_: f32;
-    var phi_596_: f32;
-    var phi_602_: f32;
-    var phi_642_: f32;
-    var phi_648_: f32;
-    var phi_700_: f32;
-    var phi_712_: f32;
-    var phi_721_: f32;
-    var phi_727_: f32;
-    var phi_767_: f32;
-    var phi_773_: f32;
-    var phi_825_: f32;
-    var phi_837_: f32;
-    var phi_892_: i32;
-    var phi_914_: u32;
-    var phi_915_: u32;
-    var phi_952_: i32;
-    var phi_974_: u32;
-    var phi_975_: u32;
-    var phi_983_: f32;
-    var phi_984_: f32;
-    var phi_3763_: bool;
-    var phi_1081_: type_44;
-    var phi_1084_: u32;
-    var phi_1086_: bool;
-    var phi_1088_: u32;
-    var phi_1090_: type_51;
-    var phi_1101_: bool;
-    var phi_1187_: bool;
-    var phi_1188_: u32;
-    var phi_1189_: type_51;
-    var phi_1207_: type_44;
-    var phi_1210_: type_4;
-    var phi_1211_: type_4;
-    var phi_1233_: type_4;
-    var phi_1257_: u32;
-    var phi_1349_: array<array<f32, 3>, 3>;
-    var phi_1501_: bool;
-    var phi_1530_: bool;
-    var phi_1949_: f32;
-    var phi_1950_: f32;
-    var phi_1951_: f32;
-    var phi_1952_: f32;
-    var phi_1953_: vec3<f32>;
-    var phi_1954_: vec3<f32>;
-    var phi_1955_: vec3<f32>;
-    var phi_1956_: vec3<f32>;
-    var phi_1993_: bool;
-    var phi_2002_: vec3<f32>;
-    var phi_2167_: f32;
-    var phi_2169_: f32;
-    var phi_2170_: bool;
-    var phi_2190_: f32;
-    var phi_2191_: f32;
-    var phi_2214_: type_29;
-    var phi_2216_: type_29;
-    var phi_2217_: bool;
-    var phi_2221_: type_29;
-    var phi_2222_: type_29;
-    var phi_2223_: type_29;
-    var phi_2224_: bool;
-    var phi_2228_: type_29;
-    var phi_2229_: bool;
-    var phi_2230_: type_29;
-    var phi_2231_: bool;
-    var phi_2232_: bool;
-    var phi_2233_: type_29;
-    var phi_2234_: bool;
-    var phi_2235_: bool;
-    var phi_2243_: type_29;
-    var phi_2244_: bool;
-    var phi_2248_: type_29;
-    var phi_2273_: bool;
-    var phi_2274_: bool;
-    var phi_2281_: type_44;
-    var phi_2282_: type_44;
-    var phi_2283_: type_44;
-    var phi_1208_: type_44;
-    var phi_3757_: bool;
-    var phi_4003_: bool;
-    var phi_2284_: type_44;
-    var phi_3011_: u32;
-    var phi_3012_: u32;
-    var phi_3022_: u32;
-    var phi_3024_: u32;
-    var phi_3025_: bool;
-    var phi_3045_: u32;
-    var phi_3046_: u32;
-    var phi_3050_: type_52;
-    var phi_3415_: type_51;
-    var phi_3491_: type_51;
-    var phi_3492_: u32;
-    var phi_3493_: type_51;
-    var phi_3495_: u32;
-    var phi_3496_: type_51;
-    var phi_3497_: bool;
-    var phi_3506_: type_51;
-    var phi_3511_: bool;
-    var phi_3513_: type_51;
-    var phi_3518_: type_44;
-    var phi_3519_: bool;
-    var phi_3520_: u32;
-    var phi_3521_: type_51;
-    var phi_3529_: type_44;
-    var phi_3532_: type_51;
-    var phi_3920_: bool;
-    var phi_3533_: type_44;
-    var phi_3534_: u32;
-    var phi_3535_: bool;
-    var phi_3536_: u32;
-    var phi_3537_: type_51;
-    var phi_3919_: bool;
-    var phi_3538_: type_44;
-    var phi_3539_: u32;
-    var phi_3540_: bool;
-    var phi_3541_: u32;
-    var phi_3542_: type_51;
-    var phi_3918_: bool;
-    var phi_1082_: type_44;
-    var phi_1085_: u32;
-    var phi_1087_: bool;
-    var phi_1089_: u32;
-    var phi_1091_: type_51;
-    var phi_3543_: bool;
-    var phi_3917_: bool;
-    var local_10: type_44;
-    var local_11: type_44;
-    var local_12: type_44;
+    var phi_410_: i32;
+    var phi_411_: i32;
+    var phi_421_: bool;
+    var phi_431_: u32;
+    var phi_432_: u32;
+    var phi_434_: bool;
+    var phi_439_: u32;
+    var phi_452_: i32;
+    var phi_472_: i32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_536_: f32;
+    var phi_542_: f32;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_661_: f32;
+    var phi_667_: f32;
+    var phi_740_: f32;
+    var phi_746_: f32;
+    var phi_786_: f32;
+    var phi_792_: f32;
+    var phi_911_: i32;
+    var phi_933_: u32;
+    var phi_934_: u32;
+    var phi_971_: i32;
+    var phi_993_: u32;
+    var phi_994_: u32;
+    var phi_1002_: f32;
+    var phi_1003_: f32;
+    var phi_3859_: bool;
+    var phi_1100_: type_45;
+    var phi_1103_: u32;
+    var phi_1105_: bool;
+    var phi_1107_: u32;
+    var phi_1109_: type_52;
+    var phi_1120_: bool;
+    var phi_1206_: bool;
+    var phi_1207_: u32;
+    var phi_1208_: type_52;
+    var phi_1226_: type_45;
+    var phi_1229_: type_4;
+    var phi_1230_: type_4;
+    var phi_1252_: type_4;
+    var phi_1276_: u32;
+    var phi_1368_: array<array<f32, 3>, 3>;
+    var phi_3494_: bool;
+    var phi_3509_: bool;
+    var phi_3524_: bool;
+    var phi_3539_: bool;
+    var phi_3554_: bool;
+    var phi_3569_: bool;
+    var phi_1910_: f32;
+    var phi_1911_: f32;
+    var phi_1912_: f32;
+    var phi_1913_: f32;
+    var phi_1914_: vec3<f32>;
+    var phi_1915_: vec3<f32>;
+    var phi_1916_: vec3<f32>;
+    var phi_1917_: vec3<f32>;
+    var phi_3584_: bool;
+    var phi_3599_: bool;
+    var phi_3614_: bool;
+    var phi_3629_: bool;
+    var phi_3644_: bool;
+    var phi_3659_: bool;
+    var phi_2125_: f32;
+    var phi_2145_: type_41;
+    var phi_2146_: type_41;
+    var phi_2149_: type_41;
+    var phi_2150_: type_41;
+    var phi_2151_: bool;
+    var phi_2155_: type_41;
+    var phi_2164_: type_29;
+    var phi_2189_: bool;
+    var phi_2190_: bool;
+    var phi_2197_: type_45;
+    var phi_2198_: type_45;
+    var phi_2199_: type_45;
+    var phi_1227_: type_45;
+    var phi_3853_: bool;
+    var phi_4104_: bool;
+    var phi_2200_: type_45;
+    var phi_2927_: u32;
+    var phi_2928_: u32;
+    var phi_2938_: u32;
+    var phi_2940_: u32;
+    var phi_2941_: bool;
+    var phi_2961_: u32;
+    var phi_2962_: u32;
+    var phi_2966_: type_53;
+    var phi_3331_: type_52;
+    var phi_3407_: type_52;
+    var phi_3408_: u32;
+    var phi_3409_: type_52;
+    var phi_3411_: u32;
+    var phi_3412_: type_52;
+    var phi_3413_: bool;
+    var phi_3422_: type_52;
+    var phi_3427_: bool;
+    var phi_3429_: type_52;
+    var phi_3434_: type_45;
+    var phi_3435_: bool;
+    var phi_3436_: u32;
+    var phi_3437_: type_52;
+    var phi_3445_: type_45;
+    var phi_3448_: type_52;
+    var phi_4021_: bool;
+    var phi_3449_: type_45;
+    var phi_3450_: u32;
+    var phi_3451_: bool;
+    var phi_3452_: u32;
+    var phi_3453_: type_52;
+    var phi_4020_: bool;
+    var phi_3454_: type_45;
+    var phi_3455_: u32;
+    var phi_3456_: bool;
+    var phi_3457_: u32;
+    var phi_3458_: type_52;
+    var phi_4019_: bool;
+    var phi_1101_: type_45;
+    var phi_1104_: u32;
+    var phi_1106_: bool;
+    var phi_1108_: u32;
+    var phi_1110_: type_52;
+    var phi_3459_: bool;
+    var phi_4018_: bool;
+    var local_10: type_45;
+    var local_11: type_45;
+    var local_12: type_45;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e88 = global;
-            let _e90 = arrayLength((&global_4.member));
-            let _e92 = arrayLength((&global_2.member));
-            let _e100 = global_3.member[0u][0u];
-            let _e104 = global_3.member[0u][1u];
-            let _e108 = global_3.member[0u][2u];
-            let _e112 = global_3.member[0u][3u];
-            let _e116 = global_3.member[1u][0u];
-            let _e120 = global_3.member[1u][1u];
-            let _e124 = global_3.member[1u][2u];
-            let _e127 = global_1.member[0u];
-            let _e128 = bitcast<i32>(_e127);
-            let _e140 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e112) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e100), bitcast<i32>(_e104), bitcast<i32>(_e108));
-            local = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
-            let _e146 = (_e88.x + (_e88.y * 2097152u));
-            let _e147 = (_e146 < arrayLength((&global_5.member)));
-            if _e147 {
-                let _e148 = (_e146 < arrayLength((&global_6.member)));
-                if _e148 {
-                    if _e147 {
+            let _e87 = global;
+            let _e89 = arrayLength((&global_4.member));
+            let _e91 = arrayLength((&global_2.member));
+            let _e99 = global_3.member[0u][0u];
+            let _e103 = global_3.member[0u][1u];
+            let _e107 = global_3.member[0u][2u];
+            let _e111 = global_3.member[0u][3u];
+            let _e115 = global_3.member[1u][0u];
+            let _e119 = global_3.member[1u][1u];
+            let _e123 = global_3.member[1u][2u];
+            let _e126 = global_1.member[0u];
+            let _e127 = bitcast<i32>(_e126);
+            let _e139 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e111) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e99), bitcast<i32>(_e103), bitcast<i32>(_e107));
+            local = array<i32, 3>(bitcast<i32>(_e115), bitcast<i32>(_e119), bitcast<i32>(_e123));
+            let _e145 = (_e87.x + (_e87.y * 2097152u));
+            let _e146 = (_e145 < arrayLength((&global_5.member)));
+            if _e146 {
+                let _e147 = (_e145 < arrayLength((&global_6.member)));
+                if _e147 {
+                    if _e146 {
                     } else {
                         break;
                     }
-                    let _e156 = global_5.member[_e146].member_2[0u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_5.member[_e146].member_2[1u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_5.member[_e146].member_2[2u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_5.member[_e146].member[0u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e184 = global_5.member[_e146].member[1u];
-                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                    let _e191 = global_5.member[_e146].member[2u];
-                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
-                    let _e195 = select(_e165, _e158, (_e165 < _e158));
-                    let _e197 = select(_e172, _e195, (_e172 < _e195));
-                    let _e199 = select(_e179, _e197, (_e179 < _e197));
-                    let _e201 = select(_e186, _e199, (_e186 < _e199));
-                    let _e203 = select(_e193, _e201, (_e193 < _e201));
-                    let _e207 = global_5.member[_e146].member_1;
-                    let _e208 = bitcast<u32>(_e207);
-                    let _e209 = (_e208 & 2147483647u);
-                    let _e216 = global_5.member[_e146].member_3;
-                    let _e217 = bitcast<u32>(_e216);
-                    let _e218 = (_e217 & 2147483647u);
-                    let _e222 = (((select(_e209, _e203, (_e209 < _e203)) < 2139095040u) && (_e218 <= 2139095040u)) && (_e197 > 0u));
-                    if _e222 {
-                        let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
-                        if (_e225 >= 8388608u) {
-                            phi_391_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
+                    let _e155 = global_5.member[_e145].member_2[0u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_5.member[_e145].member_2[1u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_5.member[_e145].member_2[2u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_5.member[_e145].member[0u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e183 = global_5.member[_e145].member[1u];
+                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                    let _e190 = global_5.member[_e145].member[2u];
+                    let _e192 = (bitcast<u32>(_e190) & 2147483647u);
+                    let _e194 = select(_e164, _e157, (_e164 < _e157));
+                    let _e196 = select(_e171, _e194, (_e171 < _e194));
+                    let _e198 = select(_e178, _e196, (_e178 < _e196));
+                    let _e200 = select(_e185, _e198, (_e185 < _e198));
+                    let _e202 = select(_e192, _e200, (_e192 < _e200));
+                    let _e206 = global_5.member[_e145].member_1;
+                    let _e207 = bitcast<u32>(_e206);
+                    let _e208 = (_e207 & 2147483647u);
+                    let _e215 = global_5.member[_e145].member_3;
+                    let _e216 = bitcast<u32>(_e215);
+                    let _e217 = (_e216 & 2147483647u);
+                    let _e221 = (((select(_e208, _e202, (_e208 < _e202)) < 2139095040u) && (_e217 <= 2139095040u)) && (_e196 > 0u));
+                    if _e221 {
+                        let _e224 = (bitcast<u32>(bitcast<f32>(_e196)) & 2147483647u);
+                        if (_e224 >= 8388608u) {
+                            phi_410_ = (bitcast<i32>((_e224 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_391_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
+                            phi_410_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e224)), 32u, (_e224 == 0u))));
                         }
-                        let _e239 = phi_391_;
-                        phi_392_ = _e239;
+                        let _e238 = phi_410_;
+                        phi_411_ = _e238;
                     } else {
-                        phi_392_ = 0i;
+                        phi_411_ = 0i;
                     }
-                    let _e241 = phi_392_;
-                    let _e242 = (_e158 == _e197);
-                    if _e242 {
-                        phi_402_ = true;
+                    let _e240 = phi_411_;
+                    let _e241 = (_e157 == _e196);
+                    if _e241 {
+                        phi_421_ = true;
                     } else {
-                        phi_402_ = (_e165 == _e197);
+                        phi_421_ = (_e164 == _e196);
                     }
-                    let _e245 = phi_402_;
-                    let _e246 = select(1u, 0u, _e242);
-                    if _e245 {
-                        let _e247 = (_e246 + 1u);
-                        phi_412_ = _e247;
-                        phi_413_ = _e247;
-                        phi_415_ = select(true, false, (_e247 == 2u));
+                    let _e244 = phi_421_;
+                    let _e245 = select(1u, 0u, _e241);
+                    if _e244 {
+                        let _e246 = (_e245 + 1u);
+                        phi_431_ = _e246;
+                        phi_432_ = _e246;
+                        phi_434_ = select(true, false, (_e246 == 2u));
                     } else {
-                        phi_412_ = u32();
-                        phi_413_ = 0u;
-                        phi_415_ = true;
+                        phi_431_ = u32();
+                        phi_432_ = 0u;
+                        phi_434_ = true;
                     }
-                    let _e251 = phi_412_;
-                    let _e253 = phi_413_;
-                    let _e255 = phi_415_;
-                    if _e255 {
-                        phi_420_ = (_e253 + 1u);
+                    let _e250 = phi_431_;
+                    let _e252 = phi_432_;
+                    let _e254 = phi_434_;
+                    if _e254 {
+                        phi_439_ = (_e252 + 1u);
                     } else {
-                        phi_420_ = 0u;
+                        phi_439_ = 0u;
                     }
-                    let _e259 = phi_420_;
-                    let _e260 = select(_e251, _e253, _e255);
-                    let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
-                    if (_e128 < -126i) {
-                        phi_433_ = -126i;
+                    let _e258 = phi_439_;
+                    let _e259 = select(_e250, _e252, _e254);
+                    let _e260 = select(_e245, select(2u, _e245, _e244), _e254);
+                    if (_e127 < -126i) {
+                        phi_452_ = -126i;
                     } else {
-                        phi_433_ = select(_e128, 127i, (_e128 > 127i));
+                        phi_452_ = select(_e127, 127i, (_e127 > 127i));
                     }
-                    let _e266 = phi_433_;
-                    let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
-                    let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = -(_e241);
-                    if (_e278 < -126i) {
-                        phi_453_ = -126i;
+                    let _e265 = phi_452_;
+                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = bitcast<f32>((bitcast<u32>(((_e127 - _e265) + 127i)) << bitcast<u32>(23i)));
+                    let _e277 = -(_e240);
+                    if (_e277 < -126i) {
+                        phi_472_ = -126i;
                     } else {
-                        phi_453_ = select(_e278, 127i, (_e278 > 127i));
+                        phi_472_ = select(_e277, 127i, (_e277 > 127i));
                     }
-                    let _e283 = phi_453_;
-                    let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
-                    let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
-                    let _e298 = global_5.member[_e146].member;
-                    let _e299 = (_e260 == 0u);
-                    if _e299 {
-                        phi_471_ = _e298[0];
+                    let _e282 = phi_472_;
+                    let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
+                    let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
+                    let _e297 = global_5.member[_e145].member;
+                    let _e298 = (_e259 == 0u);
+                    if _e298 {
+                        phi_490_ = _e297[0];
                     } else {
-                        phi_471_ = _e298[1];
+                        phi_490_ = _e297[1];
                     }
-                    let _e303 = phi_471_;
-                    let _e304 = (_e260 == 2u);
-                    if _e304 {
-                        phi_477_ = _e298[2];
+                    let _e302 = phi_490_;
+                    let _e303 = (_e259 == 2u);
+                    if _e303 {
+                        phi_496_ = _e297[2];
                     } else {
-                        phi_477_ = _e303;
+                        phi_496_ = _e302;
                     }
-                    let _e307 = phi_477_;
-                    let _e308 = bitcast<u32>(_e307);
-                    let _e310 = ((_e308 & 2139095040u) != 0u);
-                    let _e324 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e308 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e308 & 2147483648u))), _e307, _e310) * _e271) * select(0.00000011920929f, 1f, _e310)) * _e277);
-                    let _e325 = global_5.member[_e146].member_2;
-                    if _e299 {
-                        phi_517_ = _e325[0];
+                    let _e306 = phi_496_;
+                    let _e307 = bitcast<u32>(_e306);
+                    let _e309 = ((_e307 & 2139095040u) != 0u);
+                    let _e323 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e307 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e307 & 2147483648u))), _e306, _e309) * _e270) * select(0.00000011920929f, 1f, _e309)) * _e276);
+                    let _e324 = global_5.member[_e145].member_2;
+                    if _e298 {
+                        phi_536_ = _e324[0];
                     } else {
-                        phi_517_ = _e325[1];
+                        phi_536_ = _e324[1];
                     }
-                    let _e329 = phi_517_;
-                    if _e304 {
-                        phi_523_ = _e325[2];
+                    let _e328 = phi_536_;
+                    if _e303 {
+                        phi_542_ = _e324[2];
                     } else {
-                        phi_523_ = _e329;
+                        phi_542_ = _e328;
                     }
-                    let _e332 = phi_523_;
-                    let _e333 = bitcast<u32>(_e332);
-                    let _e335 = ((_e333 & 2139095040u) != 0u);
-                    let _e349 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e333 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e333 & 2147483648u))), _e332, _e335) * _e288) * select(0.00000011920929f, 1f, _e335)) * _e294);
-                    let _e353 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e353 {
-                        let _e357 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
-                        phi_575_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
+                    let _e331 = phi_542_;
+                    let _e332 = bitcast<u32>(_e331);
+                    let _e334 = ((_e332 & 2139095040u) != 0u);
+                    let _e348 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e331, _e334) * _e287) * select(0.00000011920929f, 1f, _e334)) * _e293);
+                    let _e352 = (bitcast<f32>((bitcast<u32>(_e348) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e355 = bitcast<f32>((bitcast<u32>(_e323) & 2147483647u));
+                    let _e356 = (_e355 * 0.00000011920929f);
+                    let _e359 = select(select(0.00000000000011368684f, _e356, (_e356 > 0.00000000000011368684f)), 0f, _e352);
+                    let _e360 = select(0f, _e348, _e352);
+                    let _e361 = (_e323 + _e359);
+                    let _e362 = (_e323 - _e359);
+                    let _e364 = select(38685626000000000000000000f, (1f / _e348), _e352);
+                    let _e365 = (_e258 == 0u);
+                    if _e365 {
+                        phi_615_ = _e297[0];
                     } else {
-                        phi_575_ = 0f;
+                        phi_615_ = _e297[1];
                     }
-                    let _e361 = phi_575_;
-                    let _e362 = (_e324 + _e361);
-                    let _e363 = (_e324 - _e361);
-                    let _e364 = select(_e349, 0f, _e353);
-                    if _e353 {
-                        phi_587_ = 38685626000000000000000000f;
+                    let _e369 = phi_615_;
+                    let _e370 = (_e258 == 2u);
+                    if _e370 {
+                        phi_621_ = _e297[2];
                     } else {
-                        phi_587_ = (1f / _e349);
+                        phi_621_ = _e369;
                     }
-                    let _e367 = phi_587_;
-                    let _e368 = (_e259 == 0u);
-                    if _e368 {
-                        phi_596_ = _e298[0];
+                    let _e373 = phi_621_;
+                    let _e374 = bitcast<u32>(_e373);
+                    let _e376 = ((_e374 & 2139095040u) != 0u);
+                    let _e390 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e374 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e374 & 2147483648u))), _e373, _e376) * _e270) * select(0.00000011920929f, 1f, _e376)) * _e276);
+                    if _e365 {
+                        phi_661_ = _e324[0];
                     } else {
-                        phi_596_ = _e298[1];
+                        phi_661_ = _e324[1];
                     }
-                    let _e372 = phi_596_;
-                    let _e373 = (_e259 == 2u);
-                    if _e373 {
-                        phi_602_ = _e298[2];
+                    let _e394 = phi_661_;
+                    if _e370 {
+                        phi_667_ = _e324[2];
                     } else {
-                        phi_602_ = _e372;
+                        phi_667_ = _e394;
                     }
-                    let _e376 = phi_602_;
-                    let _e377 = bitcast<u32>(_e376);
-                    let _e379 = ((_e377 & 2139095040u) != 0u);
-                    let _e393 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e377 & 2147483648u))), _e376, _e379) * _e271) * select(0.00000011920929f, 1f, _e379)) * _e277);
-                    if _e368 {
-                        phi_642_ = _e325[0];
+                    let _e397 = phi_667_;
+                    let _e398 = bitcast<u32>(_e397);
+                    let _e400 = ((_e398 & 2139095040u) != 0u);
+                    let _e414 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e398 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e398 & 2147483648u))), _e397, _e400) * _e287) * select(0.00000011920929f, 1f, _e400)) * _e293);
+                    let _e418 = (bitcast<f32>((bitcast<u32>(_e414) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e421 = bitcast<f32>((bitcast<u32>(_e390) & 2147483647u));
+                    let _e422 = (_e421 * 0.00000011920929f);
+                    let _e425 = select(select(0.00000000000011368684f, _e422, (_e422 > 0.00000000000011368684f)), 0f, _e418);
+                    let _e426 = select(0f, _e414, _e418);
+                    let _e427 = (_e390 + _e425);
+                    let _e428 = (_e390 - _e425);
+                    let _e430 = select(38685626000000000000000000f, (1f / _e414), _e418);
+                    let _e431 = (_e260 == 0u);
+                    if _e431 {
+                        phi_740_ = _e297[0];
                     } else {
-                        phi_642_ = _e325[1];
+                        phi_740_ = _e297[1];
                     }
-                    let _e397 = phi_642_;
-                    if _e373 {
-                        phi_648_ = _e325[2];
-                    } else {
-                        phi_648_ = _e397;
-                    }
-                    let _e400 = phi_648_;
-                    let _e401 = bitcast<u32>(_e400);
-                    let _e403 = ((_e401 & 2139095040u) != 0u);
-                    let _e417 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e400, _e403) * _e288) * select(0.00000011920929f, 1f, _e403)) * _e294);
-                    let _e421 = (bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e421 {
-                        let _e425 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) * 0.00000011920929f);
-                        phi_700_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
-                    } else {
-                        phi_700_ = 0f;
-                    }
-                    let _e429 = phi_700_;
-                    let _e430 = (_e393 + _e429);
-                    let _e431 = (_e393 - _e429);
-                    let _e432 = select(_e417, 0f, _e421);
-                    if _e421 {
-                        phi_712_ = 38685626000000000000000000f;
-                    } else {
-                        phi_712_ = (1f / _e417);
-                    }
-                    let _e435 = phi_712_;
-                    let _e436 = (_e261 == 0u);
+                    let _e435 = phi_740_;
+                    let _e436 = (_e260 == 2u);
                     if _e436 {
-                        phi_721_ = _e298[0];
+                        phi_746_ = _e297[2];
                     } else {
-                        phi_721_ = _e298[1];
+                        phi_746_ = _e435;
                     }
-                    let _e440 = phi_721_;
-                    let _e441 = (_e261 == 2u);
-                    if _e441 {
-                        phi_727_ = _e298[2];
+                    let _e439 = phi_746_;
+                    let _e440 = bitcast<u32>(_e439);
+                    let _e442 = ((_e440 & 2139095040u) != 0u);
+                    let _e456 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e440 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e440 & 2147483648u))), _e439, _e442) * _e270) * select(0.00000011920929f, 1f, _e442)) * _e276);
+                    if _e431 {
+                        phi_786_ = _e324[0];
                     } else {
-                        phi_727_ = _e440;
+                        phi_786_ = _e324[1];
                     }
-                    let _e444 = phi_727_;
-                    let _e445 = bitcast<u32>(_e444);
-                    let _e447 = ((_e445 & 2139095040u) != 0u);
-                    let _e461 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e445 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e445 & 2147483648u))), _e444, _e447) * _e271) * select(0.00000011920929f, 1f, _e447)) * _e277);
+                    let _e460 = phi_786_;
                     if _e436 {
-                        phi_767_ = _e325[0];
+                        phi_792_ = _e324[2];
                     } else {
-                        phi_767_ = _e325[1];
+                        phi_792_ = _e460;
                     }
-                    let _e465 = phi_767_;
-                    if _e441 {
-                        phi_773_ = _e325[2];
-                    } else {
-                        phi_773_ = _e465;
-                    }
-                    let _e468 = phi_773_;
-                    let _e469 = bitcast<u32>(_e468);
-                    let _e471 = ((_e469 & 2139095040u) != 0u);
-                    let _e485 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * _e288) * select(0.00000011920929f, 1f, _e471)) * _e294);
-                    let _e489 = (bitcast<f32>((bitcast<u32>(_e485) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e489 {
-                        let _e493 = (bitcast<f32>((bitcast<u32>(_e461) & 2147483647u)) * 0.00000011920929f);
-                        phi_825_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
-                    } else {
-                        phi_825_ = 0f;
-                    }
-                    let _e497 = phi_825_;
-                    let _e498 = (_e461 + _e497);
-                    let _e499 = (_e461 - _e497);
-                    let _e500 = select(_e485, 0f, _e489);
-                    if _e489 {
-                        phi_837_ = 38685626000000000000000000f;
-                    } else {
-                        phi_837_ = (1f / _e485);
-                    }
-                    let _e503 = phi_837_;
-                    let _e506 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
-                    let _e509 = bitcast<f32>((bitcast<u32>(_e393) & 2147483647u));
-                    let _e511 = select(_e509, _e506, (_e506 > _e509));
-                    let _e514 = bitcast<f32>((bitcast<u32>(_e461) & 2147483647u));
-                    let _e517 = (_e128 + _e241);
-                    if (_e222 && (select(_e514, _e511, (_e511 > _e514)) <= 1099511600000f)) {
-                        let _e527 = ((_e209 & 8388607u) | (select(0u, 1u, ((_e209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e530 = bitcast<i32>((_e209 >> bitcast<u32>(23i)));
-                        let _e534 = (_e527 == 0u);
-                        let _e537 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e527)), 32u, _e534)) - 8i);
-                        if (_e530 == 255i) {
-                            phi_892_ = 255i;
+                    let _e463 = phi_792_;
+                    let _e464 = bitcast<u32>(_e463);
+                    let _e466 = ((_e464 & 2139095040u) != 0u);
+                    let _e480 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e464 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e464 & 2147483648u))), _e463, _e466) * _e287) * select(0.00000011920929f, 1f, _e466)) * _e293);
+                    let _e484 = (bitcast<f32>((bitcast<u32>(_e480) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e487 = bitcast<f32>((bitcast<u32>(_e456) & 2147483647u));
+                    let _e488 = (_e487 * 0.00000011920929f);
+                    let _e491 = select(select(0.00000000000011368684f, _e488, (_e488 > 0.00000000000011368684f)), 0f, _e484);
+                    let _e492 = select(0f, _e480, _e484);
+                    let _e493 = (_e456 + _e491);
+                    let _e494 = (_e456 - _e491);
+                    let _e496 = select(38685626000000000000000000f, (1f / _e480), _e484);
+                    let _e498 = select(_e421, _e355, (_e355 > _e421));
+                    let _e501 = (_e127 + _e240);
+                    if (_e221 && (select(_e487, _e498, (_e498 > _e487)) <= 1099511600000f)) {
+                        let _e511 = ((_e208 & 8388607u) | (select(0u, 1u, ((_e208 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e514 = bitcast<i32>((_e208 >> bitcast<u32>(23i)));
+                        let _e518 = (_e511 == 0u);
+                        let _e521 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e511)), 32u, _e518)) - 8i);
+                        if (_e514 == 255i) {
+                            phi_911_ = 255i;
                         } else {
-                            phi_892_ = (((_e530 + select(0i, 1i, (_e530 == 0i))) - _e537) + _e517);
+                            phi_911_ = (((_e514 + select(0i, 1i, (_e514 == 0i))) - _e521) + _e501);
                         }
-                        let _e545 = phi_892_;
-                        let _e555 = (_e545 <= 0i);
-                        if _e555 {
-                            phi_915_ = u32();
+                        let _e529 = phi_911_;
+                        let _e539 = (_e529 <= 0i);
+                        if _e539 {
+                            phi_934_ = u32();
                         } else {
-                            if _e534 {
-                                phi_914_ = u32();
+                            if _e518 {
+                                phi_933_ = u32();
                             } else {
-                                phi_914_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | ((_e527 << bitcast<u32>(((_e537 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e545 >= 255i));
+                                phi_933_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | ((_e511 << bitcast<u32>(((_e521 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e529 >= 255i));
                             }
-                            let _e559 = phi_914_;
-                            phi_915_ = _e559;
+                            let _e543 = phi_933_;
+                            phi_934_ = _e543;
                         }
-                        let _e561 = phi_915_;
-                        let _e573 = ((_e218 & 8388607u) | (select(0u, 1u, ((_e218 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e576 = bitcast<i32>((_e218 >> bitcast<u32>(23i)));
-                        let _e580 = (_e573 == 0u);
-                        let _e583 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e573)), 32u, _e580)) - 8i);
-                        if (_e576 == 255i) {
-                            phi_952_ = 255i;
+                        let _e545 = phi_934_;
+                        let _e557 = ((_e217 & 8388607u) | (select(0u, 1u, ((_e217 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e560 = bitcast<i32>((_e217 >> bitcast<u32>(23i)));
+                        let _e564 = (_e557 == 0u);
+                        let _e567 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e557)), 32u, _e564)) - 8i);
+                        if (_e560 == 255i) {
+                            phi_971_ = 255i;
                         } else {
-                            phi_952_ = (((_e576 + select(0i, 1i, (_e576 == 0i))) - _e583) + _e517);
+                            phi_971_ = (((_e560 + select(0i, 1i, (_e560 == 0i))) - _e567) + _e501);
                         }
-                        let _e591 = phi_952_;
-                        let _e601 = (_e591 <= 0i);
-                        if _e601 {
-                            phi_975_ = u32();
+                        let _e575 = phi_971_;
+                        let _e585 = (_e575 <= 0i);
+                        if _e585 {
+                            phi_994_ = u32();
                         } else {
-                            if _e580 {
-                                phi_974_ = u32();
+                            if _e564 {
+                                phi_993_ = u32();
                             } else {
-                                phi_974_ = select(((bitcast<u32>(_e591) << bitcast<u32>(23i)) | ((_e573 << bitcast<u32>(((_e583 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e591 >= 255i));
+                                phi_993_ = select(((bitcast<u32>(_e575) << bitcast<u32>(23i)) | ((_e557 << bitcast<u32>(((_e567 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e575 >= 255i));
                             }
-                            let _e605 = phi_974_;
-                            phi_975_ = _e605;
+                            let _e589 = phi_993_;
+                            phi_994_ = _e589;
                         }
-                        let _e607 = phi_975_;
-                        phi_983_ = bitcast<f32>(((_e217 & 2147483648u) | select(_e607, 0u, select(_e580, true, _e601))));
-                        phi_984_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e561, 0u, select(_e534, true, _e555))));
+                        let _e591 = phi_994_;
+                        phi_1002_ = bitcast<f32>(((_e216 & 2147483648u) | select(_e591, 0u, select(_e564, true, _e585))));
+                        phi_1003_ = bitcast<f32>(((_e207 & 2147483648u) | select(_e545, 0u, select(_e518, true, _e539))));
                     } else {
-                        phi_983_ = 0f;
-                        phi_984_ = 1f;
+                        phi_1002_ = 0f;
+                        phi_1003_ = 1f;
                     }
-                    let _e613 = phi_983_;
-                    let _e615 = phi_984_;
+                    let _e597 = phi_1002_;
+                    let _e599 = phi_1003_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -567,941 +531,918 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e620 = (_e260 % 3u);
-                    let _e621 = (_e620 < 3u);
-                    if _e621 {
+                    let _e604 = (_e259 % 3u);
+                    let _e605 = (_e604 < 3u);
+                    if _e605 {
                     } else {
                         break;
                     }
-                    let _e623 = local_1[_e620];
-                    let _e626 = (_e259 % 3u);
-                    let _e627 = (_e626 < 3u);
-                    if _e627 {
+                    let _e607 = local_1[_e604];
+                    let _e610 = (_e258 % 3u);
+                    let _e611 = (_e610 < 3u);
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e629 = local_1[_e626];
-                    let _e632 = (_e261 % 3u);
-                    let _e633 = (_e632 < 3u);
-                    if _e633 {
+                    let _e613 = local_1[_e610];
+                    let _e616 = (_e260 % 3u);
+                    let _e617 = (_e616 < 3u);
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e635 = local_1[_e632];
-                    if _e621 {
+                    let _e619 = local_1[_e616];
+                    if _e605 {
                     } else {
                         break;
                     }
-                    let _e640 = local[_e620];
-                    if _e627 {
+                    let _e624 = local[_e604];
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e644 = local[_e626];
-                    if _e633 {
+                    let _e628 = local[_e610];
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e648 = local[_e632];
-                    phi_3763_ = false;
-                    phi_1081_ = type_44(type_38(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e613), 0u, 0u);
-                    phi_1084_ = ((3u * _e90) + 1u);
-                    phi_1086_ = (_e615 <= _e613);
-                    phi_1088_ = 0u;
-                    phi_1090_ = type_51(type_33(vec4<f32>((f32(_e623) * _e140), (f32(_e629) * _e140), (f32(_e635) * _e140), 0f), vec4<f32>((f32(_e640) * _e140), (f32(_e644) * _e140), (f32(_e648) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
+                    let _e632 = local[_e616];
+                    phi_3859_ = false;
+                    phi_1100_ = type_45(type_38(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e597), 0u, 0u);
+                    phi_1103_ = ((3u * _e89) + 1u);
+                    phi_1105_ = (_e599 <= _e597);
+                    phi_1107_ = 0u;
+                    phi_1109_ = type_52(type_33(vec4<f32>((f32(_e607) * _e139), (f32(_e613) * _e139), (f32(_e619) * _e139), 0f), vec4<f32>((f32(_e624) * _e139), (f32(_e628) * _e139), (f32(_e632) * _e139), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
                     loop {
-                        let _e658 = phi_3763_;
-                        let _e660 = phi_1081_;
-                        let _e662 = phi_1084_;
-                        let _e664 = phi_1086_;
-                        let _e666 = phi_1088_;
-                        let _e668 = phi_1090_;
-                        local_10 = _e660;
-                        local_11 = _e660;
-                        if _e664 {
-                            phi_1101_ = true;
+                        let _e642 = phi_3859_;
+                        let _e644 = phi_1100_;
+                        let _e646 = phi_1103_;
+                        let _e648 = phi_1105_;
+                        let _e650 = phi_1107_;
+                        let _e652 = phi_1109_;
+                        local_10 = _e644;
+                        local_11 = _e644;
+                        if _e648 {
+                            phi_1120_ = true;
                         } else {
-                            phi_1101_ = (_e666 > 0u);
+                            phi_1120_ = (_e650 > 0u);
                         }
-                        let _e671 = phi_1101_;
-                        if _e671 {
-                            let _e672 = (_e662 > 0u);
-                            if _e672 {
-                                if _e664 {
-                                    phi_1187_ = _e664;
-                                    phi_1188_ = _e666;
-                                    phi_1189_ = _e668;
+                        let _e655 = phi_1120_;
+                        if _e655 {
+                            let _e656 = (_e646 > 0u);
+                            if _e656 {
+                                if _e648 {
+                                    phi_1206_ = _e648;
+                                    phi_1207_ = _e650;
+                                    phi_1208_ = _e652;
                                 } else {
-                                    let _e673 = (_e666 - 1u);
-                                    let _e674 = (_e673 % 128u);
-                                    let _e675 = (_e674 < 128u);
-                                    if _e675 {
+                                    let _e657 = (_e650 - 1u);
+                                    let _e658 = (_e657 % 128u);
+                                    let _e659 = (_e658 < 128u);
+                                    if _e659 {
                                     } else {
-                                        phi_3917_ = true;
+                                        phi_4018_ = true;
                                         break;
                                     }
-                                    let _e677 = local_7[_e674];
-                                    if _e675 {
+                                    let _e661 = local_7[_e658];
+                                    if _e659 {
                                     } else {
-                                        phi_3917_ = true;
+                                        phi_4018_ = true;
                                         break;
                                     }
-                                    let _e679 = local_6[_e674];
-                                    if _e675 {
+                                    let _e663 = local_6[_e658];
+                                    if _e659 {
                                     } else {
-                                        phi_3917_ = true;
+                                        phi_4018_ = true;
                                         break;
                                     }
-                                    let _e681 = local_5[_e674];
-                                    if _e675 {
+                                    let _e665 = local_5[_e658];
+                                    if _e659 {
                                     } else {
-                                        phi_3917_ = true;
+                                        phi_4018_ = true;
                                         break;
                                     }
-                                    let _e683 = local_4[_e674];
-                                    if _e675 {
+                                    let _e667 = local_4[_e658];
+                                    if _e659 {
                                     } else {
-                                        phi_3917_ = true;
+                                        phi_4018_ = true;
                                         break;
                                     }
-                                    let _e685 = local_3[_e674];
-                                    if _e675 {
+                                    let _e669 = local_3[_e658];
+                                    if _e659 {
                                     } else {
-                                        phi_3917_ = true;
+                                        phi_4018_ = true;
                                         break;
                                     }
-                                    let _e687 = local_2[_e674];
-                                    if _e675 {
+                                    let _e671 = local_2[_e658];
+                                    if _e659 {
                                     } else {
-                                        phi_3917_ = true;
+                                        phi_4018_ = true;
                                         break;
                                     }
-                                    let _e692 = local_8[_e674];
-                                    if _e675 {
+                                    let _e676 = local_8[_e658];
+                                    if _e659 {
                                     } else {
-                                        phi_3917_ = true;
+                                        phi_4018_ = true;
                                         break;
                                     }
-                                    let _e695 = local_9[_e674];
-                                    phi_1187_ = (_e695 <= _e660.member.member_1);
-                                    phi_1188_ = _e673;
-                                    phi_1189_ = type_51(type_33(vec4<f32>(_e677, _e679, _e681, 0f), vec4<f32>(_e683, _e685, _e687, 0f)), _e692);
+                                    let _e679 = local_9[_e658];
+                                    phi_1206_ = (_e679 <= _e644.member.member_1);
+                                    phi_1207_ = _e657;
+                                    phi_1208_ = type_52(type_33(vec4<f32>(_e661, _e663, _e665, 0f), vec4<f32>(_e667, _e669, _e671, 0f)), _e676);
                                 }
-                                let _e700 = phi_1187_;
-                                let _e702 = phi_1188_;
-                                let _e704 = phi_1189_;
-                                if _e700 {
-                                    let _e708 = ((_e704.member_1 & 2147483648u) != 0u);
-                                    if _e708 {
-                                        phi_1207_ = _e660;
-                                        phi_1210_ = type_4(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e684 = phi_1206_;
+                                let _e686 = phi_1207_;
+                                let _e688 = phi_1208_;
+                                if _e684 {
+                                    let _e692 = ((_e688.member_1 & 2147483648u) != 0u);
+                                    if _e692 {
+                                        phi_1226_ = _e644;
+                                        phi_1229_ = type_4(0u, ((_e688.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e715 = phi_1207_;
-                                            let _e717 = phi_1210_;
-                                            local_12 = _e715;
-                                            if (_e717.member < _e717.member_1) {
-                                                phi_1211_ = type_4((_e717.member + 1u), _e717.member_1);
-                                                phi_1233_ = type_4(1u, _e717.member);
+                                            let _e699 = phi_1226_;
+                                            let _e701 = phi_1229_;
+                                            local_12 = _e699;
+                                            if (_e701.member < _e701.member_1) {
+                                                phi_1230_ = type_4((_e701.member + 1u), _e701.member_1);
+                                                phi_1252_ = type_4(1u, _e701.member);
                                             } else {
-                                                phi_1211_ = _e717;
-                                                phi_1233_ = type_4(0u, type_4().member_1);
+                                                phi_1230_ = _e701;
+                                                phi_1252_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e730 = phi_1211_;
-                                            let _e732 = phi_1233_;
-                                            let _e736 = (bitcast<i32>(_e732.member) != 0i);
-                                            if _e736 {
-                                                let _e742 = type_44(_e715.member, _e715.member_1, (_e715.member_2 + 1u));
-                                                let _e743 = ((_e704.member_1 & 268435455u) + _e732.member_1);
-                                                let _e744 = (_e743 < _e92);
-                                                if _e744 {
-                                                    if _e744 {
+                                            let _e714 = phi_1230_;
+                                            let _e716 = phi_1252_;
+                                            let _e720 = (bitcast<i32>(_e716.member) != 0i);
+                                            if _e720 {
+                                                let _e726 = type_45(_e699.member, _e699.member_1, (_e699.member_2 + 1u));
+                                                let _e727 = ((_e688.member_1 & 268435455u) + _e716.member_1);
+                                                let _e728 = (_e727 < _e91);
+                                                if _e728 {
+                                                    if _e728 {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e748 = global_2.member[_e743].member_1;
-                                                    phi_1257_ = _e748;
+                                                    let _e732 = global_2.member[_e727].member_1;
+                                                    phi_1276_ = _e732;
                                                 } else {
-                                                    phi_1257_ = 4294967295u;
+                                                    phi_1276_ = 4294967295u;
                                                 }
-                                                let _e750 = phi_1257_;
-                                                if (_e743 >= _e92) {
-                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e734 = phi_1276_;
+                                                if (_e727 >= _e91) {
+                                                    phi_1368_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e744 {
+                                                    if _e728 {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    if (_e620 < 9u) {
+                                                    if (_e604 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e757 = global_2.member[_e743].member[_e620];
-                                                    if (_e626 < 9u) {
+                                                    let _e741 = global_2.member[_e727].member[_e604];
+                                                    if (_e610 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e763 = global_2.member[_e743].member[_e626];
-                                                    if (_e632 < 9u) {
+                                                    let _e747 = global_2.member[_e727].member[_e610];
+                                                    if (_e616 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e769 = global_2.member[_e743].member[_e632];
-                                                    let _e771 = (3u + _e620);
-                                                    if (_e771 < 9u) {
+                                                    let _e753 = global_2.member[_e727].member[_e616];
+                                                    let _e755 = (3u + _e604);
+                                                    if (_e755 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e777 = global_2.member[_e743].member[_e771];
-                                                    let _e778 = (3u + _e626);
-                                                    if (_e778 < 9u) {
+                                                    let _e761 = global_2.member[_e727].member[_e755];
+                                                    let _e762 = (3u + _e610);
+                                                    if (_e762 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e784 = global_2.member[_e743].member[_e778];
-                                                    let _e785 = (3u + _e632);
-                                                    if (_e785 < 9u) {
+                                                    let _e768 = global_2.member[_e727].member[_e762];
+                                                    let _e769 = (3u + _e616);
+                                                    if (_e769 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e791 = global_2.member[_e743].member[_e785];
-                                                    let _e793 = (6u + _e620);
-                                                    if (_e793 < 9u) {
+                                                    let _e775 = global_2.member[_e727].member[_e769];
+                                                    let _e777 = (6u + _e604);
+                                                    if (_e777 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e799 = global_2.member[_e743].member[_e793];
-                                                    let _e800 = (6u + _e626);
-                                                    if (_e800 < 9u) {
+                                                    let _e783 = global_2.member[_e727].member[_e777];
+                                                    let _e784 = (6u + _e610);
+                                                    if (_e784 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e806 = global_2.member[_e743].member[_e800];
-                                                    let _e807 = (6u + _e632);
-                                                    if (_e807 < 9u) {
+                                                    let _e790 = global_2.member[_e727].member[_e784];
+                                                    let _e791 = (6u + _e616);
+                                                    if (_e791 < 9u) {
                                                     } else {
-                                                        phi_3757_ = true;
+                                                        phi_3853_ = true;
                                                         break;
                                                     }
-                                                    let _e813 = global_2.member[_e743].member[_e807];
-                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(_e757, _e763, _e769), array<f32, 3>(_e777, _e784, _e791), array<f32, 3>(_e799, _e806, _e813));
+                                                    let _e797 = global_2.member[_e727].member[_e791];
+                                                    phi_1368_ = array<array<f32, 3>, 3>(array<f32, 3>(_e741, _e747, _e753), array<f32, 3>(_e761, _e768, _e775), array<f32, 3>(_e783, _e790, _e797));
                                                 }
-                                                let _e817 = phi_1349_;
-                                                let _e826 = (_e817[0][2] - _e461);
-                                                let _e829 = (((_e817[0][0] - _e324) * _e500) - (_e826 * _e364));
-                                                let _e832 = (((_e817[0][1] - _e393) * _e500) - (_e826 * _e432));
-                                                let _e839 = (_e817[1][2] - _e461);
-                                                let _e842 = (((_e817[1][0] - _e324) * _e500) - (_e839 * _e364));
-                                                let _e845 = (((_e817[1][1] - _e393) * _e500) - (_e839 * _e432));
-                                                let _e852 = (_e817[2][2] - _e461);
-                                                let _e855 = (((_e817[2][0] - _e324) * _e500) - (_e852 * _e364));
-                                                let _e858 = (((_e817[2][1] - _e393) * _e500) - (_e852 * _e432));
-                                                let _e859 = (_e855 * _e845);
-                                                let _e860 = (_e858 * _e842);
-                                                let _e861 = (_e829 * _e858);
-                                                let _e862 = (_e832 * _e855);
-                                                let _e863 = (_e842 * _e832);
-                                                let _e864 = (_e845 * _e829);
-                                                let _e869 = (((_e859 >= _e860) && (_e861 >= _e862)) && (_e863 >= _e864));
-                                                if (_e869 || (((_e859 <= _e860) && (_e861 <= _e862)) && (_e863 <= _e864))) {
-                                                    let _e876 = select(-1f, 1f, _e869);
-                                                    let _e878 = ((_e859 - _e860) * _e876);
-                                                    let _e880 = select(0f, _e878, (_e878 > 0f));
-                                                    let _e882 = ((_e861 - _e862) * _e876);
-                                                    let _e884 = select(0f, _e882, (_e882 > 0f));
-                                                    let _e886 = ((_e863 - _e864) * _e876);
-                                                    let _e888 = select(0f, _e886, (_e886 > 0f));
-                                                    let _e890 = ((_e880 + _e884) + _e888);
-                                                    if (_e890 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2233_ = type_29();
-                                                        phi_2234_ = true;
-                                                        phi_2235_ = false;
-                                                    } else {
-                                                        let _e893 = select(_e842, _e829, (_e829 < _e842));
-                                                        if (select(_e855, _e893, (_e893 < _e855)) > 0f) {
-                                                            phi_1501_ = true;
+                                                let _e801 = phi_1368_;
+                                                let _e818 = (_e801[0][2] - _e456);
+                                                let _e821 = (((_e801[0][0] - _e323) * _e492) - (_e818 * _e360));
+                                                let _e824 = (((_e801[0][1] - _e390) * _e492) - (_e818 * _e426));
+                                                let _e827 = (_e801[1][2] - _e456);
+                                                let _e830 = (((_e801[1][0] - _e323) * _e492) - (_e827 * _e360));
+                                                let _e833 = (((_e801[1][1] - _e390) * _e492) - (_e827 * _e426));
+                                                let _e836 = (_e801[2][2] - _e456);
+                                                let _e839 = (((_e801[2][0] - _e323) * _e492) - (_e836 * _e360));
+                                                let _e842 = (((_e801[2][1] - _e390) * _e492) - (_e836 * _e426));
+                                                let _e843 = (_e839 * _e833);
+                                                let _e844 = (_e842 * _e830);
+                                                let _e845 = (_e821 * _e842);
+                                                let _e846 = (_e824 * _e839);
+                                                let _e847 = (_e830 * _e824);
+                                                let _e848 = (_e833 * _e821);
+                                                let _e853 = (((_e843 >= _e844) && (_e845 >= _e846)) && (_e847 >= _e848));
+                                                let _e859 = (_e853 || (((_e843 <= _e844) && (_e845 <= _e846)) && (_e847 <= _e848)));
+                                                if _e859 {
+                                                    let _e861 = select(-1f, 1f, _e853);
+                                                    let _e863 = ((_e843 - _e844) * _e861);
+                                                    let _e865 = select(0f, _e863, (_e863 > 0f));
+                                                    let _e867 = ((_e845 - _e846) * _e861);
+                                                    let _e869 = select(0f, _e867, (_e867 > 0f));
+                                                    let _e871 = ((_e847 - _e848) * _e861);
+                                                    let _e873 = select(0f, _e871, (_e871 > 0f));
+                                                    let _e875 = ((_e865 + _e869) + _e873);
+                                                    let _e877 = select(_e801[1][0], _e801[0][0], (_e801[0][0] < _e801[1][0]));
+                                                    let _e881 = select(_e801[1][0], _e801[0][0], (_e801[0][0] > _e801[1][0]));
+                                                    let _e885 = select(_e801[1][1], _e801[0][1], (_e801[0][1] < _e801[1][1]));
+                                                    let _e889 = select(_e801[1][1], _e801[0][1], (_e801[0][1] > _e801[1][1]));
+                                                    let _e893 = select(_e801[1][2], _e801[0][2], (_e801[0][2] < _e801[1][2]));
+                                                    let _e897 = select(_e801[1][2], _e801[0][2], (_e801[0][2] > _e801[1][2]));
+                                                    let _e902 = ((select(_e801[2][0], _e877, (_e877 < _e801[2][0])) - _e361) * _e364);
+                                                    let _e903 = ((select(_e801[2][0], _e881, (_e881 > _e801[2][0])) - _e362) * _e364);
+                                                    let _e906 = ((select(_e801[2][1], _e885, (_e885 < _e801[2][1])) - _e427) * _e430);
+                                                    let _e907 = ((select(_e801[2][1], _e889, (_e889 > _e801[2][1])) - _e428) * _e430);
+                                                    let _e910 = ((select(_e801[2][2], _e893, (_e893 < _e801[2][2])) - _e493) * _e496);
+                                                    let _e911 = ((select(_e801[2][2], _e897, (_e897 > _e801[2][2])) - _e494) * _e496);
+                                                    let _e913 = select(_e911, _e910, (_e910 < _e911));
+                                                    let _e915 = select(_e911, _e910, (_e910 > _e911));
+                                                    let _e917 = select(_e903, _e902, (_e902 < _e903));
+                                                    let _e919 = select(_e907, _e906, (_e906 < _e907));
+                                                    let _e921 = select(_e919, _e917, (_e917 > _e919));
+                                                    let _e923 = select(_e913, _e921, (_e921 > _e913));
+                                                    let _e925 = select(_e903, _e902, (_e902 > _e903));
+                                                    let _e927 = select(_e907, _e906, (_e906 > _e907));
+                                                    let _e929 = select(_e927, _e925, (_e925 < _e927));
+                                                    let _e931 = select(_e915, _e929, (_e929 < _e915));
+                                                    let _e932 = -(_e913);
+                                                    let _e938 = select(_e599, _e923, (_e923 > _e599));
+                                                    let _e942 = select(_e830, _e821, (_e821 < _e830));
+                                                    let _e947 = select(_e830, _e821, (_e821 > _e830));
+                                                    let _e954 = select(_e833, _e824, (_e824 < _e833));
+                                                    let _e959 = select(_e833, _e824, (_e824 > _e833));
+                                                    let _e968 = (((((_e859 && (_e875 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e839, _e942, (_e942 < _e839)) <= 0f) && (select(_e839, _e947, (_e947 > _e839)) >= 0f))) && ((select(_e842, _e954, (_e954 < _e842)) <= 0f) && (select(_e842, _e959, (_e959 > _e842)) >= 0f))) && (_e938 <= (_e931 + (select(_e932, _e915, (_e915 > _e932)) * 0.0000019073523f)))) && (_e938 <= _e699.member.member_1));
+                                                    if _e968 {
+                                                        let _e973 = (_e801[1][0] - _e801[0][0]);
+                                                        let _e974 = (_e801[1][1] - _e801[0][1]);
+                                                        let _e975 = (_e801[1][2] - _e801[0][2]);
+                                                        let _e976 = vec3<f32>(_e973, _e974, _e975);
+                                                        let _e977 = (_e801[2][0] - _e801[1][0]);
+                                                        let _e978 = (_e801[2][1] - _e801[1][1]);
+                                                        let _e979 = (_e801[2][2] - _e801[1][2]);
+                                                        let _e980 = vec3<f32>(_e977, _e978, _e979);
+                                                        let _e981 = (_e801[0][0] - _e801[2][0]);
+                                                        let _e982 = (_e801[0][1] - _e801[2][1]);
+                                                        let _e983 = (_e801[0][2] - _e801[2][2]);
+                                                        let _e984 = vec3<f32>(_e981, _e982, _e983);
+                                                        let _e985 = abs(_e973);
+                                                        let _e986 = abs(_e974);
+                                                        if (_e985 != _e985) {
+                                                            phi_3494_ = true;
                                                         } else {
-                                                            let _e898 = select(_e842, _e829, (_e829 > _e842));
-                                                            phi_1501_ = (select(_e855, _e898, (_e898 > _e855)) < 0f);
+                                                            phi_3494_ = (_e986 >= _e985);
                                                         }
-                                                        let _e903 = phi_1501_;
-                                                        if _e903 {
-                                                            phi_2230_ = type_29();
-                                                            phi_2231_ = true;
-                                                            phi_2232_ = false;
+                                                        let _e990 = phi_3494_;
+                                                        let _e991 = select(_e985, _e986, _e990);
+                                                        let _e992 = abs(_e975);
+                                                        if (_e991 != _e991) {
+                                                            phi_3509_ = true;
                                                         } else {
-                                                            let _e905 = select(_e845, _e832, (_e832 < _e845));
-                                                            if (select(_e858, _e905, (_e905 < _e858)) > 0f) {
-                                                                phi_1530_ = true;
+                                                            phi_3509_ = (_e992 >= _e991);
+                                                        }
+                                                        let _e996 = phi_3509_;
+                                                        let _e997 = select(_e991, _e992, _e996);
+                                                        let _e998 = abs(_e977);
+                                                        let _e999 = abs(_e978);
+                                                        if (_e998 != _e998) {
+                                                            phi_3524_ = true;
+                                                        } else {
+                                                            phi_3524_ = (_e999 >= _e998);
+                                                        }
+                                                        let _e1003 = phi_3524_;
+                                                        let _e1004 = select(_e998, _e999, _e1003);
+                                                        let _e1005 = abs(_e979);
+                                                        if (_e1004 != _e1004) {
+                                                            phi_3539_ = true;
+                                                        } else {
+                                                            phi_3539_ = (_e1005 >= _e1004);
+                                                        }
+                                                        let _e1009 = phi_3539_;
+                                                        let _e1010 = select(_e1004, _e1005, _e1009);
+                                                        let _e1011 = abs(_e981);
+                                                        let _e1012 = abs(_e982);
+                                                        if (_e1011 != _e1011) {
+                                                            phi_3554_ = true;
+                                                        } else {
+                                                            phi_3554_ = (_e1012 >= _e1011);
+                                                        }
+                                                        let _e1016 = phi_3554_;
+                                                        let _e1017 = select(_e1011, _e1012, _e1016);
+                                                        let _e1018 = abs(_e983);
+                                                        if (_e1017 != _e1017) {
+                                                            phi_3569_ = true;
+                                                        } else {
+                                                            phi_3569_ = (_e1018 >= _e1017);
+                                                        }
+                                                        let _e1022 = phi_3569_;
+                                                        let _e1023 = select(_e1017, _e1018, _e1022);
+                                                        let _e1025 = select(_e1010, _e997, (_e997 > _e1010));
+                                                        let _e1027 = select(_e1023, _e1025, (_e1025 > _e1023));
+                                                        if (_e997 == _e1027) {
+                                                            phi_1910_ = _e833;
+                                                            phi_1911_ = _e830;
+                                                            phi_1912_ = _e824;
+                                                            phi_1913_ = _e821;
+                                                            phi_1914_ = vec3<f32>(_e801[0][0], _e801[0][1], _e801[0][2]);
+                                                            phi_1915_ = _e984;
+                                                            phi_1916_ = _e980;
+                                                            phi_1917_ = _e976;
+                                                        } else {
+                                                            let _e1029 = (_e1010 == _e1027);
+                                                            let _e1034 = vec3(_e1029);
+                                                            phi_1910_ = select(_e824, _e842, _e1029);
+                                                            phi_1911_ = select(_e821, _e839, _e1029);
+                                                            phi_1912_ = select(_e842, _e833, _e1029);
+                                                            phi_1913_ = select(_e839, _e830, _e1029);
+                                                            phi_1914_ = select(vec3<f32>(_e801[2][0], _e801[2][1], _e801[2][2]), vec3<f32>(_e801[1][0], _e801[1][1], _e801[1][2]), _e1034);
+                                                            phi_1915_ = select(_e980, _e976, _e1034);
+                                                            phi_1916_ = select(_e976, _e984, _e1034);
+                                                            phi_1917_ = select(_e984, _e980, _e1034);
+                                                        }
+                                                        let _e1040 = phi_1910_;
+                                                        let _e1042 = phi_1911_;
+                                                        let _e1044 = phi_1912_;
+                                                        let _e1046 = phi_1913_;
+                                                        let _e1048 = phi_1914_;
+                                                        let _e1050 = phi_1915_;
+                                                        let _e1052 = phi_1916_;
+                                                        let _e1054 = phi_1917_;
+                                                        let _e1061 = ((_e1052.y * _e1050.z) - (_e1050.y * _e1052.z));
+                                                        let _e1066 = ((_e1052.z * _e1050.x) - (_e1050.z * _e1052.x));
+                                                        let _e1069 = ((_e1052.x * _e1050.y) - (_e1050.x * _e1052.y));
+                                                        let _e1072 = ((_e865 >= _e869) && (_e865 >= _e873));
+                                                        let _e1073 = (_e869 >= _e873);
+                                                        let _e1087 = (((_e1061 * (select(select(_e801[2][0], _e801[1][0], _e1073), _e801[0][0], _e1072) - _e323)) + (_e1066 * (select(select(_e801[2][1], _e801[1][1], _e1073), _e801[0][1], _e1072) - _e390))) + (_e1069 * (select(select(_e801[2][2], _e801[1][2], _e1073), _e801[0][2], _e1072) - _e456)));
+                                                        let _e1092 = (((_e1061 * _e360) + (_e1066 * _e426)) + (_e1069 * _e492));
+                                                        let _e1093 = (_e1042 - _e1046);
+                                                        let _e1094 = (_e1040 - _e1044);
+                                                        let _e1097 = ((_e1093 * _e1093) + (_e1094 * _e1094));
+                                                        let _e1104 = (-(((_e1046 * _e1093) + (_e1044 * _e1094))) / select(0.000000000000000000000000000000000000011754944f, _e1097, (_e1097 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1106 = select(1f, _e1104, (_e1104 < 1f));
+                                                        let _e1108 = select(0f, _e1106, (_e1106 > 0f));
+                                                        let _e1117 = ((_e1048.x + (_e1054.x * _e1108)) - _e323);
+                                                        let _e1120 = ((_e1048.y + (_e1054.y * _e1108)) - _e390);
+                                                        let _e1123 = ((_e1048.z + (_e1054.z * _e1108)) - _e456);
+                                                        let _e1126 = bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u));
+                                                        let _e1129 = bitcast<f32>((bitcast<u32>(_e1120) & 2147483647u));
+                                                        let _e1131 = select(_e1129, _e1126, (_e1126 > _e1129));
+                                                        let _e1134 = bitcast<f32>((bitcast<u32>(_e1123) & 2147483647u));
+                                                        let _e1136 = select(_e1134, _e1131, (_e1131 > _e1134));
+                                                        let _e1140 = abs(_e1061);
+                                                        let _e1141 = abs(_e1066);
+                                                        if (_e1140 != _e1140) {
+                                                            phi_3584_ = true;
+                                                        } else {
+                                                            phi_3584_ = (_e1141 >= _e1140);
+                                                        }
+                                                        let _e1145 = phi_3584_;
+                                                        let _e1146 = select(_e1140, _e1141, _e1145);
+                                                        let _e1147 = abs(_e1069);
+                                                        if (_e1146 != _e1146) {
+                                                            phi_3599_ = true;
+                                                        } else {
+                                                            phi_3599_ = (_e1147 >= _e1146);
+                                                        }
+                                                        let _e1151 = phi_3599_;
+                                                        let _e1167 = abs(_e1052.x);
+                                                        let _e1168 = abs(_e1052.y);
+                                                        if (_e1167 != _e1167) {
+                                                            phi_3614_ = true;
+                                                        } else {
+                                                            phi_3614_ = (_e1168 >= _e1167);
+                                                        }
+                                                        let _e1172 = phi_3614_;
+                                                        let _e1173 = select(_e1167, _e1168, _e1172);
+                                                        let _e1174 = abs(_e1052.z);
+                                                        if (_e1173 != _e1173) {
+                                                            phi_3629_ = true;
+                                                        } else {
+                                                            phi_3629_ = (_e1174 >= _e1173);
+                                                        }
+                                                        let _e1178 = phi_3629_;
+                                                        let _e1181 = abs(_e1050.x);
+                                                        let _e1182 = abs(_e1050.y);
+                                                        if (_e1181 != _e1181) {
+                                                            phi_3644_ = true;
+                                                        } else {
+                                                            phi_3644_ = (_e1182 >= _e1181);
+                                                        }
+                                                        let _e1186 = phi_3644_;
+                                                        let _e1187 = select(_e1181, _e1182, _e1186);
+                                                        let _e1188 = abs(_e1050.z);
+                                                        if (_e1187 != _e1187) {
+                                                            phi_3659_ = true;
+                                                        } else {
+                                                            phi_3659_ = (_e1188 >= _e1187);
+                                                        }
+                                                        let _e1192 = phi_3659_;
+                                                        let _e1197 = ((bitcast<f32>((bitcast<u32>(((((_e1061 * _e1117) + (_e1066 * _e1120)) + (_e1069 * _e1123)) - _e1087)) & 2147483647u)) <= ((0.0000009536743f * select(_e1027, _e1136, (_e1136 > _e1027))) * select(_e1146, _e1147, _e1151))) && !((bitcast<f32>((bitcast<u32>(_e1092) & 2147483647u)) <= ((0.0000038146973f * select(_e1173, _e1174, _e1178)) * select(_e1187, _e1188, _e1192)))));
+                                                        let _e1198 = (_e1087 / _e1092);
+                                                        if (_e968 && !(_e1197)) {
+                                                            let _e1201 = (_e1123 / _e492);
+                                                            let _e1209 = (((_e1061 * (_e1117 - (_e360 * _e1201))) + (_e1066 * (_e1120 - (_e426 * _e1201)))) / _e1092);
+                                                            phi_2125_ = select(select(_e1201, (_e1201 + _e1209), (bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u)) <= _e1027)), _e1198, _e1197);
+                                                        } else {
+                                                            phi_2125_ = _e1198;
+                                                        }
+                                                        let _e1218 = phi_2125_;
+                                                        let _e1220 = select(_e931, _e1218, (_e1218 < _e931));
+                                                        let _e1222 = select(_e923, _e1220, (_e1220 > _e923));
+                                                        let _e1223 = (1f / _e875);
+                                                        phi_2145_ = type_41(_e1222, (_e869 * _e1223), (_e873 * _e1223), ((_e968 && (_e1222 >= _e599)) && (_e1222 <= _e699.member.member_1)));
+                                                        phi_2146_ = type_41();
+                                                    } else {
+                                                        phi_2145_ = type_41();
+                                                        phi_2146_ = type_41(0f, 0f, 0f, _e968);
+                                                    }
+                                                    let _e1232 = phi_2145_;
+                                                    let _e1234 = phi_2146_;
+                                                    phi_2149_ = _e1232;
+                                                    phi_2150_ = _e1234;
+                                                    phi_2151_ = select(true, false, _e968);
+                                                } else {
+                                                    phi_2149_ = type_41();
+                                                    phi_2150_ = type_41(0f, 0f, 0f, _e859);
+                                                    phi_2151_ = true;
+                                                }
+                                                let _e1237 = phi_2149_;
+                                                let _e1239 = phi_2150_;
+                                                let _e1241 = phi_2151_;
+                                                if _e1241 {
+                                                    phi_2155_ = _e1239;
+                                                } else {
+                                                    phi_2155_ = _e1237;
+                                                }
+                                                let _e1243 = phi_2155_;
+                                                if _e1243.member_3 {
+                                                    phi_2164_ = type_29(_e1243.member, _e1243.member_1, _e1243.member_2, _e734);
+                                                } else {
+                                                    phi_2164_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1250 = phi_2164_;
+                                                if (_e1250.member_3 != 4294967295u) {
+                                                    if (_e734 != 4294967295u) {
+                                                        if (_e1250.member < _e699.member.member.member) {
+                                                            phi_2190_ = true;
+                                                        } else {
+                                                            if (_e1250.member == _e699.member.member.member) {
+                                                                phi_2189_ = (_e1250.member_3 < _e699.member.member.member_3);
                                                             } else {
-                                                                let _e910 = select(_e845, _e832, (_e832 > _e845));
-                                                                phi_1530_ = (select(_e858, _e910, (_e910 > _e858)) < 0f);
+                                                                phi_2189_ = false;
                                                             }
-                                                            let _e915 = phi_1530_;
-                                                            if _e915 {
-                                                                phi_2228_ = type_29();
-                                                                phi_2229_ = false;
-                                                            } else {
-                                                                let _e917 = select(_e817[1][0], _e817[0][0], (_e817[0][0] < _e817[1][0]));
-                                                                let _e921 = select(_e817[1][0], _e817[0][0], (_e817[0][0] > _e817[1][0]));
-                                                                let _e925 = select(_e817[1][1], _e817[0][1], (_e817[0][1] < _e817[1][1]));
-                                                                let _e929 = select(_e817[1][1], _e817[0][1], (_e817[0][1] > _e817[1][1]));
-                                                                let _e933 = select(_e817[1][2], _e817[0][2], (_e817[0][2] < _e817[1][2]));
-                                                                let _e937 = select(_e817[1][2], _e817[0][2], (_e817[0][2] > _e817[1][2]));
-                                                                let _e942 = ((select(_e817[2][0], _e917, (_e917 < _e817[2][0])) - _e362) * _e367);
-                                                                let _e943 = ((select(_e817[2][0], _e921, (_e921 > _e817[2][0])) - _e363) * _e367);
-                                                                let _e946 = ((select(_e817[2][1], _e925, (_e925 < _e817[2][1])) - _e430) * _e435);
-                                                                let _e947 = ((select(_e817[2][1], _e929, (_e929 > _e817[2][1])) - _e431) * _e435);
-                                                                let _e950 = ((select(_e817[2][2], _e933, (_e933 < _e817[2][2])) - _e498) * _e503);
-                                                                let _e951 = ((select(_e817[2][2], _e937, (_e937 > _e817[2][2])) - _e499) * _e503);
-                                                                let _e953 = select(_e951, _e950, (_e950 < _e951));
-                                                                let _e955 = select(_e951, _e950, (_e950 > _e951));
-                                                                let _e957 = select(_e943, _e942, (_e942 < _e943));
-                                                                let _e959 = select(_e947, _e946, (_e946 < _e947));
-                                                                let _e961 = select(_e959, _e957, (_e957 > _e959));
-                                                                let _e963 = select(_e953, _e961, (_e961 > _e953));
-                                                                let _e965 = select(_e943, _e942, (_e942 > _e943));
-                                                                let _e967 = select(_e947, _e946, (_e946 > _e947));
-                                                                let _e969 = select(_e967, _e965, (_e965 < _e967));
-                                                                let _e971 = select(_e955, _e969, (_e969 < _e955));
-                                                                let _e972 = -(_e953);
-                                                                let _e978 = select(_e615, _e963, (_e963 > _e615));
-                                                                if (_e978 > (_e971 + (select(_e972, _e955, (_e955 > _e972)) * 0.0000019073523f))) {
-                                                                    phi_2223_ = type_29();
-                                                                    phi_2224_ = true;
-                                                                } else {
-                                                                    let _e980 = (_e978 > _e715.member.member_1);
-                                                                    if _e980 {
-                                                                        phi_2222_ = type_29();
-                                                                    } else {
-                                                                        let _e981 = vec3<f32>(_e817[0][0], _e817[0][1], _e817[0][2]);
-                                                                        let _e982 = vec3<f32>(_e817[1][0], _e817[1][1], _e817[1][2]);
-                                                                        let _e983 = vec3<f32>(_e817[2][0], _e817[2][1], _e817[2][2]);
-                                                                        let _e984 = (_e817[1][0] - _e817[0][0]);
-                                                                        let _e985 = (_e817[1][1] - _e817[0][1]);
-                                                                        let _e986 = (_e817[1][2] - _e817[0][2]);
-                                                                        let _e987 = vec3<f32>(_e984, _e985, _e986);
-                                                                        let _e988 = (_e817[2][0] - _e817[1][0]);
-                                                                        let _e989 = (_e817[2][1] - _e817[1][1]);
-                                                                        let _e990 = (_e817[2][2] - _e817[1][2]);
-                                                                        let _e991 = vec3<f32>(_e988, _e989, _e990);
-                                                                        let _e992 = (_e817[0][0] - _e817[2][0]);
-                                                                        let _e993 = (_e817[0][1] - _e817[2][1]);
-                                                                        let _e994 = (_e817[0][2] - _e817[2][2]);
-                                                                        let _e995 = vec3<f32>(_e992, _e993, _e994);
-                                                                        let _e998 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
-                                                                        let _e1001 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
-                                                                        let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
-                                                                        let _e1006 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
-                                                                        let _e1008 = select(_e1006, _e1003, (_e1003 > _e1006));
-                                                                        let _e1011 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
-                                                                        let _e1014 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
-                                                                        let _e1016 = select(_e1014, _e1011, (_e1011 > _e1014));
-                                                                        let _e1019 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
-                                                                        let _e1021 = select(_e1019, _e1016, (_e1016 > _e1019));
-                                                                        let _e1024 = bitcast<f32>((bitcast<u32>(_e992) & 2147483647u));
-                                                                        let _e1027 = bitcast<f32>((bitcast<u32>(_e993) & 2147483647u));
-                                                                        let _e1029 = select(_e1027, _e1024, (_e1024 > _e1027));
-                                                                        let _e1032 = bitcast<f32>((bitcast<u32>(_e994) & 2147483647u));
-                                                                        let _e1034 = select(_e1032, _e1029, (_e1029 > _e1032));
-                                                                        let _e1036 = select(_e1021, _e1008, (_e1008 > _e1021));
-                                                                        let _e1038 = select(_e1034, _e1036, (_e1036 > _e1034));
-                                                                        if (_e1008 == _e1038) {
-                                                                            phi_1949_ = _e845;
-                                                                            phi_1950_ = _e842;
-                                                                            phi_1951_ = _e832;
-                                                                            phi_1952_ = _e829;
-                                                                            phi_1953_ = _e981;
-                                                                            phi_1954_ = _e995;
-                                                                            phi_1955_ = _e991;
-                                                                            phi_1956_ = _e987;
-                                                                        } else {
-                                                                            let _e1040 = (_e1021 == _e1038);
-                                                                            let _e1045 = vec3(_e1040);
-                                                                            phi_1949_ = select(_e832, _e858, _e1040);
-                                                                            phi_1950_ = select(_e829, _e855, _e1040);
-                                                                            phi_1951_ = select(_e858, _e845, _e1040);
-                                                                            phi_1952_ = select(_e855, _e842, _e1040);
-                                                                            phi_1953_ = select(_e983, _e982, _e1045);
-                                                                            phi_1954_ = select(_e991, _e987, _e1045);
-                                                                            phi_1955_ = select(_e987, _e995, _e1045);
-                                                                            phi_1956_ = select(_e995, _e991, _e1045);
-                                                                        }
-                                                                        let _e1051 = phi_1949_;
-                                                                        let _e1053 = phi_1950_;
-                                                                        let _e1055 = phi_1951_;
-                                                                        let _e1057 = phi_1952_;
-                                                                        let _e1059 = phi_1953_;
-                                                                        let _e1061 = phi_1954_;
-                                                                        let _e1063 = phi_1955_;
-                                                                        let _e1065 = phi_1956_;
-                                                                        let _e1072 = ((_e1063.y * _e1061.z) - (_e1061.y * _e1063.z));
-                                                                        let _e1077 = ((_e1063.z * _e1061.x) - (_e1061.z * _e1063.x));
-                                                                        let _e1080 = ((_e1063.x * _e1061.y) - (_e1061.x * _e1063.y));
-                                                                        if (_e880 >= _e884) {
-                                                                            phi_1993_ = select(true, false, (_e880 >= _e888));
-                                                                        } else {
-                                                                            phi_1993_ = true;
-                                                                        }
-                                                                        let _e1085 = phi_1993_;
-                                                                        if _e1085 {
-                                                                            phi_2002_ = select(_e983, _e982, vec3((_e884 >= _e888)));
-                                                                        } else {
-                                                                            phi_2002_ = _e981;
-                                                                        }
-                                                                        let _e1090 = phi_2002_;
-                                                                        let _e1101 = (((_e1072 * (_e1090.x - _e324)) + (_e1077 * (_e1090.y - _e393))) + (_e1080 * (_e1090.z - _e461)));
-                                                                        let _e1106 = (((_e1072 * _e364) + (_e1077 * _e432)) + (_e1080 * _e500));
-                                                                        let _e1107 = (_e1053 - _e1057);
-                                                                        let _e1108 = (_e1051 - _e1055);
-                                                                        let _e1116 = (-(((_e1057 * _e1107) + (_e1055 * _e1108))) / ((_e1107 * _e1107) + (_e1108 * _e1108)));
-                                                                        let _e1118 = select(1f, _e1116, (_e1116 < 1f));
-                                                                        let _e1120 = select(0f, _e1118, (_e1118 > 0f));
-                                                                        let _e1133 = ((_e1059.x + (_e1065.x * _e1120)) - _e324);
-                                                                        let _e1134 = ((_e1059.y + (_e1065.y * _e1120)) - _e393);
-                                                                        let _e1135 = ((_e1059.z + (_e1065.z * _e1120)) - _e461);
-                                                                        let _e1136 = (_e1135 / _e500);
-                                                                        let _e1148 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
-                                                                        let _e1151 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
-                                                                        let _e1153 = select(_e1151, _e1148, (_e1148 > _e1151));
-                                                                        let _e1156 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                        let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
-                                                                        let _e1164 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
-                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1077) & 2147483647u));
-                                                                        let _e1169 = select(_e1167, _e1164, (_e1164 > _e1167));
-                                                                        let _e1172 = bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1072 * _e1133) + (_e1077 * _e1134)) + (_e1080 * _e1135)) - _e1101)) & 2147483647u)) <= ((0.0000009536743f * select(_e1038, _e1158, (_e1158 > _e1038))) * select(_e1172, _e1169, (_e1169 > _e1172)))) {
-                                                                            let _e1182 = bitcast<f32>((bitcast<u32>(_e1063.x) & 2147483647u));
-                                                                            let _e1185 = bitcast<f32>((bitcast<u32>(_e1063.y) & 2147483647u));
-                                                                            let _e1187 = select(_e1185, _e1182, (_e1182 > _e1185));
-                                                                            let _e1190 = bitcast<f32>((bitcast<u32>(_e1063.z) & 2147483647u));
-                                                                            let _e1196 = bitcast<f32>((bitcast<u32>(_e1061.x) & 2147483647u));
-                                                                            let _e1199 = bitcast<f32>((bitcast<u32>(_e1061.y) & 2147483647u));
-                                                                            let _e1201 = select(_e1199, _e1196, (_e1196 > _e1199));
-                                                                            let _e1204 = bitcast<f32>((bitcast<u32>(_e1061.z) & 2147483647u));
-                                                                            let _e1208 = (bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u)) > ((0.0000038146973f * select(_e1190, _e1187, (_e1187 > _e1190))) * select(_e1204, _e1201, (_e1201 > _e1204))));
-                                                                            if _e1208 {
-                                                                                phi_2167_ = (_e1101 / _e1106);
-                                                                            } else {
-                                                                                phi_2167_ = f32();
-                                                                            }
-                                                                            let _e1211 = phi_2167_;
-                                                                            phi_2169_ = _e1211;
-                                                                            phi_2170_ = select(true, false, _e1208);
-                                                                        } else {
-                                                                            phi_2169_ = f32();
-                                                                            phi_2170_ = true;
-                                                                        }
-                                                                        let _e1214 = phi_2169_;
-                                                                        let _e1216 = phi_2170_;
-                                                                        if _e1216 {
-                                                                            let _e1224 = (((_e1072 * (_e1133 - (_e364 * _e1136))) + (_e1077 * (_e1134 - (_e432 * _e1136)))) / _e1106);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u)) <= _e1038) {
-                                                                                phi_2190_ = (_e1136 + _e1224);
-                                                                            } else {
-                                                                                phi_2190_ = _e1136;
-                                                                            }
-                                                                            let _e1231 = phi_2190_;
-                                                                            phi_2191_ = _e1231;
-                                                                        } else {
-                                                                            phi_2191_ = _e1214;
-                                                                        }
-                                                                        let _e1233 = phi_2191_;
-                                                                        let _e1235 = select(_e971, _e1233, (_e1233 < _e971));
-                                                                        let _e1237 = select(_e963, _e1235, (_e1235 > _e963));
-                                                                        if (_e1237 >= _e615) {
-                                                                            let _e1239 = (_e1237 <= _e715.member.member_1);
-                                                                            if _e1239 {
-                                                                                let _e1240 = (1f / _e890);
-                                                                                phi_2214_ = type_29(_e1237, (_e884 * _e1240), (_e888 * _e1240), _e750);
-                                                                            } else {
-                                                                                phi_2214_ = type_29();
-                                                                            }
-                                                                            let _e1245 = phi_2214_;
-                                                                            phi_2216_ = _e1245;
-                                                                            phi_2217_ = select(true, false, _e1239);
-                                                                        } else {
-                                                                            phi_2216_ = type_29();
-                                                                            phi_2217_ = true;
-                                                                        }
-                                                                        let _e1248 = phi_2216_;
-                                                                        let _e1250 = phi_2217_;
-                                                                        if _e1250 {
-                                                                            phi_2221_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2221_ = _e1248;
-                                                                        }
-                                                                        let _e1252 = phi_2221_;
-                                                                        phi_2222_ = _e1252;
-                                                                    }
-                                                                    let _e1254 = phi_2222_;
-                                                                    phi_2223_ = _e1254;
-                                                                    phi_2224_ = _e980;
-                                                                }
-                                                                let _e1256 = phi_2223_;
-                                                                let _e1258 = phi_2224_;
-                                                                phi_2228_ = _e1256;
-                                                                phi_2229_ = _e1258;
-                                                            }
-                                                            let _e1260 = phi_2228_;
-                                                            let _e1262 = phi_2229_;
-                                                            phi_2230_ = _e1260;
-                                                            phi_2231_ = _e915;
-                                                            phi_2232_ = _e1262;
+                                                            let _e1265 = phi_2189_;
+                                                            phi_2190_ = _e1265;
                                                         }
-                                                        let _e1264 = phi_2230_;
-                                                        let _e1266 = phi_2231_;
-                                                        let _e1268 = phi_2232_;
-                                                        phi_2233_ = _e1264;
-                                                        phi_2234_ = _e1266;
-                                                        phi_2235_ = _e1268;
-                                                    }
-                                                    let _e1270 = phi_2233_;
-                                                    let _e1272 = phi_2234_;
-                                                    let _e1274 = phi_2235_;
-                                                    phi_2243_ = _e1270;
-                                                    phi_2244_ = select(_e1274, true, _e1272);
-                                                } else {
-                                                    phi_2243_ = type_29();
-                                                    phi_2244_ = true;
-                                                }
-                                                let _e1277 = phi_2243_;
-                                                let _e1279 = phi_2244_;
-                                                if _e1279 {
-                                                    phi_2248_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_2248_ = _e1277;
-                                                }
-                                                let _e1281 = phi_2248_;
-                                                if (_e1281.member_3 != 4294967295u) {
-                                                    if (_e750 != 4294967295u) {
-                                                        if (_e1281.member < _e715.member.member.member) {
-                                                            phi_2274_ = true;
+                                                        let _e1267 = phi_2190_;
+                                                        if _e1267 {
+                                                            phi_2197_ = type_45(type_38(_e1250, _e1250.member), _e726.member_1, _e726.member_2);
                                                         } else {
-                                                            if (_e1281.member == _e715.member.member.member) {
-                                                                phi_2273_ = (_e1281.member_3 < _e715.member.member.member_3);
-                                                            } else {
-                                                                phi_2273_ = false;
-                                                            }
-                                                            let _e1296 = phi_2273_;
-                                                            phi_2274_ = _e1296;
+                                                            phi_2197_ = _e726;
                                                         }
-                                                        let _e1298 = phi_2274_;
-                                                        if _e1298 {
-                                                            phi_2281_ = type_44(type_38(_e1281, _e1281.member), _e742.member_1, _e742.member_2);
-                                                        } else {
-                                                            phi_2281_ = _e742;
-                                                        }
-                                                        let _e1305 = phi_2281_;
-                                                        phi_2282_ = _e1305;
+                                                        let _e1274 = phi_2197_;
+                                                        phi_2198_ = _e1274;
                                                     } else {
-                                                        phi_2282_ = _e742;
+                                                        phi_2198_ = _e726;
                                                     }
-                                                    let _e1307 = phi_2282_;
-                                                    phi_2283_ = _e1307;
+                                                    let _e1276 = phi_2198_;
+                                                    phi_2199_ = _e1276;
                                                 } else {
-                                                    phi_2283_ = _e742;
+                                                    phi_2199_ = _e726;
                                                 }
-                                                let _e1309 = phi_2283_;
-                                                phi_1208_ = _e1309;
+                                                let _e1278 = phi_2199_;
+                                                phi_1227_ = _e1278;
                                             } else {
-                                                phi_1208_ = type_44();
+                                                phi_1227_ = type_45();
                                             }
-                                            let _e1311 = phi_1208_;
+                                            let _e1280 = phi_1227_;
                                             continue;
                                             continuing {
-                                                phi_1207_ = _e1311;
-                                                phi_1210_ = _e730;
-                                                phi_3757_ = _e658;
-                                                break if !(_e736);
+                                                phi_1226_ = _e1280;
+                                                phi_1229_ = _e714;
+                                                phi_3853_ = _e642;
+                                                break if !(_e720);
                                             }
                                         }
-                                        let _e1314 = phi_3757_;
-                                        phi_3917_ = _e1314;
-                                        if _e1314 {
+                                        let _e1283 = phi_3853_;
+                                        phi_4018_ = _e1283;
+                                        if _e1283 {
                                             break;
                                         }
-                                        phi_4003_ = _e1314;
-                                        let _e1927 = local_12;
-                                        phi_2284_ = _e1927;
+                                        phi_4104_ = _e1283;
+                                        let _e1883 = local_12;
+                                        phi_2200_ = _e1883;
                                     } else {
-                                        phi_4003_ = _e658;
-                                        phi_2284_ = _e660;
+                                        phi_4104_ = _e642;
+                                        phi_2200_ = _e644;
                                     }
-                                    let _e1316 = phi_4003_;
-                                    let _e1318 = phi_2284_;
-                                    if _e708 {
-                                        phi_3518_ = type_44();
-                                        phi_3519_ = bool();
-                                        phi_3520_ = u32();
-                                        phi_3521_ = type_51();
+                                    let _e1285 = phi_4104_;
+                                    let _e1287 = phi_2200_;
+                                    if _e692 {
+                                        phi_3434_ = type_45();
+                                        phi_3435_ = bool();
+                                        phi_3436_ = u32();
+                                        phi_3437_ = type_52();
                                     } else {
-                                        if (_e704.member_1 >= _e90) {
-                                            phi_3050_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e688.member_1 >= _e89) {
+                                            phi_2966_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e704.member_1 < _e90) {
+                                            if (_e688.member_1 < _e89) {
                                             } else {
-                                                phi_3917_ = true;
+                                                phi_4018_ = true;
                                                 break;
                                             }
-                                            let _e1322 = ((1u + _e260) % 4u);
-                                            if (_e1322 < 4u) {
+                                            let _e1291 = ((1u + _e259) % 4u);
+                                            if (_e1291 < 4u) {
                                             } else {
-                                                phi_3917_ = true;
+                                                phi_4018_ = true;
                                                 break;
                                             }
-                                            let _e1327 = global_4.member[_e704.member_1][_e1322];
-                                            let _e1329 = (_e1327 >> bitcast<u32>(11u));
-                                            let _e1331 = ((1u + _e259) % 4u);
-                                            if (_e1331 < 4u) {
+                                            let _e1296 = global_4.member[_e688.member_1][_e1291];
+                                            let _e1298 = (_e1296 >> bitcast<u32>(11u));
+                                            let _e1300 = ((1u + _e258) % 4u);
+                                            if (_e1300 < 4u) {
                                             } else {
-                                                phi_3917_ = true;
+                                                phi_4018_ = true;
                                                 break;
                                             }
-                                            let _e1336 = global_4.member[_e704.member_1][_e1331];
-                                            let _e1338 = (_e1336 >> bitcast<u32>(11u));
-                                            let _e1340 = ((1u + _e261) % 4u);
-                                            if (_e1340 < 4u) {
+                                            let _e1305 = global_4.member[_e688.member_1][_e1300];
+                                            let _e1307 = (_e1305 >> bitcast<u32>(11u));
+                                            let _e1309 = ((1u + _e260) % 4u);
+                                            if (_e1309 < 4u) {
                                             } else {
-                                                phi_3917_ = true;
+                                                phi_4018_ = true;
                                                 break;
                                             }
-                                            let _e1345 = global_4.member[_e704.member_1][_e1340];
-                                            let _e1347 = (_e1345 >> bitcast<u32>(11u));
-                                            let _e1370 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e1371 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e1372 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e1374 = select(_e140, _e1370, (_e1370 > _e140));
-                                            let _e1376 = select(_e140, _e1371, (_e1371 > _e140));
-                                            let _e1378 = select(_e140, _e1372, (_e1372 > _e140));
-                                            let _e1409 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1327 & 1023u))) - 8388608f) * _e1374));
-                                            let _e1414 = (bitcast<i32>((_e1327 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1417 = bitcast<f32>((_e1409 & bitcast<u32>(_e1414)));
-                                            let _e1418 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1336 & 1023u))) - 8388608f) * _e1376));
-                                            let _e1423 = (bitcast<i32>((_e1336 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1426 = bitcast<f32>((_e1418 & bitcast<u32>(_e1423)));
-                                            let _e1427 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1345 & 1023u))) - 8388608f) * _e1378));
-                                            let _e1432 = (bitcast<i32>((_e1345 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1435 = bitcast<f32>((_e1427 & bitcast<u32>(_e1432)));
-                                            let _e1439 = bitcast<f32>((_e1409 & bitcast<u32>(~(_e1414))));
-                                            let _e1443 = bitcast<f32>((_e1418 & bitcast<u32>(~(_e1423))));
-                                            let _e1447 = bitcast<f32>((_e1427 & bitcast<u32>(~(_e1432))));
-                                            let _e1448 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1329 & 1023u))) - 8388608f) * _e1374));
-                                            let _e1453 = (bitcast<i32>((_e1329 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1456 = bitcast<f32>((_e1448 & bitcast<u32>(_e1453)));
-                                            let _e1457 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1338 & 1023u))) - 8388608f) * _e1376));
-                                            let _e1462 = (bitcast<i32>((_e1338 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1465 = bitcast<f32>((_e1457 & bitcast<u32>(_e1462)));
-                                            let _e1466 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1347 & 1023u))) - 8388608f) * _e1378));
-                                            let _e1471 = (bitcast<i32>((_e1347 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1474 = bitcast<f32>((_e1466 & bitcast<u32>(_e1471)));
-                                            let _e1478 = bitcast<f32>((_e1448 & bitcast<u32>(~(_e1453))));
-                                            let _e1482 = bitcast<f32>((_e1457 & bitcast<u32>(~(_e1462))));
-                                            let _e1486 = bitcast<f32>((_e1466 & bitcast<u32>(~(_e1471))));
-                                            let _e1516 = global_4.member[_e704.member_1][0u];
-                                            let _e1520 = global_4.member[_e704.member_1][1u];
-                                            let _e1524 = global_4.member[_e704.member_1][2u];
-                                            let _e1528 = global_4.member[_e704.member_1][3u];
-                                            let _e1540 = (((_e1520 >> bitcast<u32>(22i)) | ((_e1524 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1528 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1541 = (_e1516 & 268435455u);
-                                            let _e1542 = (_e1540 & 268435455u);
-                                            let _e1545 = ((_e1516 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1553 = ((_e1516 >> bitcast<u32>(31i)) | (((_e1540 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1554 = (_e1545 != 0u);
-                                            if (_e1545 == 0u) {
-                                                phi_3012_ = _e1541;
+                                            let _e1314 = global_4.member[_e688.member_1][_e1309];
+                                            let _e1316 = (_e1314 >> bitcast<u32>(11u));
+                                            let _e1339 = (bitcast<f32>((bitcast<u32>((_e688.member.member_1.x - _e688.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1340 = (bitcast<f32>((bitcast<u32>((_e688.member.member_1.y - _e688.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1341 = (bitcast<f32>((bitcast<u32>((_e688.member.member_1.z - _e688.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1343 = select(_e139, _e1339, (_e1339 > _e139));
+                                            let _e1345 = select(_e139, _e1340, (_e1340 > _e139));
+                                            let _e1347 = select(_e139, _e1341, (_e1341 > _e139));
+                                            let _e1378 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1296 & 1023u))) - 8388608f) * _e1343));
+                                            let _e1383 = (bitcast<i32>((_e1296 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1386 = bitcast<f32>((_e1378 & bitcast<u32>(_e1383)));
+                                            let _e1387 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1305 & 1023u))) - 8388608f) * _e1345));
+                                            let _e1392 = (bitcast<i32>((_e1305 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1395 = bitcast<f32>((_e1387 & bitcast<u32>(_e1392)));
+                                            let _e1396 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1314 & 1023u))) - 8388608f) * _e1347));
+                                            let _e1401 = (bitcast<i32>((_e1314 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1404 = bitcast<f32>((_e1396 & bitcast<u32>(_e1401)));
+                                            let _e1408 = bitcast<f32>((_e1378 & bitcast<u32>(~(_e1383))));
+                                            let _e1412 = bitcast<f32>((_e1387 & bitcast<u32>(~(_e1392))));
+                                            let _e1416 = bitcast<f32>((_e1396 & bitcast<u32>(~(_e1401))));
+                                            let _e1417 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1298 & 1023u))) - 8388608f) * _e1343));
+                                            let _e1422 = (bitcast<i32>((_e1298 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1425 = bitcast<f32>((_e1417 & bitcast<u32>(_e1422)));
+                                            let _e1426 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1307 & 1023u))) - 8388608f) * _e1345));
+                                            let _e1431 = (bitcast<i32>((_e1307 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1434 = bitcast<f32>((_e1426 & bitcast<u32>(_e1431)));
+                                            let _e1435 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1316 & 1023u))) - 8388608f) * _e1347));
+                                            let _e1440 = (bitcast<i32>((_e1316 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1443 = bitcast<f32>((_e1435 & bitcast<u32>(_e1440)));
+                                            let _e1447 = bitcast<f32>((_e1417 & bitcast<u32>(~(_e1422))));
+                                            let _e1451 = bitcast<f32>((_e1426 & bitcast<u32>(~(_e1431))));
+                                            let _e1455 = bitcast<f32>((_e1435 & bitcast<u32>(~(_e1440))));
+                                            let _e1485 = global_4.member[_e688.member_1][0u];
+                                            let _e1489 = global_4.member[_e688.member_1][1u];
+                                            let _e1493 = global_4.member[_e688.member_1][2u];
+                                            let _e1497 = global_4.member[_e688.member_1][3u];
+                                            let _e1509 = (((_e1489 >> bitcast<u32>(22i)) | ((_e1493 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1497 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1510 = (_e1485 & 268435455u);
+                                            let _e1511 = (_e1509 & 268435455u);
+                                            let _e1514 = ((_e1485 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1522 = ((_e1485 >> bitcast<u32>(31i)) | (((_e1509 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1523 = (_e1514 != 0u);
+                                            if (_e1514 == 0u) {
+                                                phi_2928_ = _e1510;
                                             } else {
-                                                if (_e1545 == 7u) {
-                                                    phi_3011_ = 2147483648u;
+                                                if (_e1514 == 7u) {
+                                                    phi_2927_ = 2147483648u;
                                                 } else {
-                                                    phi_3011_ = ((2147483648u | (_e1545 << bitcast<u32>(28u))) | (_e1542 & 268435455u));
+                                                    phi_2927_ = ((2147483648u | (_e1514 << bitcast<u32>(28u))) | (_e1511 & 268435455u));
                                                 }
-                                                let _e1563 = phi_3011_;
-                                                phi_3012_ = _e1563;
+                                                let _e1532 = phi_2927_;
+                                                phi_2928_ = _e1532;
                                             }
-                                            let _e1565 = phi_3012_;
-                                            if _e1554 {
-                                                let _e1566 = (_e1545 != 7u);
-                                                if _e1566 {
-                                                    phi_3022_ = (_e1542 + _e1545);
+                                            let _e1534 = phi_2928_;
+                                            if _e1523 {
+                                                let _e1535 = (_e1514 != 7u);
+                                                if _e1535 {
+                                                    phi_2938_ = (_e1511 + _e1514);
                                                 } else {
-                                                    phi_3022_ = u32();
+                                                    phi_2938_ = u32();
                                                 }
-                                                let _e1569 = phi_3022_;
-                                                phi_3024_ = _e1569;
-                                                phi_3025_ = select(true, false, _e1566);
+                                                let _e1538 = phi_2938_;
+                                                phi_2940_ = _e1538;
+                                                phi_2941_ = select(true, false, _e1535);
                                             } else {
-                                                phi_3024_ = u32();
-                                                phi_3025_ = true;
+                                                phi_2940_ = u32();
+                                                phi_2941_ = true;
                                             }
-                                            let _e1572 = phi_3024_;
-                                            let _e1574 = phi_3025_;
-                                            if (_e1553 == 0u) {
-                                                phi_3046_ = (_e1541 + select(0u, 1u, !(_e1554)));
+                                            let _e1541 = phi_2940_;
+                                            let _e1543 = phi_2941_;
+                                            if (_e1522 == 0u) {
+                                                phi_2962_ = (_e1510 + select(0u, 1u, !(_e1523)));
                                             } else {
-                                                if (_e1553 == 7u) {
-                                                    phi_3045_ = 2147483648u;
+                                                if (_e1522 == 7u) {
+                                                    phi_2961_ = 2147483648u;
                                                 } else {
-                                                    phi_3045_ = ((2147483648u | (_e1553 << bitcast<u32>(28u))) | (select(_e1572, _e1542, _e1574) & 268435455u));
+                                                    phi_2961_ = ((2147483648u | (_e1522 << bitcast<u32>(28u))) | (select(_e1541, _e1511, _e1543) & 268435455u));
                                                 }
-                                                let _e1587 = phi_3045_;
-                                                phi_3046_ = _e1587;
+                                                let _e1556 = phi_2961_;
+                                                phi_2962_ = _e1556;
                                             }
-                                            let _e1589 = phi_3046_;
-                                            phi_3050_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e704.member.member.x + _e1417), (_e704.member.member.x + _e1439), (_e704.member.member_1.x - _e1456), (_e704.member.member_1.x - _e1478)), vec4<f32>((_e704.member.member.y + _e1426), (_e704.member.member.y + _e1443), (_e704.member.member_1.y - _e1465), (_e704.member.member_1.y - _e1482)), vec4<f32>((_e704.member.member.z + _e1435), (_e704.member.member.z + _e1447), (_e704.member.member_1.z - _e1474), (_e704.member.member_1.z - _e1486))), type_51(type_33((_e704.member.member + vec4<f32>(_e1417, _e1426, _e1435, 0f)), (_e704.member.member_1 - vec4<f32>(_e1456, _e1465, _e1474, 0f))), _e1565), type_51(type_33((_e704.member.member + vec4<f32>(_e1439, _e1443, _e1447, 0f)), (_e704.member.member_1 - vec4<f32>(_e1478, _e1482, _e1486, 0f))), _e1589));
+                                            let _e1558 = phi_2962_;
+                                            phi_2966_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e688.member.member.x + _e1386), (_e688.member.member.x + _e1408), (_e688.member.member_1.x - _e1425), (_e688.member.member_1.x - _e1447)), vec4<f32>((_e688.member.member.y + _e1395), (_e688.member.member.y + _e1412), (_e688.member.member_1.y - _e1434), (_e688.member.member_1.y - _e1451)), vec4<f32>((_e688.member.member.z + _e1404), (_e688.member.member.z + _e1416), (_e688.member.member_1.z - _e1443), (_e688.member.member_1.z - _e1455))), type_52(type_33((_e688.member.member + vec4<f32>(_e1386, _e1395, _e1404, 0f)), (_e688.member.member_1 - vec4<f32>(_e1425, _e1434, _e1443, 0f))), _e1534), type_52(type_33((_e688.member.member + vec4<f32>(_e1408, _e1412, _e1416, 0f)), (_e688.member.member_1 - vec4<f32>(_e1447, _e1451, _e1455, 0f))), _e1558));
                                         }
-                                        let _e1594 = phi_3050_;
-                                        let _e1613 = ((_e1594.member[0].x - _e362) * _e367);
-                                        let _e1614 = ((_e1594.member[0].y - _e362) * _e367);
-                                        let _e1615 = ((_e1594.member[0].z - _e363) * _e367);
-                                        let _e1616 = ((_e1594.member[0].w - _e363) * _e367);
-                                        let _e1626 = ((_e1594.member[1].x - _e430) * _e435);
-                                        let _e1627 = ((_e1594.member[1].y - _e430) * _e435);
-                                        let _e1628 = ((_e1594.member[1].z - _e431) * _e435);
-                                        let _e1629 = ((_e1594.member[1].w - _e431) * _e435);
-                                        let _e1639 = ((_e1594.member[2].x - _e498) * _e503);
-                                        let _e1640 = ((_e1594.member[2].y - _e498) * _e503);
-                                        let _e1641 = ((_e1594.member[2].z - _e499) * _e503);
-                                        let _e1642 = ((_e1594.member[2].w - _e499) * _e503);
-                                        let _e1644 = select(_e1641, _e1639, (_e1639 < _e1641));
-                                        let _e1646 = select(_e1642, _e1640, (_e1640 < _e1642));
-                                        let _e1648 = select(_e1641, _e1639, (_e1639 > _e1641));
-                                        let _e1650 = select(_e1642, _e1640, (_e1640 > _e1642));
-                                        let _e1652 = select(_e1615, _e1613, (_e1613 < _e1615));
-                                        let _e1654 = select(_e1616, _e1614, (_e1614 < _e1616));
-                                        let _e1656 = select(_e1628, _e1626, (_e1626 < _e1628));
-                                        let _e1658 = select(_e1629, _e1627, (_e1627 < _e1629));
-                                        let _e1660 = select(_e1656, _e1652, (_e1652 > _e1656));
-                                        let _e1662 = select(_e1658, _e1654, (_e1654 > _e1658));
-                                        let _e1664 = select(_e1644, _e1660, (_e1660 > _e1644));
-                                        let _e1666 = select(_e1646, _e1662, (_e1662 > _e1646));
-                                        let _e1668 = select(_e1615, _e1613, (_e1613 > _e1615));
-                                        let _e1670 = select(_e1616, _e1614, (_e1614 > _e1616));
-                                        let _e1672 = select(_e1628, _e1626, (_e1626 > _e1628));
-                                        let _e1674 = select(_e1629, _e1627, (_e1627 > _e1629));
-                                        let _e1676 = select(_e1672, _e1668, (_e1668 < _e1672));
-                                        let _e1678 = select(_e1674, _e1670, (_e1670 < _e1674));
-                                        let _e1683 = -(_e1644);
-                                        let _e1684 = -(_e1646);
-                                        let _e1691 = (select(_e1648, _e1676, (_e1676 < _e1648)) + (select(_e1683, _e1648, (_e1648 > _e1683)) * 0.0000019073523f));
-                                        let _e1692 = (select(_e1650, _e1678, (_e1678 < _e1650)) + (select(_e1684, _e1650, (_e1650 > _e1684)) * 0.0000019073523f));
-                                        let _e1694 = select(_e615, _e1664, (_e1664 > _e615));
-                                        let _e1696 = select(_e615, _e1666, (_e1666 > _e615));
-                                        let _e1701 = (_e1694 <= select(_e1318.member.member_1, _e1691, (_e1691 < _e1318.member.member_1)));
-                                        let _e1702 = (_e1696 <= select(_e1318.member.member_1, _e1692, (_e1692 < _e1318.member.member_1)));
-                                        let _e1703 = (_e1694 <= _e1696);
-                                        if _e1701 {
-                                            if _e1702 {
-                                                if _e1703 {
-                                                    phi_3415_ = _e1594.member_2;
+                                        let _e1563 = phi_2966_;
+                                        let _e1582 = ((_e1563.member[0].x - _e361) * _e364);
+                                        let _e1583 = ((_e1563.member[0].y - _e361) * _e364);
+                                        let _e1584 = ((_e1563.member[0].z - _e362) * _e364);
+                                        let _e1585 = ((_e1563.member[0].w - _e362) * _e364);
+                                        let _e1595 = ((_e1563.member[1].x - _e427) * _e430);
+                                        let _e1596 = ((_e1563.member[1].y - _e427) * _e430);
+                                        let _e1597 = ((_e1563.member[1].z - _e428) * _e430);
+                                        let _e1598 = ((_e1563.member[1].w - _e428) * _e430);
+                                        let _e1608 = ((_e1563.member[2].x - _e493) * _e496);
+                                        let _e1609 = ((_e1563.member[2].y - _e493) * _e496);
+                                        let _e1610 = ((_e1563.member[2].z - _e494) * _e496);
+                                        let _e1611 = ((_e1563.member[2].w - _e494) * _e496);
+                                        let _e1613 = select(_e1610, _e1608, (_e1608 < _e1610));
+                                        let _e1615 = select(_e1611, _e1609, (_e1609 < _e1611));
+                                        let _e1617 = select(_e1610, _e1608, (_e1608 > _e1610));
+                                        let _e1619 = select(_e1611, _e1609, (_e1609 > _e1611));
+                                        let _e1621 = select(_e1584, _e1582, (_e1582 < _e1584));
+                                        let _e1623 = select(_e1585, _e1583, (_e1583 < _e1585));
+                                        let _e1625 = select(_e1597, _e1595, (_e1595 < _e1597));
+                                        let _e1627 = select(_e1598, _e1596, (_e1596 < _e1598));
+                                        let _e1629 = select(_e1625, _e1621, (_e1621 > _e1625));
+                                        let _e1631 = select(_e1627, _e1623, (_e1623 > _e1627));
+                                        let _e1633 = select(_e1613, _e1629, (_e1629 > _e1613));
+                                        let _e1635 = select(_e1615, _e1631, (_e1631 > _e1615));
+                                        let _e1637 = select(_e1584, _e1582, (_e1582 > _e1584));
+                                        let _e1639 = select(_e1585, _e1583, (_e1583 > _e1585));
+                                        let _e1641 = select(_e1597, _e1595, (_e1595 > _e1597));
+                                        let _e1643 = select(_e1598, _e1596, (_e1596 > _e1598));
+                                        let _e1645 = select(_e1641, _e1637, (_e1637 < _e1641));
+                                        let _e1647 = select(_e1643, _e1639, (_e1639 < _e1643));
+                                        let _e1652 = -(_e1613);
+                                        let _e1653 = -(_e1615);
+                                        let _e1660 = (select(_e1617, _e1645, (_e1645 < _e1617)) + (select(_e1652, _e1617, (_e1617 > _e1652)) * 0.0000019073523f));
+                                        let _e1661 = (select(_e1619, _e1647, (_e1647 < _e1619)) + (select(_e1653, _e1619, (_e1619 > _e1653)) * 0.0000019073523f));
+                                        let _e1663 = select(_e599, _e1633, (_e1633 > _e599));
+                                        let _e1665 = select(_e599, _e1635, (_e1635 > _e599));
+                                        let _e1670 = (_e1663 <= select(_e1287.member.member_1, _e1660, (_e1660 < _e1287.member.member_1)));
+                                        let _e1671 = (_e1665 <= select(_e1287.member.member_1, _e1661, (_e1661 < _e1287.member.member_1)));
+                                        let _e1672 = (_e1663 <= _e1665);
+                                        if _e1670 {
+                                            if _e1671 {
+                                                if _e1672 {
+                                                    phi_3331_ = _e1563.member_2;
                                                 } else {
-                                                    phi_3415_ = _e1594.member_1;
+                                                    phi_3331_ = _e1563.member_1;
                                                 }
-                                                let _e1707 = phi_3415_;
-                                                let _e1728 = (_e702 % 128u);
-                                                let _e1729 = (_e1728 < 128u);
-                                                if _e1729 {
+                                                let _e1676 = phi_3331_;
+                                                let _e1697 = (_e686 % 128u);
+                                                let _e1698 = (_e1697 < 128u);
+                                                if _e1698 {
                                                 } else {
-                                                    phi_3917_ = true;
+                                                    phi_4018_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1728] = _e1707.member_1;
-                                                if _e1729 {
+                                                local_8[_e1697] = _e1676.member_1;
+                                                if _e1698 {
                                                 } else {
-                                                    phi_3917_ = true;
+                                                    phi_4018_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1728] = _e1707.member.member.x;
-                                                if _e1729 {
+                                                local_7[_e1697] = _e1676.member.member.x;
+                                                if _e1698 {
                                                 } else {
-                                                    phi_3917_ = true;
+                                                    phi_4018_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1728] = _e1707.member.member.y;
-                                                if _e1729 {
+                                                local_6[_e1697] = _e1676.member.member.y;
+                                                if _e1698 {
                                                 } else {
-                                                    phi_3917_ = true;
+                                                    phi_4018_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1728] = _e1707.member.member.z;
-                                                if _e1729 {
+                                                local_5[_e1697] = _e1676.member.member.z;
+                                                if _e1698 {
                                                 } else {
-                                                    phi_3917_ = true;
+                                                    phi_4018_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1728] = _e1707.member.member_1.x;
-                                                if _e1729 {
+                                                local_4[_e1697] = _e1676.member.member_1.x;
+                                                if _e1698 {
                                                 } else {
-                                                    phi_3917_ = true;
+                                                    phi_4018_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1728] = _e1707.member.member_1.y;
-                                                if _e1729 {
+                                                local_3[_e1697] = _e1676.member.member_1.y;
+                                                if _e1698 {
                                                 } else {
-                                                    phi_3917_ = true;
+                                                    phi_4018_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1728] = _e1707.member.member_1.z;
-                                                if _e1729 {
+                                                local_2[_e1697] = _e1676.member.member_1.z;
+                                                if _e1698 {
                                                 } else {
-                                                    phi_3917_ = true;
+                                                    phi_4018_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1728] = select(_e1694, _e1696, _e1703);
-                                                if _e1703 {
-                                                    phi_3491_ = _e1594.member_1;
+                                                local_9[_e1697] = select(_e1663, _e1665, _e1672);
+                                                if _e1672 {
+                                                    phi_3407_ = _e1563.member_1;
                                                 } else {
-                                                    phi_3491_ = _e1594.member_2;
+                                                    phi_3407_ = _e1563.member_2;
                                                 }
-                                                let _e1742 = phi_3491_;
-                                                phi_3492_ = (_e702 + 1u);
-                                                phi_3493_ = _e1742;
+                                                let _e1711 = phi_3407_;
+                                                phi_3408_ = (_e686 + 1u);
+                                                phi_3409_ = _e1711;
                                             } else {
-                                                phi_3492_ = u32();
-                                                phi_3493_ = type_51();
+                                                phi_3408_ = u32();
+                                                phi_3409_ = type_52();
                                             }
-                                            let _e1744 = phi_3492_;
-                                            let _e1746 = phi_3493_;
-                                            phi_3495_ = _e1744;
-                                            phi_3496_ = _e1746;
-                                            phi_3497_ = select(true, false, _e1702);
+                                            let _e1713 = phi_3408_;
+                                            let _e1715 = phi_3409_;
+                                            phi_3411_ = _e1713;
+                                            phi_3412_ = _e1715;
+                                            phi_3413_ = select(true, false, _e1671);
                                         } else {
-                                            phi_3495_ = u32();
-                                            phi_3496_ = type_51();
-                                            phi_3497_ = true;
+                                            phi_3411_ = u32();
+                                            phi_3412_ = type_52();
+                                            phi_3413_ = true;
                                         }
-                                        let _e1749 = phi_3495_;
-                                        let _e1751 = phi_3496_;
-                                        let _e1753 = phi_3497_;
-                                        if _e1753 {
-                                            if _e1701 {
-                                                phi_3506_ = _e1594.member_1;
+                                        let _e1718 = phi_3411_;
+                                        let _e1720 = phi_3412_;
+                                        let _e1722 = phi_3413_;
+                                        if _e1722 {
+                                            if _e1670 {
+                                                phi_3422_ = _e1563.member_1;
                                             } else {
-                                                phi_3506_ = _e1594.member_2;
+                                                phi_3422_ = _e1563.member_2;
                                             }
-                                            let _e1757 = phi_3506_;
-                                            phi_3511_ = select(_e1702, true, _e1701);
-                                            phi_3513_ = _e1757;
+                                            let _e1726 = phi_3422_;
+                                            phi_3427_ = select(_e1671, true, _e1670);
+                                            phi_3429_ = _e1726;
                                         } else {
-                                            phi_3511_ = _e700;
-                                            phi_3513_ = _e1751;
+                                            phi_3427_ = _e684;
+                                            phi_3429_ = _e1720;
                                         }
-                                        let _e1760 = phi_3511_;
-                                        let _e1762 = phi_3513_;
-                                        phi_3518_ = type_44(_e1318.member, (_e1318.member_1 + 1u), _e1318.member_2);
-                                        phi_3519_ = _e1760;
-                                        phi_3520_ = select(_e1749, _e702, _e1753);
-                                        phi_3521_ = _e1762;
+                                        let _e1729 = phi_3427_;
+                                        let _e1731 = phi_3429_;
+                                        phi_3434_ = type_45(_e1287.member, (_e1287.member_1 + 1u), _e1287.member_2);
+                                        phi_3435_ = _e1729;
+                                        phi_3436_ = select(_e1718, _e686, _e1722);
+                                        phi_3437_ = _e1731;
                                     }
-                                    let _e1765 = phi_3518_;
-                                    let _e1767 = phi_3519_;
-                                    let _e1769 = phi_3520_;
-                                    let _e1771 = phi_3521_;
-                                    if _e708 {
-                                        phi_3529_ = _e1318;
-                                        phi_3532_ = _e704;
+                                    let _e1734 = phi_3434_;
+                                    let _e1736 = phi_3435_;
+                                    let _e1738 = phi_3436_;
+                                    let _e1740 = phi_3437_;
+                                    if _e692 {
+                                        phi_3445_ = _e1287;
+                                        phi_3448_ = _e688;
                                     } else {
-                                        phi_3529_ = _e1765;
-                                        phi_3532_ = _e1771;
+                                        phi_3445_ = _e1734;
+                                        phi_3448_ = _e1740;
                                     }
-                                    let _e1773 = phi_3529_;
-                                    let _e1775 = phi_3532_;
-                                    phi_3920_ = _e1316;
-                                    phi_3533_ = _e1773;
-                                    phi_3534_ = (_e662 - 1u);
-                                    phi_3535_ = select(_e1767, false, _e708);
-                                    phi_3536_ = select(_e1769, _e702, _e708);
-                                    phi_3537_ = _e1775;
+                                    let _e1742 = phi_3445_;
+                                    let _e1744 = phi_3448_;
+                                    phi_4021_ = _e1285;
+                                    phi_3449_ = _e1742;
+                                    phi_3450_ = (_e646 - 1u);
+                                    phi_3451_ = select(_e1736, false, _e692);
+                                    phi_3452_ = select(_e1738, _e686, _e692);
+                                    phi_3453_ = _e1744;
                                 } else {
-                                    phi_3920_ = _e658;
-                                    phi_3533_ = _e660;
-                                    phi_3534_ = _e662;
-                                    phi_3535_ = _e700;
-                                    phi_3536_ = _e702;
-                                    phi_3537_ = _e704;
+                                    phi_4021_ = _e642;
+                                    phi_3449_ = _e644;
+                                    phi_3450_ = _e646;
+                                    phi_3451_ = _e684;
+                                    phi_3452_ = _e686;
+                                    phi_3453_ = _e688;
                                 }
-                                let _e1779 = phi_3920_;
-                                let _e1781 = phi_3533_;
-                                let _e1783 = phi_3534_;
-                                let _e1785 = phi_3535_;
-                                let _e1787 = phi_3536_;
-                                let _e1789 = phi_3537_;
-                                phi_3919_ = _e1779;
-                                phi_3538_ = _e1781;
-                                phi_3539_ = _e1783;
-                                phi_3540_ = _e1785;
-                                phi_3541_ = _e1787;
-                                phi_3542_ = _e1789;
+                                let _e1748 = phi_4021_;
+                                let _e1750 = phi_3449_;
+                                let _e1752 = phi_3450_;
+                                let _e1754 = phi_3451_;
+                                let _e1756 = phi_3452_;
+                                let _e1758 = phi_3453_;
+                                phi_4020_ = _e1748;
+                                phi_3454_ = _e1750;
+                                phi_3455_ = _e1752;
+                                phi_3456_ = _e1754;
+                                phi_3457_ = _e1756;
+                                phi_3458_ = _e1758;
                             } else {
-                                phi_3919_ = _e658;
-                                phi_3538_ = type_44();
-                                phi_3539_ = u32();
-                                phi_3540_ = bool();
-                                phi_3541_ = u32();
-                                phi_3542_ = type_51();
+                                phi_4020_ = _e642;
+                                phi_3454_ = type_45();
+                                phi_3455_ = u32();
+                                phi_3456_ = bool();
+                                phi_3457_ = u32();
+                                phi_3458_ = type_52();
                             }
-                            let _e1791 = phi_3919_;
-                            let _e1793 = phi_3538_;
-                            let _e1795 = phi_3539_;
-                            let _e1797 = phi_3540_;
-                            let _e1799 = phi_3541_;
-                            let _e1801 = phi_3542_;
-                            phi_3918_ = _e1791;
-                            phi_1082_ = _e1793;
-                            phi_1085_ = _e1795;
-                            phi_1087_ = _e1797;
-                            phi_1089_ = _e1799;
-                            phi_1091_ = _e1801;
-                            phi_3543_ = _e672;
+                            let _e1760 = phi_4020_;
+                            let _e1762 = phi_3454_;
+                            let _e1764 = phi_3455_;
+                            let _e1766 = phi_3456_;
+                            let _e1768 = phi_3457_;
+                            let _e1770 = phi_3458_;
+                            phi_4019_ = _e1760;
+                            phi_1101_ = _e1762;
+                            phi_1104_ = _e1764;
+                            phi_1106_ = _e1766;
+                            phi_1108_ = _e1768;
+                            phi_1110_ = _e1770;
+                            phi_3459_ = _e656;
                         } else {
-                            phi_3918_ = _e658;
-                            phi_1082_ = type_44();
-                            phi_1085_ = u32();
-                            phi_1087_ = bool();
-                            phi_1089_ = u32();
-                            phi_1091_ = type_51();
-                            phi_3543_ = false;
+                            phi_4019_ = _e642;
+                            phi_1101_ = type_45();
+                            phi_1104_ = u32();
+                            phi_1106_ = bool();
+                            phi_1108_ = u32();
+                            phi_1110_ = type_52();
+                            phi_3459_ = false;
                         }
-                        let _e1803 = phi_3918_;
-                        let _e1805 = phi_1082_;
-                        let _e1807 = phi_1085_;
-                        let _e1809 = phi_1087_;
-                        let _e1811 = phi_1089_;
-                        let _e1813 = phi_1091_;
-                        let _e1815 = phi_3543_;
+                        let _e1772 = phi_4019_;
+                        let _e1774 = phi_1101_;
+                        let _e1776 = phi_1104_;
+                        let _e1778 = phi_1106_;
+                        let _e1780 = phi_1108_;
+                        let _e1782 = phi_1110_;
+                        let _e1784 = phi_3459_;
                         continue;
                         continuing {
-                            phi_3763_ = _e1803;
-                            phi_1081_ = _e1805;
-                            phi_1084_ = _e1807;
-                            phi_1086_ = _e1809;
-                            phi_1088_ = _e1811;
-                            phi_1090_ = _e1813;
-                            phi_3917_ = _e1803;
-                            break if !(_e1815);
+                            phi_3859_ = _e1772;
+                            phi_1100_ = _e1774;
+                            phi_1103_ = _e1776;
+                            phi_1105_ = _e1778;
+                            phi_1107_ = _e1780;
+                            phi_1109_ = _e1782;
+                            phi_4018_ = _e1772;
+                            break if !(_e1784);
                         }
                     }
-                    let _e1818 = phi_3917_;
-                    if _e1818 {
+                    let _e1787 = phi_4018_;
+                    if _e1787 {
                         break;
                     }
-                    let _e1820 = local_10;
-                    let _e1823 = local_11;
-                    if _e148 {
+                    let _e1789 = local_10;
+                    let _e1792 = local_11;
+                    if _e147 {
                     } else {
                         break;
                     }
-                    global_6.member[_e146][0u] = _e1820.member_1;
-                    global_6.member[_e146][1u] = _e1823.member_2;
+                    global_6.member[_e145][0u] = _e1789.member_1;
+                    global_6.member[_e145][1u] = _e1792.member_2;
                 }
             }
             break;

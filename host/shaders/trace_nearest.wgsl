@@ -43,16 +43,23 @@ struct type_29 {
 }
 
 struct type_39 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_40 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<type_24>,
 }
 
-struct type_45 {
+struct type_46 {
     member: array<array<type_23, 8>>,
 }
 
@@ -64,1452 +71,1386 @@ var<storage> global_2: type_29;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
-var<storage> global_4: type_41;
+var<storage> global_4: type_42;
 @group(0) @binding(4) 
-var<storage, read_write> global_5: type_45;
+var<storage, read_write> global_5: type_46;
 
 fn function_() {
     var local: array<type_23, 8>;
     var local_1: array<f32, 128>;
     var local_2: array<u32, 128>;
-    var phi_372_: i32;
-    var phi_373_: i32;
-    var phi_383_: bool;
-    var phi_393_: u32;
-    var phi_394_: u32;
-    var phi_396_: bool;
-    var phi_401_: u32;
-    var phi_414_: i32;
-    var phi_434_: i32;
-    var phi_452_: f32;
-    var phi_458_: f32;
-    var phi_498_: f32;
-    var phi_504_: f32;
-    var phi_556_: f32;
-    var phi_568_: f32;
-    var phi_577_: f32;
-    var phi_583_: f32;
-    var phi_623_: f32;
-    var phi_629_: f32;
-    var phi_681_: f32;
-    var phi_693_: f32;
-    var phi_702_: f32;
-    var phi_708_: f32;
-    var phi_748_: f32;
-    var phi_754_: f32;
-    var phi_806_: f32;
-    var phi_818_: f32;
-    var phi_873_: i32;
-    var phi_895_: u32;
-    var phi_896_: u32;
-    var phi_933_: i32;
-    var phi_955_: u32;
-    var phi_956_: u32;
-    var phi_964_: f32;
-    var phi_965_: f32;
-    var phi_3055_: bool;
-    var phi_3036_: f32;
-    var phi_1033_: u32;
-    var phi_1036_: bool;
-    var phi_1038_: u32;
-    var phi_1040_: u32;
-    var phi_1051_: bool;
-    var phi_1084_: bool;
-    var phi_1085_: u32;
-    var phi_1086_: u32;
-    var phi_3052_: bool;
-    var phi_3041_: f32;
-    var phi_1101_: type_4;
-    var phi_1102_: type_4;
-    var phi_1125_: type_4;
-    var phi_1146_: u32;
-    var phi_1238_: array<array<f32, 3>, 3>;
-    var phi_1391_: bool;
-    var phi_1420_: bool;
-    var phi_1839_: f32;
-    var phi_1840_: f32;
-    var phi_1841_: f32;
-    var phi_1842_: f32;
-    var phi_1843_: vec3<f32>;
-    var phi_1844_: vec3<f32>;
-    var phi_1845_: vec3<f32>;
-    var phi_1846_: vec3<f32>;
-    var phi_1883_: bool;
-    var phi_1892_: vec3<f32>;
-    var phi_2057_: f32;
-    var phi_2059_: f32;
-    var phi_2060_: bool;
-    var phi_2080_: f32;
-    var phi_2081_: f32;
-    var phi_2104_: type_23;
-    var phi_2106_: type_23;
-    var phi_2107_: bool;
-    var phi_2111_: type_23;
-    var phi_2112_: type_23;
-    var phi_2113_: type_23;
-    var phi_2114_: bool;
-    var phi_2118_: type_23;
-    var phi_2119_: bool;
-    var phi_2120_: type_23;
-    var phi_2121_: bool;
-    var phi_2122_: bool;
-    var phi_2123_: type_23;
-    var phi_2124_: bool;
-    var phi_2125_: bool;
-    var phi_2133_: type_23;
-    var phi_2134_: bool;
-    var phi_2138_: type_23;
-    var phi_2150_: type_4;
-    var phi_2153_: type_23;
-    var phi_2151_: type_4;
-    var phi_2176_: type_4;
-    var phi_2208_: bool;
-    var phi_2209_: bool;
-    var phi_2230_: type_23;
-    var phi_2154_: type_23;
-    var phi_3043_: bool;
-    var phi_3301_: f32;
-    var phi_3300_: f32;
-    var phi_3206_: bool;
-    var phi_3299_: f32;
-    var phi_3205_: bool;
-    var phi_3298_: f32;
-    var phi_3204_: bool;
-    var phi_3210_: f32;
-    var phi_3203_: bool;
-    var phi_3337_: bool;
-    var phi_3209_: f32;
-    var phi_2306_: type_39;
-    var phi_2669_: u32;
-    var phi_2696_: u32;
-    var phi_2697_: u32;
-    var phi_2698_: u32;
-    var phi_2700_: u32;
-    var phi_2701_: u32;
-    var phi_2702_: bool;
-    var phi_2711_: u32;
-    var phi_2716_: bool;
-    var phi_2718_: u32;
-    var phi_2722_: bool;
-    var phi_2723_: u32;
-    var phi_2724_: u32;
-    var phi_3364_: f32;
-    var phi_3305_: bool;
-    var phi_2735_: u32;
-    var phi_2736_: bool;
-    var phi_2737_: u32;
-    var phi_2738_: u32;
-    var phi_3363_: f32;
-    var phi_3304_: bool;
-    var phi_2739_: u32;
-    var phi_2740_: bool;
-    var phi_2741_: u32;
-    var phi_2742_: u32;
-    var phi_3362_: f32;
-    var phi_3303_: bool;
-    var phi_1034_: u32;
-    var phi_1037_: bool;
-    var phi_1039_: u32;
-    var phi_1041_: u32;
-    var phi_2743_: bool;
-    var phi_3302_: bool;
-    var phi_2750_: type_4;
-    var phi_2751_: type_4;
-    var phi_2774_: type_4;
-    var phi_2826_: f32;
-    var phi_2828_: f32;
-    var phi_2829_: bool;
-    var phi_2830_: f32;
-    var phi_2831_: bool;
-    var phi_2970_: u32;
-    var phi_2988_: bool;
-    var phi_2991_: bool;
-    var phi_3004_: f32;
-    var phi_3005_: f32;
-    var phi_3010_: f32;
-    var phi_3011_: f32;
-    var phi_3012_: bool;
-    var phi_3020_: f32;
-    var phi_2846_: f32;
-    var phi_2847_: f32;
-    var phi_2859_: f32;
-    var phi_2864_: type_23;
-    var phi_3344_: bool;
+    var phi_393_: i32;
+    var phi_394_: i32;
+    var phi_404_: bool;
+    var phi_414_: u32;
+    var phi_415_: u32;
+    var phi_417_: bool;
+    var phi_422_: u32;
+    var phi_435_: i32;
+    var phi_455_: i32;
+    var phi_473_: f32;
+    var phi_479_: f32;
+    var phi_519_: f32;
+    var phi_525_: f32;
+    var phi_598_: f32;
+    var phi_604_: f32;
+    var phi_644_: f32;
+    var phi_650_: f32;
+    var phi_723_: f32;
+    var phi_729_: f32;
+    var phi_769_: f32;
+    var phi_775_: f32;
+    var phi_894_: i32;
+    var phi_916_: u32;
+    var phi_917_: u32;
+    var phi_954_: i32;
+    var phi_976_: u32;
+    var phi_977_: u32;
+    var phi_985_: f32;
+    var phi_986_: f32;
+    var phi_3154_: bool;
+    var phi_3134_: f32;
+    var phi_1054_: u32;
+    var phi_1057_: bool;
+    var phi_1059_: u32;
+    var phi_1061_: u32;
+    var phi_1072_: bool;
+    var phi_1105_: bool;
+    var phi_1106_: u32;
+    var phi_1107_: u32;
+    var phi_3151_: bool;
+    var phi_3139_: f32;
+    var phi_1122_: type_4;
+    var phi_1123_: type_4;
+    var phi_1146_: type_4;
+    var phi_1167_: u32;
+    var phi_1259_: array<array<f32, 3>, 3>;
+    var phi_2875_: bool;
+    var phi_2890_: bool;
+    var phi_2905_: bool;
+    var phi_2920_: bool;
+    var phi_2935_: bool;
+    var phi_2950_: bool;
+    var phi_1802_: f32;
+    var phi_1803_: f32;
+    var phi_1804_: f32;
+    var phi_1805_: f32;
+    var phi_1806_: vec3<f32>;
+    var phi_1807_: vec3<f32>;
+    var phi_1808_: vec3<f32>;
+    var phi_1809_: vec3<f32>;
+    var phi_2965_: bool;
+    var phi_2980_: bool;
+    var phi_2995_: bool;
+    var phi_3010_: bool;
+    var phi_3025_: bool;
+    var phi_3040_: bool;
+    var phi_2017_: f32;
+    var phi_2037_: type_39;
+    var phi_2038_: type_39;
+    var phi_2041_: type_39;
+    var phi_2042_: type_39;
+    var phi_2043_: bool;
+    var phi_2047_: type_39;
+    var phi_2056_: type_23;
+    var phi_2068_: type_4;
+    var phi_2071_: type_23;
+    var phi_2069_: type_4;
+    var phi_2094_: type_4;
+    var phi_2126_: bool;
+    var phi_2127_: bool;
+    var phi_2148_: type_23;
+    var phi_2072_: type_23;
+    var phi_3141_: bool;
+    var phi_3409_: f32;
+    var phi_3408_: f32;
+    var phi_3309_: bool;
+    var phi_3407_: f32;
+    var phi_3308_: bool;
+    var phi_3406_: f32;
+    var phi_3307_: bool;
+    var phi_3313_: f32;
+    var phi_3306_: bool;
+    var phi_3445_: bool;
+    var phi_3312_: f32;
+    var phi_2224_: type_40;
+    var phi_2587_: u32;
+    var phi_2614_: u32;
+    var phi_2615_: u32;
+    var phi_2616_: u32;
+    var phi_2618_: u32;
+    var phi_2619_: u32;
+    var phi_2620_: bool;
+    var phi_2629_: u32;
+    var phi_2634_: bool;
+    var phi_2636_: u32;
+    var phi_2640_: bool;
+    var phi_2641_: u32;
+    var phi_2642_: u32;
+    var phi_3472_: f32;
+    var phi_3413_: bool;
+    var phi_2653_: u32;
+    var phi_2654_: bool;
+    var phi_2655_: u32;
+    var phi_2656_: u32;
+    var phi_3471_: f32;
+    var phi_3412_: bool;
+    var phi_2657_: u32;
+    var phi_2658_: bool;
+    var phi_2659_: u32;
+    var phi_2660_: u32;
+    var phi_3470_: f32;
+    var phi_3411_: bool;
+    var phi_1055_: u32;
+    var phi_1058_: bool;
+    var phi_1060_: u32;
+    var phi_1062_: u32;
+    var phi_2661_: bool;
+    var phi_3410_: bool;
+    var phi_2668_: type_4;
+    var phi_2669_: type_4;
+    var phi_2692_: type_4;
+    var phi_2744_: f32;
+    var phi_2746_: f32;
+    var phi_2747_: bool;
+    var phi_2748_: f32;
+    var phi_2749_: bool;
+    var phi_3068_: u32;
+    var phi_3086_: bool;
+    var phi_3089_: bool;
+    var phi_3102_: f32;
+    var phi_3103_: f32;
+    var phi_3108_: f32;
+    var phi_3109_: f32;
+    var phi_3110_: bool;
+    var phi_3118_: f32;
+    var phi_2764_: f32;
+    var phi_2765_: f32;
+    var phi_2777_: f32;
+    var phi_2782_: type_23;
+    var phi_3452_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e76 = global;
-            let _e78 = arrayLength((&global_2.member));
-            let _e80 = arrayLength((&global_3.member));
-            let _e88 = (_e76.x + (_e76.y * 2097152u));
-            let _e91 = global_1.member[0u];
-            let _e92 = bitcast<i32>(_e91);
-            let _e93 = (_e88 < arrayLength((&global_4.member)));
-            if _e93 {
-                let _e94 = (_e88 < arrayLength((&global_5.member)));
-                if _e94 {
-                    if _e93 {
-                    } else {
-                        break;
-                    }
-                    let _e102 = global_4.member[_e88].member_2[0u];
-                    let _e104 = (bitcast<u32>(_e102) & 2147483647u);
-                    let _e109 = global_4.member[_e88].member_2[1u];
-                    let _e111 = (bitcast<u32>(_e109) & 2147483647u);
-                    let _e116 = global_4.member[_e88].member_2[2u];
-                    let _e118 = (bitcast<u32>(_e116) & 2147483647u);
-                    let _e123 = global_4.member[_e88].member[0u];
-                    let _e125 = (bitcast<u32>(_e123) & 2147483647u);
-                    let _e130 = global_4.member[_e88].member[1u];
-                    let _e132 = (bitcast<u32>(_e130) & 2147483647u);
-                    let _e137 = global_4.member[_e88].member[2u];
-                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
-                    let _e141 = select(_e111, _e104, (_e111 < _e104));
-                    let _e143 = select(_e118, _e141, (_e118 < _e141));
-                    let _e145 = select(_e125, _e143, (_e125 < _e143));
-                    let _e147 = select(_e132, _e145, (_e132 < _e145));
-                    let _e149 = select(_e139, _e147, (_e139 < _e147));
-                    let _e153 = global_4.member[_e88].member_1;
-                    let _e154 = bitcast<u32>(_e153);
-                    let _e155 = (_e154 & 2147483647u);
-                    let _e162 = global_4.member[_e88].member_3;
-                    let _e163 = bitcast<u32>(_e162);
-                    let _e164 = (_e163 & 2147483647u);
-                    let _e168 = (((select(_e155, _e149, (_e155 < _e149)) < 2139095040u) && (_e164 <= 2139095040u)) && (_e143 > 0u));
-                    if _e168 {
-                        let _e171 = (bitcast<u32>(bitcast<f32>(_e143)) & 2147483647u);
-                        if (_e171 >= 8388608u) {
-                            phi_372_ = (bitcast<i32>((_e171 >> bitcast<u32>(23i))) - 127i);
-                        } else {
-                            phi_372_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e171)), 32u, (_e171 == 0u))));
-                        }
-                        let _e185 = phi_372_;
-                        phi_373_ = _e185;
-                    } else {
-                        phi_373_ = 0i;
-                    }
-                    let _e187 = phi_373_;
-                    let _e188 = (_e104 == _e143);
-                    if _e188 {
-                        phi_383_ = true;
-                    } else {
-                        phi_383_ = (_e111 == _e143);
-                    }
-                    let _e191 = phi_383_;
-                    let _e192 = select(1u, 0u, _e188);
-                    if _e191 {
-                        let _e193 = (_e192 + 1u);
-                        phi_393_ = _e193;
-                        phi_394_ = _e193;
-                        phi_396_ = select(true, false, (_e193 == 2u));
-                    } else {
-                        phi_393_ = u32();
-                        phi_394_ = 0u;
-                        phi_396_ = true;
-                    }
-                    let _e197 = phi_393_;
-                    let _e199 = phi_394_;
-                    let _e201 = phi_396_;
-                    if _e201 {
-                        phi_401_ = (_e199 + 1u);
-                    } else {
-                        phi_401_ = 0u;
-                    }
-                    let _e205 = phi_401_;
-                    let _e206 = select(_e197, _e199, _e201);
-                    let _e207 = select(_e192, select(2u, _e192, _e191), _e201);
-                    if (_e92 < -126i) {
-                        phi_414_ = -126i;
-                    } else {
-                        phi_414_ = select(_e92, 127i, (_e92 > 127i));
-                    }
-                    let _e212 = phi_414_;
-                    let _e217 = bitcast<f32>((bitcast<u32>((_e212 + 127i)) << bitcast<u32>(23i)));
-                    let _e223 = bitcast<f32>((bitcast<u32>(((_e92 - _e212) + 127i)) << bitcast<u32>(23i)));
-                    let _e224 = -(_e187);
-                    if (_e224 < -126i) {
-                        phi_434_ = -126i;
-                    } else {
-                        phi_434_ = select(_e224, 127i, (_e224 > 127i));
-                    }
-                    let _e229 = phi_434_;
-                    let _e234 = bitcast<f32>((bitcast<u32>((_e229 + 127i)) << bitcast<u32>(23i)));
-                    let _e240 = bitcast<f32>((bitcast<u32>(((_e224 - _e229) + 127i)) << bitcast<u32>(23i)));
-                    let _e244 = global_4.member[_e88].member;
-                    let _e245 = (_e206 == 0u);
-                    if _e245 {
-                        phi_452_ = _e244[0];
-                    } else {
-                        phi_452_ = _e244[1];
-                    }
-                    let _e249 = phi_452_;
-                    let _e250 = (_e206 == 2u);
-                    if _e250 {
-                        phi_458_ = _e244[2];
-                    } else {
-                        phi_458_ = _e249;
-                    }
-                    let _e253 = phi_458_;
-                    let _e254 = bitcast<u32>(_e253);
-                    let _e256 = ((_e254 & 2139095040u) != 0u);
-                    let _e270 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e254 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e254 & 2147483648u))), _e253, _e256) * _e217) * select(0.00000011920929f, 1f, _e256)) * _e223);
-                    let _e271 = global_4.member[_e88].member_2;
-                    if _e245 {
-                        phi_498_ = _e271[0];
-                    } else {
-                        phi_498_ = _e271[1];
-                    }
-                    let _e275 = phi_498_;
-                    if _e250 {
-                        phi_504_ = _e271[2];
-                    } else {
-                        phi_504_ = _e275;
-                    }
-                    let _e278 = phi_504_;
-                    let _e279 = bitcast<u32>(_e278);
-                    let _e281 = ((_e279 & 2139095040u) != 0u);
-                    let _e295 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e278, _e281) * _e234) * select(0.00000011920929f, 1f, _e281)) * _e240);
-                    let _e299 = (bitcast<f32>((bitcast<u32>(_e295) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e299 {
-                        let _e303 = (bitcast<f32>((bitcast<u32>(_e270) & 2147483647u)) * 0.00000011920929f);
-                        phi_556_ = select(0.00000000000011368684f, _e303, (_e303 > 0.00000000000011368684f));
-                    } else {
-                        phi_556_ = 0f;
-                    }
-                    let _e307 = phi_556_;
-                    let _e308 = (_e270 + _e307);
-                    let _e309 = (_e270 - _e307);
-                    let _e310 = select(_e295, 0f, _e299);
-                    if _e299 {
-                        phi_568_ = 38685626000000000000000000f;
-                    } else {
-                        phi_568_ = (1f / _e295);
-                    }
-                    let _e313 = phi_568_;
-                    let _e314 = (_e205 == 0u);
-                    if _e314 {
-                        phi_577_ = _e244[0];
-                    } else {
-                        phi_577_ = _e244[1];
-                    }
-                    let _e318 = phi_577_;
-                    let _e319 = (_e205 == 2u);
-                    if _e319 {
-                        phi_583_ = _e244[2];
-                    } else {
-                        phi_583_ = _e318;
-                    }
-                    let _e322 = phi_583_;
-                    let _e323 = bitcast<u32>(_e322);
-                    let _e325 = ((_e323 & 2139095040u) != 0u);
-                    let _e339 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e323 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e323 & 2147483648u))), _e322, _e325) * _e217) * select(0.00000011920929f, 1f, _e325)) * _e223);
-                    if _e314 {
-                        phi_623_ = _e271[0];
-                    } else {
-                        phi_623_ = _e271[1];
-                    }
-                    let _e343 = phi_623_;
-                    if _e319 {
-                        phi_629_ = _e271[2];
-                    } else {
-                        phi_629_ = _e343;
-                    }
-                    let _e346 = phi_629_;
-                    let _e347 = bitcast<u32>(_e346);
-                    let _e349 = ((_e347 & 2139095040u) != 0u);
-                    let _e363 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e347 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e347 & 2147483648u))), _e346, _e349) * _e234) * select(0.00000011920929f, 1f, _e349)) * _e240);
-                    let _e367 = (bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e367 {
-                        let _e371 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) * 0.00000011920929f);
-                        phi_681_ = select(0.00000000000011368684f, _e371, (_e371 > 0.00000000000011368684f));
-                    } else {
-                        phi_681_ = 0f;
-                    }
-                    let _e375 = phi_681_;
-                    let _e376 = (_e339 + _e375);
-                    let _e377 = (_e339 - _e375);
-                    let _e378 = select(_e363, 0f, _e367);
-                    if _e367 {
-                        phi_693_ = 38685626000000000000000000f;
-                    } else {
-                        phi_693_ = (1f / _e363);
-                    }
-                    let _e381 = phi_693_;
-                    let _e382 = (_e207 == 0u);
-                    if _e382 {
-                        phi_702_ = _e244[0];
-                    } else {
-                        phi_702_ = _e244[1];
-                    }
-                    let _e386 = phi_702_;
-                    let _e387 = (_e207 == 2u);
-                    if _e387 {
-                        phi_708_ = _e244[2];
-                    } else {
-                        phi_708_ = _e386;
-                    }
-                    let _e390 = phi_708_;
-                    let _e391 = bitcast<u32>(_e390);
-                    let _e393 = ((_e391 & 2139095040u) != 0u);
-                    let _e407 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e391 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e391 & 2147483648u))), _e390, _e393) * _e217) * select(0.00000011920929f, 1f, _e393)) * _e223);
-                    if _e382 {
-                        phi_748_ = _e271[0];
-                    } else {
-                        phi_748_ = _e271[1];
-                    }
-                    let _e411 = phi_748_;
-                    if _e387 {
-                        phi_754_ = _e271[2];
-                    } else {
-                        phi_754_ = _e411;
-                    }
-                    let _e414 = phi_754_;
-                    let _e415 = bitcast<u32>(_e414);
-                    let _e417 = ((_e415 & 2139095040u) != 0u);
-                    let _e431 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e415 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e415 & 2147483648u))), _e414, _e417) * _e234) * select(0.00000011920929f, 1f, _e417)) * _e240);
-                    let _e435 = (bitcast<f32>((bitcast<u32>(_e431) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e435 {
-                        let _e439 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) * 0.00000011920929f);
-                        phi_806_ = select(0.00000000000011368684f, _e439, (_e439 > 0.00000000000011368684f));
-                    } else {
-                        phi_806_ = 0f;
-                    }
-                    let _e443 = phi_806_;
-                    let _e444 = (_e407 + _e443);
-                    let _e445 = (_e407 - _e443);
-                    let _e446 = select(_e431, 0f, _e435);
-                    if _e435 {
-                        phi_818_ = 38685626000000000000000000f;
-                    } else {
-                        phi_818_ = (1f / _e431);
-                    }
-                    let _e449 = phi_818_;
-                    let _e452 = bitcast<f32>((bitcast<u32>(_e270) & 2147483647u));
-                    let _e455 = bitcast<f32>((bitcast<u32>(_e339) & 2147483647u));
-                    let _e457 = select(_e455, _e452, (_e452 > _e455));
-                    let _e460 = bitcast<f32>((bitcast<u32>(_e407) & 2147483647u));
-                    let _e463 = (_e92 + _e187);
-                    if (_e168 && (select(_e460, _e457, (_e457 > _e460)) <= 1099511600000f)) {
-                        let _e473 = ((_e155 & 8388607u) | (select(0u, 1u, ((_e155 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e476 = bitcast<i32>((_e155 >> bitcast<u32>(23i)));
-                        let _e480 = (_e473 == 0u);
-                        let _e483 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e473)), 32u, _e480)) - 8i);
-                        if (_e476 == 255i) {
-                            phi_873_ = 255i;
-                        } else {
-                            phi_873_ = (((_e476 + select(0i, 1i, (_e476 == 0i))) - _e483) + _e463);
-                        }
-                        let _e491 = phi_873_;
-                        let _e501 = (_e491 <= 0i);
-                        if _e501 {
-                            phi_896_ = u32();
-                        } else {
-                            if _e480 {
-                                phi_895_ = u32();
-                            } else {
-                                phi_895_ = select(((bitcast<u32>(_e491) << bitcast<u32>(23i)) | ((_e473 << bitcast<u32>(((_e483 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e491 >= 255i));
-                            }
-                            let _e505 = phi_895_;
-                            phi_896_ = _e505;
-                        }
-                        let _e507 = phi_896_;
-                        let _e519 = ((_e164 & 8388607u) | (select(0u, 1u, ((_e164 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e522 = bitcast<i32>((_e164 >> bitcast<u32>(23i)));
-                        let _e526 = (_e519 == 0u);
-                        let _e529 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e519)), 32u, _e526)) - 8i);
-                        if (_e522 == 255i) {
-                            phi_933_ = 255i;
-                        } else {
-                            phi_933_ = (((_e522 + select(0i, 1i, (_e522 == 0i))) - _e529) + _e463);
-                        }
-                        let _e537 = phi_933_;
-                        let _e547 = (_e537 <= 0i);
-                        if _e547 {
-                            phi_956_ = u32();
-                        } else {
-                            if _e526 {
-                                phi_955_ = u32();
-                            } else {
-                                phi_955_ = select(((bitcast<u32>(_e537) << bitcast<u32>(23i)) | ((_e519 << bitcast<u32>(((_e529 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e537 >= 255i));
-                            }
-                            let _e551 = phi_955_;
-                            phi_956_ = _e551;
-                        }
-                        let _e553 = phi_956_;
-                        phi_964_ = bitcast<f32>(((_e163 & 2147483648u) | select(_e553, 0u, select(_e526, true, _e547))));
-                        phi_965_ = bitcast<f32>(((_e154 & 2147483648u) | select(_e507, 0u, select(_e480, true, _e501))));
-                    } else {
-                        phi_964_ = 0f;
-                        phi_965_ = 1f;
-                    }
-                    let _e559 = phi_964_;
-                    let _e561 = phi_965_;
-                    local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
-                    local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_3055_ = false;
-                    phi_3036_ = _e559;
-                    phi_1033_ = ((3u * _e78) + 1u);
-                    phi_1036_ = (_e561 <= _e559);
-                    phi_1038_ = 0u;
-                    phi_1040_ = select(0u, 2147483648u, (_e78 == 0u));
-                    loop {
-                        let _e568 = phi_3055_;
-                        let _e570 = phi_3036_;
-                        let _e572 = phi_1033_;
-                        let _e574 = phi_1036_;
-                        let _e576 = phi_1038_;
-                        let _e578 = phi_1040_;
-                        if _e574 {
-                            phi_1051_ = true;
-                        } else {
-                            phi_1051_ = (_e576 > 0u);
-                        }
-                        let _e581 = phi_1051_;
-                        if _e581 {
-                            let _e582 = (_e572 > 0u);
-                            if _e582 {
-                                if _e574 {
-                                    phi_1084_ = _e574;
-                                    phi_1085_ = _e576;
-                                    phi_1086_ = _e578;
-                                } else {
-                                    let _e583 = (_e576 - 1u);
-                                    let _e584 = (_e583 % 128u);
-                                    let _e585 = (_e584 < 128u);
-                                    if _e585 {
-                                    } else {
-                                        phi_3302_ = true;
-                                        break;
-                                    }
-                                    let _e587 = local_2[_e584];
-                                    if _e585 {
-                                    } else {
-                                        phi_3302_ = true;
-                                        break;
-                                    }
-                                    let _e589 = local_1[_e584];
-                                    phi_1084_ = (_e589 <= _e570);
-                                    phi_1085_ = _e583;
-                                    phi_1086_ = _e587;
-                                }
-                                let _e592 = phi_1084_;
-                                let _e594 = phi_1085_;
-                                let _e596 = phi_1086_;
-                                if _e592 {
-                                    let _e599 = ((_e596 & 2147483648u) != 0u);
-                                    if _e599 {
-                                        phi_3052_ = _e568;
-                                        phi_3041_ = _e570;
-                                        phi_1101_ = type_4(0u, ((_e596 >> bitcast<u32>(28u)) & 7u));
-                                        loop {
-                                            let _e606 = phi_3052_;
-                                            let _e608 = phi_3041_;
-                                            let _e610 = phi_1101_;
-                                            if (_e610.member < _e610.member_1) {
-                                                phi_1102_ = type_4((_e610.member + 1u), _e610.member_1);
-                                                phi_1125_ = type_4(1u, _e610.member);
-                                            } else {
-                                                phi_1102_ = _e610;
-                                                phi_1125_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e623 = phi_1102_;
-                                            let _e625 = phi_1125_;
-                                            let _e629 = (bitcast<i32>(_e625.member) != 0i);
-                                            if _e629 {
-                                                let _e630 = ((_e596 & 268435455u) + _e625.member_1);
-                                                let _e631 = (_e630 < _e80);
-                                                if _e631 {
-                                                    if _e631 {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e635 = global_3.member[_e630].member_1;
-                                                    phi_1146_ = _e635;
-                                                } else {
-                                                    phi_1146_ = 4294967295u;
-                                                }
-                                                let _e637 = phi_1146_;
-                                                if (_e630 >= _e80) {
-                                                    phi_1238_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                } else {
-                                                    if _e631 {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e639 = (_e206 % 3u);
-                                                    let _e640 = (_e205 % 3u);
-                                                    let _e641 = (_e207 % 3u);
-                                                    if (_e639 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e647 = global_3.member[_e630].member[_e639];
-                                                    if (_e640 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e653 = global_3.member[_e630].member[_e640];
-                                                    if (_e641 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e659 = global_3.member[_e630].member[_e641];
-                                                    let _e661 = (3u + _e639);
-                                                    if (_e661 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e667 = global_3.member[_e630].member[_e661];
-                                                    let _e668 = (3u + _e640);
-                                                    if (_e668 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e674 = global_3.member[_e630].member[_e668];
-                                                    let _e675 = (3u + _e641);
-                                                    if (_e675 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e681 = global_3.member[_e630].member[_e675];
-                                                    let _e683 = (6u + _e639);
-                                                    if (_e683 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e689 = global_3.member[_e630].member[_e683];
-                                                    let _e690 = (6u + _e640);
-                                                    if (_e690 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e696 = global_3.member[_e630].member[_e690];
-                                                    let _e697 = (6u + _e641);
-                                                    if (_e697 < 9u) {
-                                                    } else {
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = true;
-                                                        break;
-                                                    }
-                                                    let _e703 = global_3.member[_e630].member[_e697];
-                                                    phi_1238_ = array<array<f32, 3>, 3>(array<f32, 3>(_e647, _e653, _e659), array<f32, 3>(_e667, _e674, _e681), array<f32, 3>(_e689, _e696, _e703));
-                                                }
-                                                let _e707 = phi_1238_;
-                                                let _e714 = (_e707[0][2] - _e407);
-                                                let _e717 = (((_e707[0][0] - _e270) * _e446) - (_e714 * _e310));
-                                                let _e720 = (((_e707[0][1] - _e339) * _e446) - (_e714 * _e378));
-                                                let _e727 = (_e707[1][2] - _e407);
-                                                let _e730 = (((_e707[1][0] - _e270) * _e446) - (_e727 * _e310));
-                                                let _e733 = (((_e707[1][1] - _e339) * _e446) - (_e727 * _e378));
-                                                let _e740 = (_e707[2][2] - _e407);
-                                                let _e743 = (((_e707[2][0] - _e270) * _e446) - (_e740 * _e310));
-                                                let _e746 = (((_e707[2][1] - _e339) * _e446) - (_e740 * _e378));
-                                                let _e747 = (_e743 * _e733);
-                                                let _e748 = (_e746 * _e730);
-                                                let _e749 = (_e717 * _e746);
-                                                let _e750 = (_e720 * _e743);
-                                                let _e751 = (_e730 * _e720);
-                                                let _e752 = (_e733 * _e717);
-                                                let _e757 = (((_e747 >= _e748) && (_e749 >= _e750)) && (_e751 >= _e752));
-                                                if (_e757 || (((_e747 <= _e748) && (_e749 <= _e750)) && (_e751 <= _e752))) {
-                                                    let _e764 = select(-1f, 1f, _e757);
-                                                    let _e766 = ((_e747 - _e748) * _e764);
-                                                    let _e768 = select(0f, _e766, (_e766 > 0f));
-                                                    let _e770 = ((_e749 - _e750) * _e764);
-                                                    let _e772 = select(0f, _e770, (_e770 > 0f));
-                                                    let _e774 = ((_e751 - _e752) * _e764);
-                                                    let _e776 = select(0f, _e774, (_e774 > 0f));
-                                                    let _e778 = ((_e768 + _e772) + _e776);
-                                                    if (_e778 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2123_ = type_23();
-                                                        phi_2124_ = true;
-                                                        phi_2125_ = false;
-                                                    } else {
-                                                        let _e781 = select(_e730, _e717, (_e717 < _e730));
-                                                        if (select(_e743, _e781, (_e781 < _e743)) > 0f) {
-                                                            phi_1391_ = true;
-                                                        } else {
-                                                            let _e786 = select(_e730, _e717, (_e717 > _e730));
-                                                            phi_1391_ = (select(_e743, _e786, (_e786 > _e743)) < 0f);
-                                                        }
-                                                        let _e791 = phi_1391_;
-                                                        if _e791 {
-                                                            phi_2120_ = type_23();
-                                                            phi_2121_ = true;
-                                                            phi_2122_ = false;
-                                                        } else {
-                                                            let _e793 = select(_e733, _e720, (_e720 < _e733));
-                                                            if (select(_e746, _e793, (_e793 < _e746)) > 0f) {
-                                                                phi_1420_ = true;
-                                                            } else {
-                                                                let _e798 = select(_e733, _e720, (_e720 > _e733));
-                                                                phi_1420_ = (select(_e746, _e798, (_e798 > _e746)) < 0f);
-                                                            }
-                                                            let _e803 = phi_1420_;
-                                                            if _e803 {
-                                                                phi_2118_ = type_23();
-                                                                phi_2119_ = false;
-                                                            } else {
-                                                                let _e805 = select(_e707[1][0], _e707[0][0], (_e707[0][0] < _e707[1][0]));
-                                                                let _e809 = select(_e707[1][0], _e707[0][0], (_e707[0][0] > _e707[1][0]));
-                                                                let _e813 = select(_e707[1][1], _e707[0][1], (_e707[0][1] < _e707[1][1]));
-                                                                let _e817 = select(_e707[1][1], _e707[0][1], (_e707[0][1] > _e707[1][1]));
-                                                                let _e821 = select(_e707[1][2], _e707[0][2], (_e707[0][2] < _e707[1][2]));
-                                                                let _e825 = select(_e707[1][2], _e707[0][2], (_e707[0][2] > _e707[1][2]));
-                                                                let _e830 = ((select(_e707[2][0], _e805, (_e805 < _e707[2][0])) - _e308) * _e313);
-                                                                let _e831 = ((select(_e707[2][0], _e809, (_e809 > _e707[2][0])) - _e309) * _e313);
-                                                                let _e834 = ((select(_e707[2][1], _e813, (_e813 < _e707[2][1])) - _e376) * _e381);
-                                                                let _e835 = ((select(_e707[2][1], _e817, (_e817 > _e707[2][1])) - _e377) * _e381);
-                                                                let _e838 = ((select(_e707[2][2], _e821, (_e821 < _e707[2][2])) - _e444) * _e449);
-                                                                let _e839 = ((select(_e707[2][2], _e825, (_e825 > _e707[2][2])) - _e445) * _e449);
-                                                                let _e841 = select(_e839, _e838, (_e838 < _e839));
-                                                                let _e843 = select(_e839, _e838, (_e838 > _e839));
-                                                                let _e845 = select(_e831, _e830, (_e830 < _e831));
-                                                                let _e847 = select(_e835, _e834, (_e834 < _e835));
-                                                                let _e849 = select(_e847, _e845, (_e845 > _e847));
-                                                                let _e851 = select(_e841, _e849, (_e849 > _e841));
-                                                                let _e853 = select(_e831, _e830, (_e830 > _e831));
-                                                                let _e855 = select(_e835, _e834, (_e834 > _e835));
-                                                                let _e857 = select(_e855, _e853, (_e853 < _e855));
-                                                                let _e859 = select(_e843, _e857, (_e857 < _e843));
-                                                                let _e860 = -(_e841);
-                                                                let _e866 = select(_e561, _e851, (_e851 > _e561));
-                                                                if (_e866 > (_e859 + (select(_e860, _e843, (_e843 > _e860)) * 0.0000019073523f))) {
-                                                                    phi_2113_ = type_23();
-                                                                    phi_2114_ = true;
-                                                                } else {
-                                                                    let _e868 = (_e866 > _e608);
-                                                                    if _e868 {
-                                                                        phi_2112_ = type_23();
-                                                                    } else {
-                                                                        let _e869 = vec3<f32>(_e707[0][0], _e707[0][1], _e707[0][2]);
-                                                                        let _e870 = vec3<f32>(_e707[1][0], _e707[1][1], _e707[1][2]);
-                                                                        let _e871 = vec3<f32>(_e707[2][0], _e707[2][1], _e707[2][2]);
-                                                                        let _e872 = (_e707[1][0] - _e707[0][0]);
-                                                                        let _e873 = (_e707[1][1] - _e707[0][1]);
-                                                                        let _e874 = (_e707[1][2] - _e707[0][2]);
-                                                                        let _e875 = vec3<f32>(_e872, _e873, _e874);
-                                                                        let _e876 = (_e707[2][0] - _e707[1][0]);
-                                                                        let _e877 = (_e707[2][1] - _e707[1][1]);
-                                                                        let _e878 = (_e707[2][2] - _e707[1][2]);
-                                                                        let _e879 = vec3<f32>(_e876, _e877, _e878);
-                                                                        let _e880 = (_e707[0][0] - _e707[2][0]);
-                                                                        let _e881 = (_e707[0][1] - _e707[2][1]);
-                                                                        let _e882 = (_e707[0][2] - _e707[2][2]);
-                                                                        let _e883 = vec3<f32>(_e880, _e881, _e882);
-                                                                        let _e886 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
-                                                                        let _e889 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
-                                                                        let _e891 = select(_e889, _e886, (_e886 > _e889));
-                                                                        let _e894 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
-                                                                        let _e896 = select(_e894, _e891, (_e891 > _e894));
-                                                                        let _e899 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
-                                                                        let _e902 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
-                                                                        let _e904 = select(_e902, _e899, (_e899 > _e902));
-                                                                        let _e907 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
-                                                                        let _e909 = select(_e907, _e904, (_e904 > _e907));
-                                                                        let _e912 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
-                                                                        let _e915 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
-                                                                        let _e917 = select(_e915, _e912, (_e912 > _e915));
-                                                                        let _e920 = bitcast<f32>((bitcast<u32>(_e882) & 2147483647u));
-                                                                        let _e922 = select(_e920, _e917, (_e917 > _e920));
-                                                                        let _e924 = select(_e909, _e896, (_e896 > _e909));
-                                                                        let _e926 = select(_e922, _e924, (_e924 > _e922));
-                                                                        if (_e896 == _e926) {
-                                                                            phi_1839_ = _e733;
-                                                                            phi_1840_ = _e730;
-                                                                            phi_1841_ = _e720;
-                                                                            phi_1842_ = _e717;
-                                                                            phi_1843_ = _e869;
-                                                                            phi_1844_ = _e883;
-                                                                            phi_1845_ = _e879;
-                                                                            phi_1846_ = _e875;
-                                                                        } else {
-                                                                            let _e928 = (_e909 == _e926);
-                                                                            let _e933 = vec3(_e928);
-                                                                            phi_1839_ = select(_e720, _e746, _e928);
-                                                                            phi_1840_ = select(_e717, _e743, _e928);
-                                                                            phi_1841_ = select(_e746, _e733, _e928);
-                                                                            phi_1842_ = select(_e743, _e730, _e928);
-                                                                            phi_1843_ = select(_e871, _e870, _e933);
-                                                                            phi_1844_ = select(_e879, _e875, _e933);
-                                                                            phi_1845_ = select(_e875, _e883, _e933);
-                                                                            phi_1846_ = select(_e883, _e879, _e933);
-                                                                        }
-                                                                        let _e939 = phi_1839_;
-                                                                        let _e941 = phi_1840_;
-                                                                        let _e943 = phi_1841_;
-                                                                        let _e945 = phi_1842_;
-                                                                        let _e947 = phi_1843_;
-                                                                        let _e949 = phi_1844_;
-                                                                        let _e951 = phi_1845_;
-                                                                        let _e953 = phi_1846_;
-                                                                        let _e960 = ((_e951.y * _e949.z) - (_e949.y * _e951.z));
-                                                                        let _e965 = ((_e951.z * _e949.x) - (_e949.z * _e951.x));
-                                                                        let _e968 = ((_e951.x * _e949.y) - (_e949.x * _e951.y));
-                                                                        if (_e768 >= _e772) {
-                                                                            phi_1883_ = select(true, false, (_e768 >= _e776));
-                                                                        } else {
-                                                                            phi_1883_ = true;
-                                                                        }
-                                                                        let _e973 = phi_1883_;
-                                                                        if _e973 {
-                                                                            phi_1892_ = select(_e871, _e870, vec3((_e772 >= _e776)));
-                                                                        } else {
-                                                                            phi_1892_ = _e869;
-                                                                        }
-                                                                        let _e978 = phi_1892_;
-                                                                        let _e989 = (((_e960 * (_e978.x - _e270)) + (_e965 * (_e978.y - _e339))) + (_e968 * (_e978.z - _e407)));
-                                                                        let _e994 = (((_e960 * _e310) + (_e965 * _e378)) + (_e968 * _e446));
-                                                                        let _e995 = (_e941 - _e945);
-                                                                        let _e996 = (_e939 - _e943);
-                                                                        let _e1004 = (-(((_e945 * _e995) + (_e943 * _e996))) / ((_e995 * _e995) + (_e996 * _e996)));
-                                                                        let _e1006 = select(1f, _e1004, (_e1004 < 1f));
-                                                                        let _e1008 = select(0f, _e1006, (_e1006 > 0f));
-                                                                        let _e1021 = ((_e947.x + (_e953.x * _e1008)) - _e270);
-                                                                        let _e1022 = ((_e947.y + (_e953.y * _e1008)) - _e339);
-                                                                        let _e1023 = ((_e947.z + (_e953.z * _e1008)) - _e407);
-                                                                        let _e1024 = (_e1023 / _e446);
-                                                                        let _e1036 = bitcast<f32>((bitcast<u32>(_e1021) & 2147483647u));
-                                                                        let _e1039 = bitcast<f32>((bitcast<u32>(_e1022) & 2147483647u));
-                                                                        let _e1041 = select(_e1039, _e1036, (_e1036 > _e1039));
-                                                                        let _e1044 = bitcast<f32>((bitcast<u32>(_e1023) & 2147483647u));
-                                                                        let _e1046 = select(_e1044, _e1041, (_e1041 > _e1044));
-                                                                        let _e1052 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
-                                                                        let _e1055 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
-                                                                        let _e1057 = select(_e1055, _e1052, (_e1052 > _e1055));
-                                                                        let _e1060 = bitcast<f32>((bitcast<u32>(_e968) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e960 * _e1021) + (_e965 * _e1022)) + (_e968 * _e1023)) - _e989)) & 2147483647u)) <= ((0.0000009536743f * select(_e926, _e1046, (_e1046 > _e926))) * select(_e1060, _e1057, (_e1057 > _e1060)))) {
-                                                                            let _e1070 = bitcast<f32>((bitcast<u32>(_e951.x) & 2147483647u));
-                                                                            let _e1073 = bitcast<f32>((bitcast<u32>(_e951.y) & 2147483647u));
-                                                                            let _e1075 = select(_e1073, _e1070, (_e1070 > _e1073));
-                                                                            let _e1078 = bitcast<f32>((bitcast<u32>(_e951.z) & 2147483647u));
-                                                                            let _e1084 = bitcast<f32>((bitcast<u32>(_e949.x) & 2147483647u));
-                                                                            let _e1087 = bitcast<f32>((bitcast<u32>(_e949.y) & 2147483647u));
-                                                                            let _e1089 = select(_e1087, _e1084, (_e1084 > _e1087));
-                                                                            let _e1092 = bitcast<f32>((bitcast<u32>(_e949.z) & 2147483647u));
-                                                                            let _e1096 = (bitcast<f32>((bitcast<u32>(_e994) & 2147483647u)) > ((0.0000038146973f * select(_e1078, _e1075, (_e1075 > _e1078))) * select(_e1092, _e1089, (_e1089 > _e1092))));
-                                                                            if _e1096 {
-                                                                                phi_2057_ = (_e989 / _e994);
-                                                                            } else {
-                                                                                phi_2057_ = f32();
-                                                                            }
-                                                                            let _e1099 = phi_2057_;
-                                                                            phi_2059_ = _e1099;
-                                                                            phi_2060_ = select(true, false, _e1096);
-                                                                        } else {
-                                                                            phi_2059_ = f32();
-                                                                            phi_2060_ = true;
-                                                                        }
-                                                                        let _e1102 = phi_2059_;
-                                                                        let _e1104 = phi_2060_;
-                                                                        if _e1104 {
-                                                                            let _e1112 = (((_e960 * (_e1021 - (_e310 * _e1024))) + (_e965 * (_e1022 - (_e378 * _e1024)))) / _e994);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1112) & 2147483647u)) <= _e926) {
-                                                                                phi_2080_ = (_e1024 + _e1112);
-                                                                            } else {
-                                                                                phi_2080_ = _e1024;
-                                                                            }
-                                                                            let _e1119 = phi_2080_;
-                                                                            phi_2081_ = _e1119;
-                                                                        } else {
-                                                                            phi_2081_ = _e1102;
-                                                                        }
-                                                                        let _e1121 = phi_2081_;
-                                                                        let _e1123 = select(_e859, _e1121, (_e1121 < _e859));
-                                                                        let _e1125 = select(_e851, _e1123, (_e1123 > _e851));
-                                                                        if (_e1125 >= _e561) {
-                                                                            let _e1127 = (_e1125 <= _e608);
-                                                                            if _e1127 {
-                                                                                let _e1128 = (1f / _e778);
-                                                                                phi_2104_ = type_23(_e1125, (_e772 * _e1128), (_e776 * _e1128), _e637);
-                                                                            } else {
-                                                                                phi_2104_ = type_23();
-                                                                            }
-                                                                            let _e1133 = phi_2104_;
-                                                                            phi_2106_ = _e1133;
-                                                                            phi_2107_ = select(true, false, _e1127);
-                                                                        } else {
-                                                                            phi_2106_ = type_23();
-                                                                            phi_2107_ = true;
-                                                                        }
-                                                                        let _e1136 = phi_2106_;
-                                                                        let _e1138 = phi_2107_;
-                                                                        if _e1138 {
-                                                                            phi_2111_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2111_ = _e1136;
-                                                                        }
-                                                                        let _e1140 = phi_2111_;
-                                                                        phi_2112_ = _e1140;
-                                                                    }
-                                                                    let _e1142 = phi_2112_;
-                                                                    phi_2113_ = _e1142;
-                                                                    phi_2114_ = _e868;
-                                                                }
-                                                                let _e1144 = phi_2113_;
-                                                                let _e1146 = phi_2114_;
-                                                                phi_2118_ = _e1144;
-                                                                phi_2119_ = _e1146;
-                                                            }
-                                                            let _e1148 = phi_2118_;
-                                                            let _e1150 = phi_2119_;
-                                                            phi_2120_ = _e1148;
-                                                            phi_2121_ = _e803;
-                                                            phi_2122_ = _e1150;
-                                                        }
-                                                        let _e1152 = phi_2120_;
-                                                        let _e1154 = phi_2121_;
-                                                        let _e1156 = phi_2122_;
-                                                        phi_2123_ = _e1152;
-                                                        phi_2124_ = _e1154;
-                                                        phi_2125_ = _e1156;
-                                                    }
-                                                    let _e1158 = phi_2123_;
-                                                    let _e1160 = phi_2124_;
-                                                    let _e1162 = phi_2125_;
-                                                    phi_2133_ = _e1158;
-                                                    phi_2134_ = select(_e1162, true, _e1160);
-                                                } else {
-                                                    phi_2133_ = type_23();
-                                                    phi_2134_ = true;
-                                                }
-                                                let _e1165 = phi_2133_;
-                                                let _e1167 = phi_2134_;
-                                                if _e1167 {
-                                                    phi_2138_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_2138_ = _e1165;
-                                                }
-                                                let _e1169 = phi_2138_;
-                                                if (_e1169.member_3 != 4294967295u) {
-                                                    if (_e637 != 4294967295u) {
-                                                        phi_2150_ = type_4(0u, 8u);
-                                                        phi_2153_ = _e1169;
-                                                        loop {
-                                                            let _e1174 = phi_2150_;
-                                                            let _e1176 = phi_2153_;
-                                                            if (_e1174.member < _e1174.member_1) {
-                                                                phi_2151_ = type_4((_e1174.member + 1u), _e1174.member_1);
-                                                                phi_2176_ = type_4(1u, _e1174.member);
-                                                            } else {
-                                                                phi_2151_ = _e1174;
-                                                                phi_2176_ = type_4(0u, type_4().member_1);
-                                                            }
-                                                            let _e1189 = phi_2151_;
-                                                            let _e1191 = phi_2176_;
-                                                            let _e1195 = (bitcast<i32>(_e1191.member) != 0i);
-                                                            if _e1195 {
-                                                                let _e1196 = (_e1191.member_1 < 8u);
-                                                                if _e1196 {
-                                                                } else {
-                                                                    phi_3043_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1201 = local[_e1191.member_1].member;
-                                                                if (_e1176.member < _e1201) {
-                                                                    phi_2209_ = true;
-                                                                } else {
-                                                                    let _e1203 = local[_e1191.member_1].member;
-                                                                    if (_e1176.member == _e1203) {
-                                                                        let _e1208 = local[_e1191.member_1].member_3;
-                                                                        phi_2208_ = (_e1176.member_3 < _e1208);
-                                                                    } else {
-                                                                        phi_2208_ = false;
-                                                                    }
-                                                                    let _e1211 = phi_2208_;
-                                                                    phi_2209_ = _e1211;
-                                                                }
-                                                                let _e1213 = phi_2209_;
-                                                                if _e1213 {
-                                                                    if _e1196 {
-                                                                    } else {
-                                                                        phi_3043_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1214 = local[_e1191.member_1];
-                                                                    local[_e1191.member_1] = type_23(_e1176.member, _e1176.member_1, _e1176.member_2, _e1176.member_3);
-                                                                    phi_2230_ = type_23(_e1214.member, _e1214.member_1, _e1214.member_2, _e1214.member_3);
-                                                                } else {
-                                                                    phi_2230_ = _e1176;
-                                                                }
-                                                                let _e1225 = phi_2230_;
-                                                                phi_2154_ = _e1225;
-                                                            } else {
-                                                                phi_2154_ = type_23();
-                                                            }
-                                                            let _e1227 = phi_2154_;
-                                                            continue;
-                                                            continuing {
-                                                                phi_2150_ = _e1189;
-                                                                phi_2153_ = _e1227;
-                                                                phi_3043_ = _e606;
-                                                                break if !(_e1195);
-                                                            }
-                                                        }
-                                                        let _e1230 = phi_3043_;
-                                                        phi_3210_ = _e608;
-                                                        phi_3203_ = _e1230;
-                                                        if _e1230 {
-                                                            break;
-                                                        }
-                                                        let _e1233 = local[7u].member_3;
-                                                        if (_e1233 != 4294967295u) {
-                                                            let _e1237 = local[7u].member;
-                                                            phi_3301_ = _e1237;
-                                                        } else {
-                                                            phi_3301_ = _e608;
-                                                        }
-                                                        let _e1239 = phi_3301_;
-                                                        phi_3300_ = _e1239;
-                                                        phi_3206_ = _e1230;
-                                                    } else {
-                                                        phi_3300_ = _e608;
-                                                        phi_3206_ = _e606;
-                                                    }
-                                                    let _e1241 = phi_3300_;
-                                                    let _e1243 = phi_3206_;
-                                                    phi_3299_ = _e1241;
-                                                    phi_3205_ = _e1243;
-                                                } else {
-                                                    phi_3299_ = _e608;
-                                                    phi_3205_ = _e606;
-                                                }
-                                                let _e1245 = phi_3299_;
-                                                let _e1247 = phi_3205_;
-                                                phi_3298_ = _e1245;
-                                                phi_3204_ = _e1247;
-                                            } else {
-                                                phi_3298_ = _e608;
-                                                phi_3204_ = _e606;
-                                            }
-                                            let _e1249 = phi_3298_;
-                                            let _e1251 = phi_3204_;
-                                            continue;
-                                            continuing {
-                                                phi_3052_ = _e1251;
-                                                phi_3041_ = _e1249;
-                                                phi_1101_ = _e623;
-                                                phi_3210_ = _e1249;
-                                                phi_3203_ = _e1251;
-                                                break if !(_e629);
-                                            }
-                                        }
-                                        let _e1254 = phi_3210_;
-                                        let _e1256 = phi_3203_;
-                                        phi_3302_ = _e1256;
-                                        if _e1256 {
-                                            break;
-                                        }
-                                        phi_3337_ = _e1256;
-                                        phi_3209_ = _e1254;
-                                    } else {
-                                        phi_3337_ = _e568;
-                                        phi_3209_ = _e570;
-                                    }
-                                    let _e1258 = phi_3337_;
-                                    let _e1260 = phi_3209_;
-                                    if _e599 {
-                                        phi_2722_ = bool();
-                                        phi_2723_ = u32();
-                                        phi_2724_ = u32();
-                                    } else {
-                                        if (_e596 >= _e78) {
-                                            phi_2306_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
-                                        } else {
-                                            if (_e596 < _e78) {
-                                            } else {
-                                                phi_3302_ = true;
-                                                break;
-                                            }
-                                            let _e1263 = (_e206 % 3u);
-                                            if (_e1263 < 3u) {
-                                            } else {
-                                                phi_3302_ = true;
-                                                break;
-                                            }
-                                            let _e1269 = global_2.member[_e596].member[_e1263];
-                                            let _e1275 = (_e205 % 3u);
-                                            if (_e1275 < 3u) {
-                                            } else {
-                                                phi_3302_ = true;
-                                                break;
-                                            }
-                                            let _e1281 = global_2.member[_e596].member[_e1275];
-                                            let _e1287 = (_e207 % 3u);
-                                            if (_e1287 < 3u) {
-                                            } else {
-                                                phi_3302_ = true;
-                                                break;
-                                            }
-                                            let _e1293 = global_2.member[_e596].member[_e1287];
-                                            let _e1303 = global_2.member[_e596].member_1;
-                                            let _e1307 = global_2.member[_e596].member_2;
-                                            phi_2306_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e1269[0], _e1269[1], _e1269[2], _e1269[3]), vec4<f32>(_e1281[0], _e1281[1], _e1281[2], _e1281[3]), vec4<f32>(_e1293[0], _e1293[1], _e1293[2], _e1293[3])), _e1303, _e1307);
-                                        }
-                                        let _e1310 = phi_2306_;
-                                        let _e1321 = ((_e1310.member[0].x - _e308) * _e313);
-                                        let _e1322 = ((_e1310.member[0].y - _e308) * _e313);
-                                        let _e1323 = ((_e1310.member[0].z - _e309) * _e313);
-                                        let _e1324 = ((_e1310.member[0].w - _e309) * _e313);
-                                        let _e1334 = ((_e1310.member[1].x - _e376) * _e381);
-                                        let _e1335 = ((_e1310.member[1].y - _e376) * _e381);
-                                        let _e1336 = ((_e1310.member[1].z - _e377) * _e381);
-                                        let _e1337 = ((_e1310.member[1].w - _e377) * _e381);
-                                        let _e1347 = ((_e1310.member[2].x - _e444) * _e449);
-                                        let _e1348 = ((_e1310.member[2].y - _e444) * _e449);
-                                        let _e1349 = ((_e1310.member[2].z - _e445) * _e449);
-                                        let _e1350 = ((_e1310.member[2].w - _e445) * _e449);
-                                        let _e1352 = select(_e1349, _e1347, (_e1347 < _e1349));
-                                        let _e1354 = select(_e1350, _e1348, (_e1348 < _e1350));
-                                        let _e1356 = select(_e1349, _e1347, (_e1347 > _e1349));
-                                        let _e1358 = select(_e1350, _e1348, (_e1348 > _e1350));
-                                        let _e1360 = select(_e1323, _e1321, (_e1321 < _e1323));
-                                        let _e1362 = select(_e1324, _e1322, (_e1322 < _e1324));
-                                        let _e1364 = select(_e1336, _e1334, (_e1334 < _e1336));
-                                        let _e1366 = select(_e1337, _e1335, (_e1335 < _e1337));
-                                        let _e1368 = select(_e1364, _e1360, (_e1360 > _e1364));
-                                        let _e1370 = select(_e1366, _e1362, (_e1362 > _e1366));
-                                        let _e1372 = select(_e1352, _e1368, (_e1368 > _e1352));
-                                        let _e1374 = select(_e1354, _e1370, (_e1370 > _e1354));
-                                        let _e1376 = select(_e1323, _e1321, (_e1321 > _e1323));
-                                        let _e1378 = select(_e1324, _e1322, (_e1322 > _e1324));
-                                        let _e1380 = select(_e1336, _e1334, (_e1334 > _e1336));
-                                        let _e1382 = select(_e1337, _e1335, (_e1335 > _e1337));
-                                        let _e1384 = select(_e1380, _e1376, (_e1376 < _e1380));
-                                        let _e1386 = select(_e1382, _e1378, (_e1378 < _e1382));
-                                        let _e1391 = -(_e1352);
-                                        let _e1392 = -(_e1354);
-                                        let _e1399 = (select(_e1356, _e1384, (_e1384 < _e1356)) + (select(_e1391, _e1356, (_e1356 > _e1391)) * 0.0000019073523f));
-                                        let _e1400 = (select(_e1358, _e1386, (_e1386 < _e1358)) + (select(_e1392, _e1358, (_e1358 > _e1392)) * 0.0000019073523f));
-                                        let _e1402 = select(_e561, _e1372, (_e1372 > _e561));
-                                        let _e1404 = select(_e561, _e1374, (_e1374 > _e561));
-                                        let _e1409 = (_e1402 <= select(_e1260, _e1399, (_e1399 < _e1260)));
-                                        let _e1410 = (_e1404 <= select(_e1260, _e1400, (_e1400 < _e1260)));
-                                        let _e1411 = (_e1402 <= _e1404);
-                                        if _e1409 {
-                                            if _e1410 {
-                                                if _e1411 {
-                                                    phi_2669_ = _e1310.member_2;
-                                                } else {
-                                                    phi_2669_ = _e1310.member_1;
-                                                }
-                                                let _e1415 = phi_2669_;
-                                                let _e1417 = (_e594 % 128u);
-                                                let _e1418 = (_e1417 < 128u);
-                                                if _e1418 {
-                                                } else {
-                                                    phi_3302_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e1417] = _e1415;
-                                                if _e1418 {
-                                                } else {
-                                                    phi_3302_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e1417] = select(_e1402, _e1404, _e1411);
-                                                if _e1411 {
-                                                    phi_2696_ = _e1310.member_1;
-                                                } else {
-                                                    phi_2696_ = _e1310.member_2;
-                                                }
-                                                let _e1425 = phi_2696_;
-                                                phi_2697_ = (_e594 + 1u);
-                                                phi_2698_ = _e1425;
-                                            } else {
-                                                phi_2697_ = u32();
-                                                phi_2698_ = u32();
-                                            }
-                                            let _e1427 = phi_2697_;
-                                            let _e1429 = phi_2698_;
-                                            phi_2700_ = _e1427;
-                                            phi_2701_ = _e1429;
-                                            phi_2702_ = select(true, false, _e1410);
-                                        } else {
-                                            phi_2700_ = u32();
-                                            phi_2701_ = u32();
-                                            phi_2702_ = true;
-                                        }
-                                        let _e1432 = phi_2700_;
-                                        let _e1434 = phi_2701_;
-                                        let _e1436 = phi_2702_;
-                                        if _e1436 {
-                                            if _e1409 {
-                                                phi_2711_ = _e1310.member_1;
-                                            } else {
-                                                phi_2711_ = _e1310.member_2;
-                                            }
-                                            let _e1440 = phi_2711_;
-                                            phi_2716_ = select(_e1410, true, _e1409);
-                                            phi_2718_ = _e1440;
-                                        } else {
-                                            phi_2716_ = _e592;
-                                            phi_2718_ = _e1434;
-                                        }
-                                        let _e1443 = phi_2716_;
-                                        let _e1445 = phi_2718_;
-                                        phi_2722_ = _e1443;
-                                        phi_2723_ = select(_e1432, _e594, _e1436);
-                                        phi_2724_ = _e1445;
-                                    }
-                                    let _e1448 = phi_2722_;
-                                    let _e1450 = phi_2723_;
-                                    let _e1452 = phi_2724_;
-                                    phi_3364_ = _e1260;
-                                    phi_3305_ = _e1258;
-                                    phi_2735_ = (_e572 - 1u);
-                                    phi_2736_ = select(_e1448, false, _e599);
-                                    phi_2737_ = select(_e1450, _e594, _e599);
-                                    phi_2738_ = select(_e1452, _e596, _e599);
-                                } else {
-                                    phi_3364_ = _e570;
-                                    phi_3305_ = _e568;
-                                    phi_2735_ = _e572;
-                                    phi_2736_ = _e592;
-                                    phi_2737_ = _e594;
-                                    phi_2738_ = _e596;
-                                }
-                                let _e1457 = phi_3364_;
-                                let _e1459 = phi_3305_;
-                                let _e1461 = phi_2735_;
-                                let _e1463 = phi_2736_;
-                                let _e1465 = phi_2737_;
-                                let _e1467 = phi_2738_;
-                                phi_3363_ = _e1457;
-                                phi_3304_ = _e1459;
-                                phi_2739_ = _e1461;
-                                phi_2740_ = _e1463;
-                                phi_2741_ = _e1465;
-                                phi_2742_ = _e1467;
-                            } else {
-                                phi_3363_ = _e570;
-                                phi_3304_ = _e568;
-                                phi_2739_ = u32();
-                                phi_2740_ = bool();
-                                phi_2741_ = u32();
-                                phi_2742_ = u32();
-                            }
-                            let _e1469 = phi_3363_;
-                            let _e1471 = phi_3304_;
-                            let _e1473 = phi_2739_;
-                            let _e1475 = phi_2740_;
-                            let _e1477 = phi_2741_;
-                            let _e1479 = phi_2742_;
-                            phi_3362_ = _e1469;
-                            phi_3303_ = _e1471;
-                            phi_1034_ = _e1473;
-                            phi_1037_ = _e1475;
-                            phi_1039_ = _e1477;
-                            phi_1041_ = _e1479;
-                            phi_2743_ = _e582;
-                        } else {
-                            phi_3362_ = _e570;
-                            phi_3303_ = _e568;
-                            phi_1034_ = u32();
-                            phi_1037_ = bool();
-                            phi_1039_ = u32();
-                            phi_1041_ = u32();
-                            phi_2743_ = false;
-                        }
-                        let _e1481 = phi_3362_;
-                        let _e1483 = phi_3303_;
-                        let _e1485 = phi_1034_;
-                        let _e1487 = phi_1037_;
-                        let _e1489 = phi_1039_;
-                        let _e1491 = phi_1041_;
-                        let _e1493 = phi_2743_;
-                        continue;
-                        continuing {
-                            phi_3055_ = _e1483;
-                            phi_3036_ = _e1481;
-                            phi_1033_ = _e1485;
-                            phi_1036_ = _e1487;
-                            phi_1038_ = _e1489;
-                            phi_1040_ = _e1491;
-                            phi_3302_ = _e1483;
-                            break if !(_e1493);
-                        }
-                    }
-                    let _e1496 = phi_3302_;
-                    if _e1496 {
-                        break;
-                    }
-                    phi_2750_ = type_4(0u, 8u);
-                    loop {
-                        let _e1498 = phi_2750_;
-                        if (_e1498.member < _e1498.member_1) {
-                            phi_2751_ = type_4((_e1498.member + 1u), _e1498.member_1);
-                            phi_2774_ = type_4(1u, _e1498.member);
-                        } else {
-                            phi_2751_ = _e1498;
-                            phi_2774_ = type_4(0u, type_4().member_1);
-                        }
-                        let _e1511 = phi_2751_;
-                        let _e1513 = phi_2774_;
-                        let _e1517 = (bitcast<i32>(_e1513.member) != 0i);
-                        if _e1517 {
-                            let _e1518 = (_e1513.member_1 < 8u);
-                            if _e1518 {
-                            } else {
-                                phi_3344_ = true;
-                                break;
-                            }
-                            let _e1520 = local[_e1513.member_1];
-                            if (_e1520.member_3 != 4294967295u) {
-                                let _e1526 = -(_e463);
-                                let _e1527 = bitcast<u32>(_e1520.member);
-                                let _e1531 = (bitcast<i32>((_e1527 >> bitcast<u32>(23i))) & 255i);
-                                let _e1532 = (_e1531 + _e1526);
-                                if (_e1531 == 255i) {
-                                    phi_2847_ = _e1520.member;
-                                } else {
-                                    if (_e1531 > 0i) {
-                                        if (_e1532 > 0i) {
-                                            let _e1536 = (_e1532 < 255i);
-                                            if _e1536 {
-                                                phi_2826_ = bitcast<f32>((_e1527 + bitcast<u32>((_e1526 << bitcast<u32>(23i)))));
-                                            } else {
-                                                phi_2826_ = f32();
-                                            }
-                                            let _e1543 = phi_2826_;
-                                            phi_2828_ = _e1543;
-                                            phi_2829_ = select(true, false, _e1536);
-                                        } else {
-                                            phi_2828_ = f32();
-                                            phi_2829_ = true;
-                                        }
-                                        let _e1546 = phi_2828_;
-                                        let _e1548 = phi_2829_;
-                                        phi_2830_ = _e1546;
-                                        phi_2831_ = _e1548;
-                                    } else {
-                                        phi_2830_ = f32();
-                                        phi_2831_ = true;
-                                    }
-                                    let _e1550 = phi_2830_;
-                                    let _e1552 = phi_2831_;
-                                    if _e1552 {
-                                        let _e1553 = (_e1527 & 2147483648u);
-                                        let _e1560 = ((_e1527 & 8388607u) | (select(0u, 1u, ((_e1527 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1564 = (_e1560 == 0u);
-                                        if _e1564 {
-                                            phi_3020_ = bitcast<f32>(_e1553);
-                                        } else {
-                                            let _e1569 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1560)), 32u, _e1564) - 8u);
-                                            let _e1572 = (_e1560 << bitcast<u32>((_e1569 & 31u)));
-                                            let _e1574 = ((_e1532 + select(0i, 1i, (_e1531 == 0i))) - bitcast<i32>(_e1569));
-                                            if (_e1574 >= 255i) {
-                                                phi_3010_ = bitcast<f32>((_e1553 | 2139095040u));
-                                                phi_3011_ = f32();
-                                                phi_3012_ = true;
-                                            } else {
-                                                let _e1576 = (_e1574 > 0i);
-                                                if _e1576 {
-                                                    phi_3004_ = bitcast<f32>(((_e1553 | (bitcast<u32>(_e1574) << bitcast<u32>(23i))) | (_e1572 & 8388607u)));
-                                                    phi_3005_ = f32();
-                                                } else {
-                                                    if (_e1574 < -24i) {
-                                                        phi_2970_ = 26u;
-                                                    } else {
-                                                        phi_2970_ = bitcast<u32>((1i - _e1574));
-                                                    }
-                                                    let _e1581 = phi_2970_;
-                                                    let _e1582 = (_e1581 & 31u);
-                                                    let _e1584 = (_e1572 >> bitcast<u32>(_e1582));
-                                                    let _e1588 = (_e1572 & ((1u << bitcast<u32>(_e1582)) - 1u));
-                                                    let _e1592 = (1u << bitcast<u32>(((_e1581 - 1u) & 31u)));
-                                                    if (_e1588 > _e1592) {
-                                                        phi_2991_ = true;
-                                                    } else {
-                                                        if (_e1588 == _e1592) {
-                                                            phi_2988_ = ((_e1584 & 1u) == 1u);
-                                                        } else {
-                                                            phi_2988_ = false;
-                                                        }
-                                                        let _e1598 = phi_2988_;
-                                                        phi_2991_ = _e1598;
-                                                    }
-                                                    let _e1600 = phi_2991_;
-                                                    phi_3004_ = f32();
-                                                    phi_3005_ = bitcast<f32>((_e1553 | (_e1584 + select(0u, 1u, _e1600))));
-                                                }
-                                                let _e1613 = phi_3004_;
-                                                let _e1615 = phi_3005_;
-                                                phi_3010_ = _e1613;
-                                                phi_3011_ = _e1615;
-                                                phi_3012_ = _e1576;
-                                            }
-                                            let _e1619 = phi_3010_;
-                                            let _e1621 = phi_3011_;
-                                            let _e1623 = phi_3012_;
-                                            phi_3020_ = select(_e1621, _e1619, _e1623);
-                                        }
-                                        let _e1627 = phi_3020_;
-                                        phi_2846_ = _e1627;
-                                    } else {
-                                        phi_2846_ = _e1550;
-                                    }
-                                    let _e1629 = phi_2846_;
-                                    phi_2847_ = _e1629;
-                                }
-                                let _e1631 = phi_2847_;
-                                let _e1632 = bitcast<u32>(_e1631);
-                                if ((_e1632 & 2147483647u) >= 2139095040u) {
-                                    phi_2859_ = bitcast<f32>(((_e1632 & 2147483648u) | 2139095039u));
-                                } else {
-                                    phi_2859_ = _e1631;
-                                }
-                                let _e1639 = phi_2859_;
-                                phi_2864_ = type_23(_e1639, _e1520.member_1, _e1520.member_2, _e1520.member_3);
-                            } else {
-                                phi_2864_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                            }
-                            let _e1642 = phi_2864_;
-                            if _e1518 {
-                            } else {
-                                phi_3344_ = true;
-                                break;
-                            }
-                            local[_e1513.member_1] = type_23(_e1642.member, _e1642.member_1, _e1642.member_2, _e1642.member_3);
-                        }
-                        continue;
-                        continuing {
-                            phi_2750_ = _e1511;
-                            phi_3344_ = _e1496;
-                            break if !(_e1517);
-                        }
-                    }
-                    let _e1650 = phi_3344_;
-                    if _e1650 {
-                        break;
-                    }
-                    let _e1651 = local;
+            let _e77 = global;
+            let _e79 = arrayLength((&global_2.member));
+            let _e81 = arrayLength((&global_3.member));
+            let _e89 = (_e77.x + (_e77.y * 2097152u));
+            let _e92 = global_1.member[0u];
+            let _e93 = bitcast<i32>(_e92);
+            let _e94 = (_e89 < arrayLength((&global_4.member)));
+            if _e94 {
+                let _e95 = (_e89 < arrayLength((&global_5.member)));
+                if _e95 {
                     if _e94 {
                     } else {
                         break;
                     }
-                    global_5.member[_e88] = array<type_23, 8>(type_23(_e1651[0].member, _e1651[0].member_1, _e1651[0].member_2, _e1651[0].member_3), type_23(_e1651[1].member, _e1651[1].member_1, _e1651[1].member_2, _e1651[1].member_3), type_23(_e1651[2].member, _e1651[2].member_1, _e1651[2].member_2, _e1651[2].member_3), type_23(_e1651[3].member, _e1651[3].member_1, _e1651[3].member_2, _e1651[3].member_3), type_23(_e1651[4].member, _e1651[4].member_1, _e1651[4].member_2, _e1651[4].member_3), type_23(_e1651[5].member, _e1651[5].member_1, _e1651[5].member_2, _e1651[5].member_3), type_23(_e1651[6].member, _e1651[6].member_1, _e1651[6].member_2, _e1651[6].member_3), type_23(_e1651[7].member, _e1651[7].member_1, _e1651[7].member_2, _e1651[7].member_3));
+                    let _e103 = global_4.member[_e89].member_2[0u];
+                    let _e105 = (bitcast<u32>(_e103) & 2147483647u);
+                    let _e110 = global_4.member[_e89].member_2[1u];
+                    let _e112 = (bitcast<u32>(_e110) & 2147483647u);
+                    let _e117 = global_4.member[_e89].member_2[2u];
+                    let _e119 = (bitcast<u32>(_e117) & 2147483647u);
+                    let _e124 = global_4.member[_e89].member[0u];
+                    let _e126 = (bitcast<u32>(_e124) & 2147483647u);
+                    let _e131 = global_4.member[_e89].member[1u];
+                    let _e133 = (bitcast<u32>(_e131) & 2147483647u);
+                    let _e138 = global_4.member[_e89].member[2u];
+                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
+                    let _e142 = select(_e112, _e105, (_e112 < _e105));
+                    let _e144 = select(_e119, _e142, (_e119 < _e142));
+                    let _e146 = select(_e126, _e144, (_e126 < _e144));
+                    let _e148 = select(_e133, _e146, (_e133 < _e146));
+                    let _e150 = select(_e140, _e148, (_e140 < _e148));
+                    let _e154 = global_4.member[_e89].member_1;
+                    let _e155 = bitcast<u32>(_e154);
+                    let _e156 = (_e155 & 2147483647u);
+                    let _e163 = global_4.member[_e89].member_3;
+                    let _e164 = bitcast<u32>(_e163);
+                    let _e165 = (_e164 & 2147483647u);
+                    let _e169 = (((select(_e156, _e150, (_e156 < _e150)) < 2139095040u) && (_e165 <= 2139095040u)) && (_e144 > 0u));
+                    if _e169 {
+                        let _e172 = (bitcast<u32>(bitcast<f32>(_e144)) & 2147483647u);
+                        if (_e172 >= 8388608u) {
+                            phi_393_ = (bitcast<i32>((_e172 >> bitcast<u32>(23i))) - 127i);
+                        } else {
+                            phi_393_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e172)), 32u, (_e172 == 0u))));
+                        }
+                        let _e186 = phi_393_;
+                        phi_394_ = _e186;
+                    } else {
+                        phi_394_ = 0i;
+                    }
+                    let _e188 = phi_394_;
+                    let _e189 = (_e105 == _e144);
+                    if _e189 {
+                        phi_404_ = true;
+                    } else {
+                        phi_404_ = (_e112 == _e144);
+                    }
+                    let _e192 = phi_404_;
+                    let _e193 = select(1u, 0u, _e189);
+                    if _e192 {
+                        let _e194 = (_e193 + 1u);
+                        phi_414_ = _e194;
+                        phi_415_ = _e194;
+                        phi_417_ = select(true, false, (_e194 == 2u));
+                    } else {
+                        phi_414_ = u32();
+                        phi_415_ = 0u;
+                        phi_417_ = true;
+                    }
+                    let _e198 = phi_414_;
+                    let _e200 = phi_415_;
+                    let _e202 = phi_417_;
+                    if _e202 {
+                        phi_422_ = (_e200 + 1u);
+                    } else {
+                        phi_422_ = 0u;
+                    }
+                    let _e206 = phi_422_;
+                    let _e207 = select(_e198, _e200, _e202);
+                    let _e208 = select(_e193, select(2u, _e193, _e192), _e202);
+                    if (_e93 < -126i) {
+                        phi_435_ = -126i;
+                    } else {
+                        phi_435_ = select(_e93, 127i, (_e93 > 127i));
+                    }
+                    let _e213 = phi_435_;
+                    let _e218 = bitcast<f32>((bitcast<u32>((_e213 + 127i)) << bitcast<u32>(23i)));
+                    let _e224 = bitcast<f32>((bitcast<u32>(((_e93 - _e213) + 127i)) << bitcast<u32>(23i)));
+                    let _e225 = -(_e188);
+                    if (_e225 < -126i) {
+                        phi_455_ = -126i;
+                    } else {
+                        phi_455_ = select(_e225, 127i, (_e225 > 127i));
+                    }
+                    let _e230 = phi_455_;
+                    let _e235 = bitcast<f32>((bitcast<u32>((_e230 + 127i)) << bitcast<u32>(23i)));
+                    let _e241 = bitcast<f32>((bitcast<u32>(((_e225 - _e230) + 127i)) << bitcast<u32>(23i)));
+                    let _e245 = global_4.member[_e89].member;
+                    let _e246 = (_e207 == 0u);
+                    if _e246 {
+                        phi_473_ = _e245[0];
+                    } else {
+                        phi_473_ = _e245[1];
+                    }
+                    let _e250 = phi_473_;
+                    let _e251 = (_e207 == 2u);
+                    if _e251 {
+                        phi_479_ = _e245[2];
+                    } else {
+                        phi_479_ = _e250;
+                    }
+                    let _e254 = phi_479_;
+                    let _e255 = bitcast<u32>(_e254);
+                    let _e257 = ((_e255 & 2139095040u) != 0u);
+                    let _e271 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e255 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e255 & 2147483648u))), _e254, _e257) * _e218) * select(0.00000011920929f, 1f, _e257)) * _e224);
+                    let _e272 = global_4.member[_e89].member_2;
+                    if _e246 {
+                        phi_519_ = _e272[0];
+                    } else {
+                        phi_519_ = _e272[1];
+                    }
+                    let _e276 = phi_519_;
+                    if _e251 {
+                        phi_525_ = _e272[2];
+                    } else {
+                        phi_525_ = _e276;
+                    }
+                    let _e279 = phi_525_;
+                    let _e280 = bitcast<u32>(_e279);
+                    let _e282 = ((_e280 & 2139095040u) != 0u);
+                    let _e296 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e280 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e280 & 2147483648u))), _e279, _e282) * _e235) * select(0.00000011920929f, 1f, _e282)) * _e241);
+                    let _e300 = (bitcast<f32>((bitcast<u32>(_e296) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e303 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
+                    let _e304 = (_e303 * 0.00000011920929f);
+                    let _e307 = select(select(0.00000000000011368684f, _e304, (_e304 > 0.00000000000011368684f)), 0f, _e300);
+                    let _e308 = select(0f, _e296, _e300);
+                    let _e309 = (_e271 + _e307);
+                    let _e310 = (_e271 - _e307);
+                    let _e312 = select(38685626000000000000000000f, (1f / _e296), _e300);
+                    let _e313 = (_e206 == 0u);
+                    if _e313 {
+                        phi_598_ = _e245[0];
+                    } else {
+                        phi_598_ = _e245[1];
+                    }
+                    let _e317 = phi_598_;
+                    let _e318 = (_e206 == 2u);
+                    if _e318 {
+                        phi_604_ = _e245[2];
+                    } else {
+                        phi_604_ = _e317;
+                    }
+                    let _e321 = phi_604_;
+                    let _e322 = bitcast<u32>(_e321);
+                    let _e324 = ((_e322 & 2139095040u) != 0u);
+                    let _e338 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e322 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e322 & 2147483648u))), _e321, _e324) * _e218) * select(0.00000011920929f, 1f, _e324)) * _e224);
+                    if _e313 {
+                        phi_644_ = _e272[0];
+                    } else {
+                        phi_644_ = _e272[1];
+                    }
+                    let _e342 = phi_644_;
+                    if _e318 {
+                        phi_650_ = _e272[2];
+                    } else {
+                        phi_650_ = _e342;
+                    }
+                    let _e345 = phi_650_;
+                    let _e346 = bitcast<u32>(_e345);
+                    let _e348 = ((_e346 & 2139095040u) != 0u);
+                    let _e362 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e346 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e346 & 2147483648u))), _e345, _e348) * _e235) * select(0.00000011920929f, 1f, _e348)) * _e241);
+                    let _e366 = (bitcast<f32>((bitcast<u32>(_e362) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e369 = bitcast<f32>((bitcast<u32>(_e338) & 2147483647u));
+                    let _e370 = (_e369 * 0.00000011920929f);
+                    let _e373 = select(select(0.00000000000011368684f, _e370, (_e370 > 0.00000000000011368684f)), 0f, _e366);
+                    let _e374 = select(0f, _e362, _e366);
+                    let _e375 = (_e338 + _e373);
+                    let _e376 = (_e338 - _e373);
+                    let _e378 = select(38685626000000000000000000f, (1f / _e362), _e366);
+                    let _e379 = (_e208 == 0u);
+                    if _e379 {
+                        phi_723_ = _e245[0];
+                    } else {
+                        phi_723_ = _e245[1];
+                    }
+                    let _e383 = phi_723_;
+                    let _e384 = (_e208 == 2u);
+                    if _e384 {
+                        phi_729_ = _e245[2];
+                    } else {
+                        phi_729_ = _e383;
+                    }
+                    let _e387 = phi_729_;
+                    let _e388 = bitcast<u32>(_e387);
+                    let _e390 = ((_e388 & 2139095040u) != 0u);
+                    let _e404 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e388 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e388 & 2147483648u))), _e387, _e390) * _e218) * select(0.00000011920929f, 1f, _e390)) * _e224);
+                    if _e379 {
+                        phi_769_ = _e272[0];
+                    } else {
+                        phi_769_ = _e272[1];
+                    }
+                    let _e408 = phi_769_;
+                    if _e384 {
+                        phi_775_ = _e272[2];
+                    } else {
+                        phi_775_ = _e408;
+                    }
+                    let _e411 = phi_775_;
+                    let _e412 = bitcast<u32>(_e411);
+                    let _e414 = ((_e412 & 2139095040u) != 0u);
+                    let _e428 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e411, _e414) * _e235) * select(0.00000011920929f, 1f, _e414)) * _e241);
+                    let _e432 = (bitcast<f32>((bitcast<u32>(_e428) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e435 = bitcast<f32>((bitcast<u32>(_e404) & 2147483647u));
+                    let _e436 = (_e435 * 0.00000011920929f);
+                    let _e439 = select(select(0.00000000000011368684f, _e436, (_e436 > 0.00000000000011368684f)), 0f, _e432);
+                    let _e440 = select(0f, _e428, _e432);
+                    let _e441 = (_e404 + _e439);
+                    let _e442 = (_e404 - _e439);
+                    let _e444 = select(38685626000000000000000000f, (1f / _e428), _e432);
+                    let _e446 = select(_e369, _e303, (_e303 > _e369));
+                    let _e449 = (_e93 + _e188);
+                    if (_e169 && (select(_e435, _e446, (_e446 > _e435)) <= 1099511600000f)) {
+                        let _e459 = ((_e156 & 8388607u) | (select(0u, 1u, ((_e156 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e462 = bitcast<i32>((_e156 >> bitcast<u32>(23i)));
+                        let _e466 = (_e459 == 0u);
+                        let _e469 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e459)), 32u, _e466)) - 8i);
+                        if (_e462 == 255i) {
+                            phi_894_ = 255i;
+                        } else {
+                            phi_894_ = (((_e462 + select(0i, 1i, (_e462 == 0i))) - _e469) + _e449);
+                        }
+                        let _e477 = phi_894_;
+                        let _e487 = (_e477 <= 0i);
+                        if _e487 {
+                            phi_917_ = u32();
+                        } else {
+                            if _e466 {
+                                phi_916_ = u32();
+                            } else {
+                                phi_916_ = select(((bitcast<u32>(_e477) << bitcast<u32>(23i)) | ((_e459 << bitcast<u32>(((_e469 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e477 >= 255i));
+                            }
+                            let _e491 = phi_916_;
+                            phi_917_ = _e491;
+                        }
+                        let _e493 = phi_917_;
+                        let _e505 = ((_e165 & 8388607u) | (select(0u, 1u, ((_e165 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e508 = bitcast<i32>((_e165 >> bitcast<u32>(23i)));
+                        let _e512 = (_e505 == 0u);
+                        let _e515 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e505)), 32u, _e512)) - 8i);
+                        if (_e508 == 255i) {
+                            phi_954_ = 255i;
+                        } else {
+                            phi_954_ = (((_e508 + select(0i, 1i, (_e508 == 0i))) - _e515) + _e449);
+                        }
+                        let _e523 = phi_954_;
+                        let _e533 = (_e523 <= 0i);
+                        if _e533 {
+                            phi_977_ = u32();
+                        } else {
+                            if _e512 {
+                                phi_976_ = u32();
+                            } else {
+                                phi_976_ = select(((bitcast<u32>(_e523) << bitcast<u32>(23i)) | ((_e505 << bitcast<u32>(((_e515 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e523 >= 255i));
+                            }
+                            let _e537 = phi_976_;
+                            phi_977_ = _e537;
+                        }
+                        let _e539 = phi_977_;
+                        phi_985_ = bitcast<f32>(((_e164 & 2147483648u) | select(_e539, 0u, select(_e512, true, _e533))));
+                        phi_986_ = bitcast<f32>(((_e155 & 2147483648u) | select(_e493, 0u, select(_e466, true, _e487))));
+                    } else {
+                        phi_985_ = 0f;
+                        phi_986_ = 1f;
+                    }
+                    let _e545 = phi_985_;
+                    let _e547 = phi_986_;
+                    local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
+                    local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_3154_ = false;
+                    phi_3134_ = _e545;
+                    phi_1054_ = ((3u * _e79) + 1u);
+                    phi_1057_ = (_e547 <= _e545);
+                    phi_1059_ = 0u;
+                    phi_1061_ = select(0u, 2147483648u, (_e79 == 0u));
+                    loop {
+                        let _e554 = phi_3154_;
+                        let _e556 = phi_3134_;
+                        let _e558 = phi_1054_;
+                        let _e560 = phi_1057_;
+                        let _e562 = phi_1059_;
+                        let _e564 = phi_1061_;
+                        if _e560 {
+                            phi_1072_ = true;
+                        } else {
+                            phi_1072_ = (_e562 > 0u);
+                        }
+                        let _e567 = phi_1072_;
+                        if _e567 {
+                            let _e568 = (_e558 > 0u);
+                            if _e568 {
+                                if _e560 {
+                                    phi_1105_ = _e560;
+                                    phi_1106_ = _e562;
+                                    phi_1107_ = _e564;
+                                } else {
+                                    let _e569 = (_e562 - 1u);
+                                    let _e570 = (_e569 % 128u);
+                                    let _e571 = (_e570 < 128u);
+                                    if _e571 {
+                                    } else {
+                                        phi_3410_ = true;
+                                        break;
+                                    }
+                                    let _e573 = local_2[_e570];
+                                    if _e571 {
+                                    } else {
+                                        phi_3410_ = true;
+                                        break;
+                                    }
+                                    let _e575 = local_1[_e570];
+                                    phi_1105_ = (_e575 <= _e556);
+                                    phi_1106_ = _e569;
+                                    phi_1107_ = _e573;
+                                }
+                                let _e578 = phi_1105_;
+                                let _e580 = phi_1106_;
+                                let _e582 = phi_1107_;
+                                if _e578 {
+                                    let _e585 = ((_e582 & 2147483648u) != 0u);
+                                    if _e585 {
+                                        phi_3151_ = _e554;
+                                        phi_3139_ = _e556;
+                                        phi_1122_ = type_4(0u, ((_e582 >> bitcast<u32>(28u)) & 7u));
+                                        loop {
+                                            let _e592 = phi_3151_;
+                                            let _e594 = phi_3139_;
+                                            let _e596 = phi_1122_;
+                                            if (_e596.member < _e596.member_1) {
+                                                phi_1123_ = type_4((_e596.member + 1u), _e596.member_1);
+                                                phi_1146_ = type_4(1u, _e596.member);
+                                            } else {
+                                                phi_1123_ = _e596;
+                                                phi_1146_ = type_4(0u, type_4().member_1);
+                                            }
+                                            let _e609 = phi_1123_;
+                                            let _e611 = phi_1146_;
+                                            let _e615 = (bitcast<i32>(_e611.member) != 0i);
+                                            if _e615 {
+                                                let _e616 = ((_e582 & 268435455u) + _e611.member_1);
+                                                let _e617 = (_e616 < _e81);
+                                                if _e617 {
+                                                    if _e617 {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e621 = global_3.member[_e616].member_1;
+                                                    phi_1167_ = _e621;
+                                                } else {
+                                                    phi_1167_ = 4294967295u;
+                                                }
+                                                let _e623 = phi_1167_;
+                                                if (_e616 >= _e81) {
+                                                    phi_1259_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                } else {
+                                                    if _e617 {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e625 = (_e207 % 3u);
+                                                    let _e626 = (_e206 % 3u);
+                                                    let _e627 = (_e208 % 3u);
+                                                    if (_e625 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e633 = global_3.member[_e616].member[_e625];
+                                                    if (_e626 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e639 = global_3.member[_e616].member[_e626];
+                                                    if (_e627 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e645 = global_3.member[_e616].member[_e627];
+                                                    let _e647 = (3u + _e625);
+                                                    if (_e647 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e653 = global_3.member[_e616].member[_e647];
+                                                    let _e654 = (3u + _e626);
+                                                    if (_e654 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e660 = global_3.member[_e616].member[_e654];
+                                                    let _e661 = (3u + _e627);
+                                                    if (_e661 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e667 = global_3.member[_e616].member[_e661];
+                                                    let _e669 = (6u + _e625);
+                                                    if (_e669 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e675 = global_3.member[_e616].member[_e669];
+                                                    let _e676 = (6u + _e626);
+                                                    if (_e676 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e682 = global_3.member[_e616].member[_e676];
+                                                    let _e683 = (6u + _e627);
+                                                    if (_e683 < 9u) {
+                                                    } else {
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = true;
+                                                        break;
+                                                    }
+                                                    let _e689 = global_3.member[_e616].member[_e683];
+                                                    phi_1259_ = array<array<f32, 3>, 3>(array<f32, 3>(_e633, _e639, _e645), array<f32, 3>(_e653, _e660, _e667), array<f32, 3>(_e675, _e682, _e689));
+                                                }
+                                                let _e693 = phi_1259_;
+                                                let _e708 = (_e693[0][2] - _e404);
+                                                let _e711 = (((_e693[0][0] - _e271) * _e440) - (_e708 * _e308));
+                                                let _e714 = (((_e693[0][1] - _e338) * _e440) - (_e708 * _e374));
+                                                let _e717 = (_e693[1][2] - _e404);
+                                                let _e720 = (((_e693[1][0] - _e271) * _e440) - (_e717 * _e308));
+                                                let _e723 = (((_e693[1][1] - _e338) * _e440) - (_e717 * _e374));
+                                                let _e726 = (_e693[2][2] - _e404);
+                                                let _e729 = (((_e693[2][0] - _e271) * _e440) - (_e726 * _e308));
+                                                let _e732 = (((_e693[2][1] - _e338) * _e440) - (_e726 * _e374));
+                                                let _e733 = (_e729 * _e723);
+                                                let _e734 = (_e732 * _e720);
+                                                let _e735 = (_e711 * _e732);
+                                                let _e736 = (_e714 * _e729);
+                                                let _e737 = (_e720 * _e714);
+                                                let _e738 = (_e723 * _e711);
+                                                let _e743 = (((_e733 >= _e734) && (_e735 >= _e736)) && (_e737 >= _e738));
+                                                let _e749 = (_e743 || (((_e733 <= _e734) && (_e735 <= _e736)) && (_e737 <= _e738)));
+                                                if _e749 {
+                                                    let _e751 = select(-1f, 1f, _e743);
+                                                    let _e753 = ((_e733 - _e734) * _e751);
+                                                    let _e755 = select(0f, _e753, (_e753 > 0f));
+                                                    let _e757 = ((_e735 - _e736) * _e751);
+                                                    let _e759 = select(0f, _e757, (_e757 > 0f));
+                                                    let _e761 = ((_e737 - _e738) * _e751);
+                                                    let _e763 = select(0f, _e761, (_e761 > 0f));
+                                                    let _e765 = ((_e755 + _e759) + _e763);
+                                                    let _e767 = select(_e693[1][0], _e693[0][0], (_e693[0][0] < _e693[1][0]));
+                                                    let _e771 = select(_e693[1][0], _e693[0][0], (_e693[0][0] > _e693[1][0]));
+                                                    let _e775 = select(_e693[1][1], _e693[0][1], (_e693[0][1] < _e693[1][1]));
+                                                    let _e779 = select(_e693[1][1], _e693[0][1], (_e693[0][1] > _e693[1][1]));
+                                                    let _e783 = select(_e693[1][2], _e693[0][2], (_e693[0][2] < _e693[1][2]));
+                                                    let _e787 = select(_e693[1][2], _e693[0][2], (_e693[0][2] > _e693[1][2]));
+                                                    let _e792 = ((select(_e693[2][0], _e767, (_e767 < _e693[2][0])) - _e309) * _e312);
+                                                    let _e793 = ((select(_e693[2][0], _e771, (_e771 > _e693[2][0])) - _e310) * _e312);
+                                                    let _e796 = ((select(_e693[2][1], _e775, (_e775 < _e693[2][1])) - _e375) * _e378);
+                                                    let _e797 = ((select(_e693[2][1], _e779, (_e779 > _e693[2][1])) - _e376) * _e378);
+                                                    let _e800 = ((select(_e693[2][2], _e783, (_e783 < _e693[2][2])) - _e441) * _e444);
+                                                    let _e801 = ((select(_e693[2][2], _e787, (_e787 > _e693[2][2])) - _e442) * _e444);
+                                                    let _e803 = select(_e801, _e800, (_e800 < _e801));
+                                                    let _e805 = select(_e801, _e800, (_e800 > _e801));
+                                                    let _e807 = select(_e793, _e792, (_e792 < _e793));
+                                                    let _e809 = select(_e797, _e796, (_e796 < _e797));
+                                                    let _e811 = select(_e809, _e807, (_e807 > _e809));
+                                                    let _e813 = select(_e803, _e811, (_e811 > _e803));
+                                                    let _e815 = select(_e793, _e792, (_e792 > _e793));
+                                                    let _e817 = select(_e797, _e796, (_e796 > _e797));
+                                                    let _e819 = select(_e817, _e815, (_e815 < _e817));
+                                                    let _e821 = select(_e805, _e819, (_e819 < _e805));
+                                                    let _e822 = -(_e803);
+                                                    let _e828 = select(_e547, _e813, (_e813 > _e547));
+                                                    let _e832 = select(_e720, _e711, (_e711 < _e720));
+                                                    let _e837 = select(_e720, _e711, (_e711 > _e720));
+                                                    let _e844 = select(_e723, _e714, (_e714 < _e723));
+                                                    let _e849 = select(_e723, _e714, (_e714 > _e723));
+                                                    let _e858 = (((((_e749 && (_e765 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e729, _e832, (_e832 < _e729)) <= 0f) && (select(_e729, _e837, (_e837 > _e729)) >= 0f))) && ((select(_e732, _e844, (_e844 < _e732)) <= 0f) && (select(_e732, _e849, (_e849 > _e732)) >= 0f))) && (_e828 <= (_e821 + (select(_e822, _e805, (_e805 > _e822)) * 0.0000019073523f)))) && (_e828 <= _e594));
+                                                    if _e858 {
+                                                        let _e863 = (_e693[1][0] - _e693[0][0]);
+                                                        let _e864 = (_e693[1][1] - _e693[0][1]);
+                                                        let _e865 = (_e693[1][2] - _e693[0][2]);
+                                                        let _e866 = vec3<f32>(_e863, _e864, _e865);
+                                                        let _e867 = (_e693[2][0] - _e693[1][0]);
+                                                        let _e868 = (_e693[2][1] - _e693[1][1]);
+                                                        let _e869 = (_e693[2][2] - _e693[1][2]);
+                                                        let _e870 = vec3<f32>(_e867, _e868, _e869);
+                                                        let _e871 = (_e693[0][0] - _e693[2][0]);
+                                                        let _e872 = (_e693[0][1] - _e693[2][1]);
+                                                        let _e873 = (_e693[0][2] - _e693[2][2]);
+                                                        let _e874 = vec3<f32>(_e871, _e872, _e873);
+                                                        let _e875 = abs(_e863);
+                                                        let _e876 = abs(_e864);
+                                                        if (_e875 != _e875) {
+                                                            phi_2875_ = true;
+                                                        } else {
+                                                            phi_2875_ = (_e876 >= _e875);
+                                                        }
+                                                        let _e880 = phi_2875_;
+                                                        let _e881 = select(_e875, _e876, _e880);
+                                                        let _e882 = abs(_e865);
+                                                        if (_e881 != _e881) {
+                                                            phi_2890_ = true;
+                                                        } else {
+                                                            phi_2890_ = (_e882 >= _e881);
+                                                        }
+                                                        let _e886 = phi_2890_;
+                                                        let _e887 = select(_e881, _e882, _e886);
+                                                        let _e888 = abs(_e867);
+                                                        let _e889 = abs(_e868);
+                                                        if (_e888 != _e888) {
+                                                            phi_2905_ = true;
+                                                        } else {
+                                                            phi_2905_ = (_e889 >= _e888);
+                                                        }
+                                                        let _e893 = phi_2905_;
+                                                        let _e894 = select(_e888, _e889, _e893);
+                                                        let _e895 = abs(_e869);
+                                                        if (_e894 != _e894) {
+                                                            phi_2920_ = true;
+                                                        } else {
+                                                            phi_2920_ = (_e895 >= _e894);
+                                                        }
+                                                        let _e899 = phi_2920_;
+                                                        let _e900 = select(_e894, _e895, _e899);
+                                                        let _e901 = abs(_e871);
+                                                        let _e902 = abs(_e872);
+                                                        if (_e901 != _e901) {
+                                                            phi_2935_ = true;
+                                                        } else {
+                                                            phi_2935_ = (_e902 >= _e901);
+                                                        }
+                                                        let _e906 = phi_2935_;
+                                                        let _e907 = select(_e901, _e902, _e906);
+                                                        let _e908 = abs(_e873);
+                                                        if (_e907 != _e907) {
+                                                            phi_2950_ = true;
+                                                        } else {
+                                                            phi_2950_ = (_e908 >= _e907);
+                                                        }
+                                                        let _e912 = phi_2950_;
+                                                        let _e913 = select(_e907, _e908, _e912);
+                                                        let _e915 = select(_e900, _e887, (_e887 > _e900));
+                                                        let _e917 = select(_e913, _e915, (_e915 > _e913));
+                                                        if (_e887 == _e917) {
+                                                            phi_1802_ = _e723;
+                                                            phi_1803_ = _e720;
+                                                            phi_1804_ = _e714;
+                                                            phi_1805_ = _e711;
+                                                            phi_1806_ = vec3<f32>(_e693[0][0], _e693[0][1], _e693[0][2]);
+                                                            phi_1807_ = _e874;
+                                                            phi_1808_ = _e870;
+                                                            phi_1809_ = _e866;
+                                                        } else {
+                                                            let _e919 = (_e900 == _e917);
+                                                            let _e924 = vec3(_e919);
+                                                            phi_1802_ = select(_e714, _e732, _e919);
+                                                            phi_1803_ = select(_e711, _e729, _e919);
+                                                            phi_1804_ = select(_e732, _e723, _e919);
+                                                            phi_1805_ = select(_e729, _e720, _e919);
+                                                            phi_1806_ = select(vec3<f32>(_e693[2][0], _e693[2][1], _e693[2][2]), vec3<f32>(_e693[1][0], _e693[1][1], _e693[1][2]), _e924);
+                                                            phi_1807_ = select(_e870, _e866, _e924);
+                                                            phi_1808_ = select(_e866, _e874, _e924);
+                                                            phi_1809_ = select(_e874, _e870, _e924);
+                                                        }
+                                                        let _e930 = phi_1802_;
+                                                        let _e932 = phi_1803_;
+                                                        let _e934 = phi_1804_;
+                                                        let _e936 = phi_1805_;
+                                                        let _e938 = phi_1806_;
+                                                        let _e940 = phi_1807_;
+                                                        let _e942 = phi_1808_;
+                                                        let _e944 = phi_1809_;
+                                                        let _e951 = ((_e942.y * _e940.z) - (_e940.y * _e942.z));
+                                                        let _e956 = ((_e942.z * _e940.x) - (_e940.z * _e942.x));
+                                                        let _e959 = ((_e942.x * _e940.y) - (_e940.x * _e942.y));
+                                                        let _e962 = ((_e755 >= _e759) && (_e755 >= _e763));
+                                                        let _e963 = (_e759 >= _e763);
+                                                        let _e977 = (((_e951 * (select(select(_e693[2][0], _e693[1][0], _e963), _e693[0][0], _e962) - _e271)) + (_e956 * (select(select(_e693[2][1], _e693[1][1], _e963), _e693[0][1], _e962) - _e338))) + (_e959 * (select(select(_e693[2][2], _e693[1][2], _e963), _e693[0][2], _e962) - _e404)));
+                                                        let _e982 = (((_e951 * _e308) + (_e956 * _e374)) + (_e959 * _e440));
+                                                        let _e983 = (_e932 - _e936);
+                                                        let _e984 = (_e930 - _e934);
+                                                        let _e987 = ((_e983 * _e983) + (_e984 * _e984));
+                                                        let _e994 = (-(((_e936 * _e983) + (_e934 * _e984))) / select(0.000000000000000000000000000000000000011754944f, _e987, (_e987 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e996 = select(1f, _e994, (_e994 < 1f));
+                                                        let _e998 = select(0f, _e996, (_e996 > 0f));
+                                                        let _e1007 = ((_e938.x + (_e944.x * _e998)) - _e271);
+                                                        let _e1010 = ((_e938.y + (_e944.y * _e998)) - _e338);
+                                                        let _e1013 = ((_e938.z + (_e944.z * _e998)) - _e404);
+                                                        let _e1016 = bitcast<f32>((bitcast<u32>(_e1007) & 2147483647u));
+                                                        let _e1019 = bitcast<f32>((bitcast<u32>(_e1010) & 2147483647u));
+                                                        let _e1021 = select(_e1019, _e1016, (_e1016 > _e1019));
+                                                        let _e1024 = bitcast<f32>((bitcast<u32>(_e1013) & 2147483647u));
+                                                        let _e1026 = select(_e1024, _e1021, (_e1021 > _e1024));
+                                                        let _e1030 = abs(_e951);
+                                                        let _e1031 = abs(_e956);
+                                                        if (_e1030 != _e1030) {
+                                                            phi_2965_ = true;
+                                                        } else {
+                                                            phi_2965_ = (_e1031 >= _e1030);
+                                                        }
+                                                        let _e1035 = phi_2965_;
+                                                        let _e1036 = select(_e1030, _e1031, _e1035);
+                                                        let _e1037 = abs(_e959);
+                                                        if (_e1036 != _e1036) {
+                                                            phi_2980_ = true;
+                                                        } else {
+                                                            phi_2980_ = (_e1037 >= _e1036);
+                                                        }
+                                                        let _e1041 = phi_2980_;
+                                                        let _e1057 = abs(_e942.x);
+                                                        let _e1058 = abs(_e942.y);
+                                                        if (_e1057 != _e1057) {
+                                                            phi_2995_ = true;
+                                                        } else {
+                                                            phi_2995_ = (_e1058 >= _e1057);
+                                                        }
+                                                        let _e1062 = phi_2995_;
+                                                        let _e1063 = select(_e1057, _e1058, _e1062);
+                                                        let _e1064 = abs(_e942.z);
+                                                        if (_e1063 != _e1063) {
+                                                            phi_3010_ = true;
+                                                        } else {
+                                                            phi_3010_ = (_e1064 >= _e1063);
+                                                        }
+                                                        let _e1068 = phi_3010_;
+                                                        let _e1071 = abs(_e940.x);
+                                                        let _e1072 = abs(_e940.y);
+                                                        if (_e1071 != _e1071) {
+                                                            phi_3025_ = true;
+                                                        } else {
+                                                            phi_3025_ = (_e1072 >= _e1071);
+                                                        }
+                                                        let _e1076 = phi_3025_;
+                                                        let _e1077 = select(_e1071, _e1072, _e1076);
+                                                        let _e1078 = abs(_e940.z);
+                                                        if (_e1077 != _e1077) {
+                                                            phi_3040_ = true;
+                                                        } else {
+                                                            phi_3040_ = (_e1078 >= _e1077);
+                                                        }
+                                                        let _e1082 = phi_3040_;
+                                                        let _e1087 = ((bitcast<f32>((bitcast<u32>(((((_e951 * _e1007) + (_e956 * _e1010)) + (_e959 * _e1013)) - _e977)) & 2147483647u)) <= ((0.0000009536743f * select(_e917, _e1026, (_e1026 > _e917))) * select(_e1036, _e1037, _e1041))) && !((bitcast<f32>((bitcast<u32>(_e982) & 2147483647u)) <= ((0.0000038146973f * select(_e1063, _e1064, _e1068)) * select(_e1077, _e1078, _e1082)))));
+                                                        let _e1088 = (_e977 / _e982);
+                                                        if (_e858 && !(_e1087)) {
+                                                            let _e1091 = (_e1013 / _e440);
+                                                            let _e1099 = (((_e951 * (_e1007 - (_e308 * _e1091))) + (_e956 * (_e1010 - (_e374 * _e1091)))) / _e982);
+                                                            phi_2017_ = select(select(_e1091, (_e1091 + _e1099), (bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u)) <= _e917)), _e1088, _e1087);
+                                                        } else {
+                                                            phi_2017_ = _e1088;
+                                                        }
+                                                        let _e1108 = phi_2017_;
+                                                        let _e1110 = select(_e821, _e1108, (_e1108 < _e821));
+                                                        let _e1112 = select(_e813, _e1110, (_e1110 > _e813));
+                                                        let _e1113 = (1f / _e765);
+                                                        phi_2037_ = type_39(_e1112, (_e759 * _e1113), (_e763 * _e1113), ((_e858 && (_e1112 >= _e547)) && (_e1112 <= _e594)));
+                                                        phi_2038_ = type_39();
+                                                    } else {
+                                                        phi_2037_ = type_39();
+                                                        phi_2038_ = type_39(0f, 0f, 0f, _e858);
+                                                    }
+                                                    let _e1122 = phi_2037_;
+                                                    let _e1124 = phi_2038_;
+                                                    phi_2041_ = _e1122;
+                                                    phi_2042_ = _e1124;
+                                                    phi_2043_ = select(true, false, _e858);
+                                                } else {
+                                                    phi_2041_ = type_39();
+                                                    phi_2042_ = type_39(0f, 0f, 0f, _e749);
+                                                    phi_2043_ = true;
+                                                }
+                                                let _e1127 = phi_2041_;
+                                                let _e1129 = phi_2042_;
+                                                let _e1131 = phi_2043_;
+                                                if _e1131 {
+                                                    phi_2047_ = _e1129;
+                                                } else {
+                                                    phi_2047_ = _e1127;
+                                                }
+                                                let _e1133 = phi_2047_;
+                                                if _e1133.member_3 {
+                                                    phi_2056_ = type_23(_e1133.member, _e1133.member_1, _e1133.member_2, _e623);
+                                                } else {
+                                                    phi_2056_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1140 = phi_2056_;
+                                                if (_e1140.member_3 != 4294967295u) {
+                                                    if (_e623 != 4294967295u) {
+                                                        phi_2068_ = type_4(0u, 8u);
+                                                        phi_2071_ = _e1140;
+                                                        loop {
+                                                            let _e1145 = phi_2068_;
+                                                            let _e1147 = phi_2071_;
+                                                            if (_e1145.member < _e1145.member_1) {
+                                                                phi_2069_ = type_4((_e1145.member + 1u), _e1145.member_1);
+                                                                phi_2094_ = type_4(1u, _e1145.member);
+                                                            } else {
+                                                                phi_2069_ = _e1145;
+                                                                phi_2094_ = type_4(0u, type_4().member_1);
+                                                            }
+                                                            let _e1160 = phi_2069_;
+                                                            let _e1162 = phi_2094_;
+                                                            let _e1166 = (bitcast<i32>(_e1162.member) != 0i);
+                                                            if _e1166 {
+                                                                let _e1167 = (_e1162.member_1 < 8u);
+                                                                if _e1167 {
+                                                                } else {
+                                                                    phi_3141_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1172 = local[_e1162.member_1].member;
+                                                                if (_e1147.member < _e1172) {
+                                                                    phi_2127_ = true;
+                                                                } else {
+                                                                    let _e1174 = local[_e1162.member_1].member;
+                                                                    if (_e1147.member == _e1174) {
+                                                                        let _e1179 = local[_e1162.member_1].member_3;
+                                                                        phi_2126_ = (_e1147.member_3 < _e1179);
+                                                                    } else {
+                                                                        phi_2126_ = false;
+                                                                    }
+                                                                    let _e1182 = phi_2126_;
+                                                                    phi_2127_ = _e1182;
+                                                                }
+                                                                let _e1184 = phi_2127_;
+                                                                if _e1184 {
+                                                                    if _e1167 {
+                                                                    } else {
+                                                                        phi_3141_ = true;
+                                                                        break;
+                                                                    }
+                                                                    let _e1185 = local[_e1162.member_1];
+                                                                    local[_e1162.member_1] = type_23(_e1147.member, _e1147.member_1, _e1147.member_2, _e1147.member_3);
+                                                                    phi_2148_ = type_23(_e1185.member, _e1185.member_1, _e1185.member_2, _e1185.member_3);
+                                                                } else {
+                                                                    phi_2148_ = _e1147;
+                                                                }
+                                                                let _e1196 = phi_2148_;
+                                                                phi_2072_ = _e1196;
+                                                            } else {
+                                                                phi_2072_ = type_23();
+                                                            }
+                                                            let _e1198 = phi_2072_;
+                                                            continue;
+                                                            continuing {
+                                                                phi_2068_ = _e1160;
+                                                                phi_2071_ = _e1198;
+                                                                phi_3141_ = _e592;
+                                                                break if !(_e1166);
+                                                            }
+                                                        }
+                                                        let _e1201 = phi_3141_;
+                                                        phi_3313_ = _e594;
+                                                        phi_3306_ = _e1201;
+                                                        if _e1201 {
+                                                            break;
+                                                        }
+                                                        let _e1204 = local[7u].member_3;
+                                                        if (_e1204 != 4294967295u) {
+                                                            let _e1208 = local[7u].member;
+                                                            phi_3409_ = _e1208;
+                                                        } else {
+                                                            phi_3409_ = _e594;
+                                                        }
+                                                        let _e1210 = phi_3409_;
+                                                        phi_3408_ = _e1210;
+                                                        phi_3309_ = _e1201;
+                                                    } else {
+                                                        phi_3408_ = _e594;
+                                                        phi_3309_ = _e592;
+                                                    }
+                                                    let _e1212 = phi_3408_;
+                                                    let _e1214 = phi_3309_;
+                                                    phi_3407_ = _e1212;
+                                                    phi_3308_ = _e1214;
+                                                } else {
+                                                    phi_3407_ = _e594;
+                                                    phi_3308_ = _e592;
+                                                }
+                                                let _e1216 = phi_3407_;
+                                                let _e1218 = phi_3308_;
+                                                phi_3406_ = _e1216;
+                                                phi_3307_ = _e1218;
+                                            } else {
+                                                phi_3406_ = _e594;
+                                                phi_3307_ = _e592;
+                                            }
+                                            let _e1220 = phi_3406_;
+                                            let _e1222 = phi_3307_;
+                                            continue;
+                                            continuing {
+                                                phi_3151_ = _e1222;
+                                                phi_3139_ = _e1220;
+                                                phi_1122_ = _e609;
+                                                phi_3313_ = _e1220;
+                                                phi_3306_ = _e1222;
+                                                break if !(_e615);
+                                            }
+                                        }
+                                        let _e1225 = phi_3313_;
+                                        let _e1227 = phi_3306_;
+                                        phi_3410_ = _e1227;
+                                        if _e1227 {
+                                            break;
+                                        }
+                                        phi_3445_ = _e1227;
+                                        phi_3312_ = _e1225;
+                                    } else {
+                                        phi_3445_ = _e554;
+                                        phi_3312_ = _e556;
+                                    }
+                                    let _e1229 = phi_3445_;
+                                    let _e1231 = phi_3312_;
+                                    if _e585 {
+                                        phi_2640_ = bool();
+                                        phi_2641_ = u32();
+                                        phi_2642_ = u32();
+                                    } else {
+                                        if (_e582 >= _e79) {
+                                            phi_2224_ = type_40(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        } else {
+                                            if (_e582 < _e79) {
+                                            } else {
+                                                phi_3410_ = true;
+                                                break;
+                                            }
+                                            let _e1234 = (_e207 % 3u);
+                                            if (_e1234 < 3u) {
+                                            } else {
+                                                phi_3410_ = true;
+                                                break;
+                                            }
+                                            let _e1240 = global_2.member[_e582].member[_e1234];
+                                            let _e1246 = (_e206 % 3u);
+                                            if (_e1246 < 3u) {
+                                            } else {
+                                                phi_3410_ = true;
+                                                break;
+                                            }
+                                            let _e1252 = global_2.member[_e582].member[_e1246];
+                                            let _e1258 = (_e208 % 3u);
+                                            if (_e1258 < 3u) {
+                                            } else {
+                                                phi_3410_ = true;
+                                                break;
+                                            }
+                                            let _e1264 = global_2.member[_e582].member[_e1258];
+                                            let _e1274 = global_2.member[_e582].member_1;
+                                            let _e1278 = global_2.member[_e582].member_2;
+                                            phi_2224_ = type_40(array<vec4<f32>, 3>(vec4<f32>(_e1240[0], _e1240[1], _e1240[2], _e1240[3]), vec4<f32>(_e1252[0], _e1252[1], _e1252[2], _e1252[3]), vec4<f32>(_e1264[0], _e1264[1], _e1264[2], _e1264[3])), _e1274, _e1278);
+                                        }
+                                        let _e1281 = phi_2224_;
+                                        let _e1292 = ((_e1281.member[0].x - _e309) * _e312);
+                                        let _e1293 = ((_e1281.member[0].y - _e309) * _e312);
+                                        let _e1294 = ((_e1281.member[0].z - _e310) * _e312);
+                                        let _e1295 = ((_e1281.member[0].w - _e310) * _e312);
+                                        let _e1305 = ((_e1281.member[1].x - _e375) * _e378);
+                                        let _e1306 = ((_e1281.member[1].y - _e375) * _e378);
+                                        let _e1307 = ((_e1281.member[1].z - _e376) * _e378);
+                                        let _e1308 = ((_e1281.member[1].w - _e376) * _e378);
+                                        let _e1318 = ((_e1281.member[2].x - _e441) * _e444);
+                                        let _e1319 = ((_e1281.member[2].y - _e441) * _e444);
+                                        let _e1320 = ((_e1281.member[2].z - _e442) * _e444);
+                                        let _e1321 = ((_e1281.member[2].w - _e442) * _e444);
+                                        let _e1323 = select(_e1320, _e1318, (_e1318 < _e1320));
+                                        let _e1325 = select(_e1321, _e1319, (_e1319 < _e1321));
+                                        let _e1327 = select(_e1320, _e1318, (_e1318 > _e1320));
+                                        let _e1329 = select(_e1321, _e1319, (_e1319 > _e1321));
+                                        let _e1331 = select(_e1294, _e1292, (_e1292 < _e1294));
+                                        let _e1333 = select(_e1295, _e1293, (_e1293 < _e1295));
+                                        let _e1335 = select(_e1307, _e1305, (_e1305 < _e1307));
+                                        let _e1337 = select(_e1308, _e1306, (_e1306 < _e1308));
+                                        let _e1339 = select(_e1335, _e1331, (_e1331 > _e1335));
+                                        let _e1341 = select(_e1337, _e1333, (_e1333 > _e1337));
+                                        let _e1343 = select(_e1323, _e1339, (_e1339 > _e1323));
+                                        let _e1345 = select(_e1325, _e1341, (_e1341 > _e1325));
+                                        let _e1347 = select(_e1294, _e1292, (_e1292 > _e1294));
+                                        let _e1349 = select(_e1295, _e1293, (_e1293 > _e1295));
+                                        let _e1351 = select(_e1307, _e1305, (_e1305 > _e1307));
+                                        let _e1353 = select(_e1308, _e1306, (_e1306 > _e1308));
+                                        let _e1355 = select(_e1351, _e1347, (_e1347 < _e1351));
+                                        let _e1357 = select(_e1353, _e1349, (_e1349 < _e1353));
+                                        let _e1362 = -(_e1323);
+                                        let _e1363 = -(_e1325);
+                                        let _e1370 = (select(_e1327, _e1355, (_e1355 < _e1327)) + (select(_e1362, _e1327, (_e1327 > _e1362)) * 0.0000019073523f));
+                                        let _e1371 = (select(_e1329, _e1357, (_e1357 < _e1329)) + (select(_e1363, _e1329, (_e1329 > _e1363)) * 0.0000019073523f));
+                                        let _e1373 = select(_e547, _e1343, (_e1343 > _e547));
+                                        let _e1375 = select(_e547, _e1345, (_e1345 > _e547));
+                                        let _e1380 = (_e1373 <= select(_e1231, _e1370, (_e1370 < _e1231)));
+                                        let _e1381 = (_e1375 <= select(_e1231, _e1371, (_e1371 < _e1231)));
+                                        let _e1382 = (_e1373 <= _e1375);
+                                        if _e1380 {
+                                            if _e1381 {
+                                                if _e1382 {
+                                                    phi_2587_ = _e1281.member_2;
+                                                } else {
+                                                    phi_2587_ = _e1281.member_1;
+                                                }
+                                                let _e1386 = phi_2587_;
+                                                let _e1388 = (_e580 % 128u);
+                                                let _e1389 = (_e1388 < 128u);
+                                                if _e1389 {
+                                                } else {
+                                                    phi_3410_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e1388] = _e1386;
+                                                if _e1389 {
+                                                } else {
+                                                    phi_3410_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e1388] = select(_e1373, _e1375, _e1382);
+                                                if _e1382 {
+                                                    phi_2614_ = _e1281.member_1;
+                                                } else {
+                                                    phi_2614_ = _e1281.member_2;
+                                                }
+                                                let _e1396 = phi_2614_;
+                                                phi_2615_ = (_e580 + 1u);
+                                                phi_2616_ = _e1396;
+                                            } else {
+                                                phi_2615_ = u32();
+                                                phi_2616_ = u32();
+                                            }
+                                            let _e1398 = phi_2615_;
+                                            let _e1400 = phi_2616_;
+                                            phi_2618_ = _e1398;
+                                            phi_2619_ = _e1400;
+                                            phi_2620_ = select(true, false, _e1381);
+                                        } else {
+                                            phi_2618_ = u32();
+                                            phi_2619_ = u32();
+                                            phi_2620_ = true;
+                                        }
+                                        let _e1403 = phi_2618_;
+                                        let _e1405 = phi_2619_;
+                                        let _e1407 = phi_2620_;
+                                        if _e1407 {
+                                            if _e1380 {
+                                                phi_2629_ = _e1281.member_1;
+                                            } else {
+                                                phi_2629_ = _e1281.member_2;
+                                            }
+                                            let _e1411 = phi_2629_;
+                                            phi_2634_ = select(_e1381, true, _e1380);
+                                            phi_2636_ = _e1411;
+                                        } else {
+                                            phi_2634_ = _e578;
+                                            phi_2636_ = _e1405;
+                                        }
+                                        let _e1414 = phi_2634_;
+                                        let _e1416 = phi_2636_;
+                                        phi_2640_ = _e1414;
+                                        phi_2641_ = select(_e1403, _e580, _e1407);
+                                        phi_2642_ = _e1416;
+                                    }
+                                    let _e1419 = phi_2640_;
+                                    let _e1421 = phi_2641_;
+                                    let _e1423 = phi_2642_;
+                                    phi_3472_ = _e1231;
+                                    phi_3413_ = _e1229;
+                                    phi_2653_ = (_e558 - 1u);
+                                    phi_2654_ = select(_e1419, false, _e585);
+                                    phi_2655_ = select(_e1421, _e580, _e585);
+                                    phi_2656_ = select(_e1423, _e582, _e585);
+                                } else {
+                                    phi_3472_ = _e556;
+                                    phi_3413_ = _e554;
+                                    phi_2653_ = _e558;
+                                    phi_2654_ = _e578;
+                                    phi_2655_ = _e580;
+                                    phi_2656_ = _e582;
+                                }
+                                let _e1428 = phi_3472_;
+                                let _e1430 = phi_3413_;
+                                let _e1432 = phi_2653_;
+                                let _e1434 = phi_2654_;
+                                let _e1436 = phi_2655_;
+                                let _e1438 = phi_2656_;
+                                phi_3471_ = _e1428;
+                                phi_3412_ = _e1430;
+                                phi_2657_ = _e1432;
+                                phi_2658_ = _e1434;
+                                phi_2659_ = _e1436;
+                                phi_2660_ = _e1438;
+                            } else {
+                                phi_3471_ = _e556;
+                                phi_3412_ = _e554;
+                                phi_2657_ = u32();
+                                phi_2658_ = bool();
+                                phi_2659_ = u32();
+                                phi_2660_ = u32();
+                            }
+                            let _e1440 = phi_3471_;
+                            let _e1442 = phi_3412_;
+                            let _e1444 = phi_2657_;
+                            let _e1446 = phi_2658_;
+                            let _e1448 = phi_2659_;
+                            let _e1450 = phi_2660_;
+                            phi_3470_ = _e1440;
+                            phi_3411_ = _e1442;
+                            phi_1055_ = _e1444;
+                            phi_1058_ = _e1446;
+                            phi_1060_ = _e1448;
+                            phi_1062_ = _e1450;
+                            phi_2661_ = _e568;
+                        } else {
+                            phi_3470_ = _e556;
+                            phi_3411_ = _e554;
+                            phi_1055_ = u32();
+                            phi_1058_ = bool();
+                            phi_1060_ = u32();
+                            phi_1062_ = u32();
+                            phi_2661_ = false;
+                        }
+                        let _e1452 = phi_3470_;
+                        let _e1454 = phi_3411_;
+                        let _e1456 = phi_1055_;
+                        let _e1458 = phi_1058_;
+                        let _e1460 = phi_1060_;
+                        let _e1462 = phi_1062_;
+                        let _e1464 = phi_2661_;
+                        continue;
+                        continuing {
+                            phi_3154_ = _e1454;
+                            phi_3134_ = _e1452;
+                            phi_1054_ = _e1456;
+                            phi_1057_ = _e1458;
+                            phi_1059_ = _e1460;
+                            phi_1061_ = _e1462;
+                            phi_3410_ = _e1454;
+                            break if !(_e1464);
+                        }
+                    }
+                    let _e1467 = phi_3410_;
+                    if _e1467 {
+                        break;
+                    }
+                    phi_2668_ = type_4(0u, 8u);
+                    loop {
+                        let _e1469 = phi_2668_;
+                        if (_e1469.member < _e1469.member_1) {
+                            phi_2669_ = type_4((_e1469.member + 1u), _e1469.member_1);
+                            phi_2692_ = type_4(1u, _e1469.member);
+                        } else {
+                            phi_2669_ = _e1469;
+                            phi_2692_ = type_4(0u, type_4().member_1);
+                        }
+                        let _e1482 = phi_2669_;
+                        let _e1484 = phi_2692_;
+                        let _e1488 = (bitcast<i32>(_e1484.member) != 0i);
+                        if _e1488 {
+                            let _e1489 = (_e1484.member_1 < 8u);
+                            if _e1489 {
+                            } else {
+                                phi_3452_ = true;
+                                break;
+                            }
+                            let _e1491 = local[_e1484.member_1];
+                            if (_e1491.member_3 != 4294967295u) {
+                                let _e1497 = -(_e449);
+                                let _e1498 = bitcast<u32>(_e1491.member);
+                                let _e1502 = (bitcast<i32>((_e1498 >> bitcast<u32>(23i))) & 255i);
+                                let _e1503 = (_e1502 + _e1497);
+                                if (_e1502 == 255i) {
+                                    phi_2765_ = _e1491.member;
+                                } else {
+                                    if (_e1502 > 0i) {
+                                        if (_e1503 > 0i) {
+                                            let _e1507 = (_e1503 < 255i);
+                                            if _e1507 {
+                                                phi_2744_ = bitcast<f32>((_e1498 + bitcast<u32>((_e1497 << bitcast<u32>(23i)))));
+                                            } else {
+                                                phi_2744_ = f32();
+                                            }
+                                            let _e1514 = phi_2744_;
+                                            phi_2746_ = _e1514;
+                                            phi_2747_ = select(true, false, _e1507);
+                                        } else {
+                                            phi_2746_ = f32();
+                                            phi_2747_ = true;
+                                        }
+                                        let _e1517 = phi_2746_;
+                                        let _e1519 = phi_2747_;
+                                        phi_2748_ = _e1517;
+                                        phi_2749_ = _e1519;
+                                    } else {
+                                        phi_2748_ = f32();
+                                        phi_2749_ = true;
+                                    }
+                                    let _e1521 = phi_2748_;
+                                    let _e1523 = phi_2749_;
+                                    if _e1523 {
+                                        let _e1524 = (_e1498 & 2147483648u);
+                                        let _e1531 = ((_e1498 & 8388607u) | (select(0u, 1u, ((_e1498 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1535 = (_e1531 == 0u);
+                                        if _e1535 {
+                                            phi_3118_ = bitcast<f32>(_e1524);
+                                        } else {
+                                            let _e1540 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1531)), 32u, _e1535) - 8u);
+                                            let _e1543 = (_e1531 << bitcast<u32>((_e1540 & 31u)));
+                                            let _e1545 = ((_e1503 + select(0i, 1i, (_e1502 == 0i))) - bitcast<i32>(_e1540));
+                                            if (_e1545 >= 255i) {
+                                                phi_3108_ = bitcast<f32>((_e1524 | 2139095040u));
+                                                phi_3109_ = f32();
+                                                phi_3110_ = true;
+                                            } else {
+                                                let _e1547 = (_e1545 > 0i);
+                                                if _e1547 {
+                                                    phi_3102_ = bitcast<f32>(((_e1524 | (bitcast<u32>(_e1545) << bitcast<u32>(23i))) | (_e1543 & 8388607u)));
+                                                    phi_3103_ = f32();
+                                                } else {
+                                                    if (_e1545 < -24i) {
+                                                        phi_3068_ = 26u;
+                                                    } else {
+                                                        phi_3068_ = bitcast<u32>((1i - _e1545));
+                                                    }
+                                                    let _e1552 = phi_3068_;
+                                                    let _e1553 = (_e1552 & 31u);
+                                                    let _e1555 = (_e1543 >> bitcast<u32>(_e1553));
+                                                    let _e1559 = (_e1543 & ((1u << bitcast<u32>(_e1553)) - 1u));
+                                                    let _e1563 = (1u << bitcast<u32>(((_e1552 - 1u) & 31u)));
+                                                    if (_e1559 > _e1563) {
+                                                        phi_3089_ = true;
+                                                    } else {
+                                                        if (_e1559 == _e1563) {
+                                                            phi_3086_ = ((_e1555 & 1u) == 1u);
+                                                        } else {
+                                                            phi_3086_ = false;
+                                                        }
+                                                        let _e1569 = phi_3086_;
+                                                        phi_3089_ = _e1569;
+                                                    }
+                                                    let _e1571 = phi_3089_;
+                                                    phi_3102_ = f32();
+                                                    phi_3103_ = bitcast<f32>((_e1524 | (_e1555 + select(0u, 1u, _e1571))));
+                                                }
+                                                let _e1584 = phi_3102_;
+                                                let _e1586 = phi_3103_;
+                                                phi_3108_ = _e1584;
+                                                phi_3109_ = _e1586;
+                                                phi_3110_ = _e1547;
+                                            }
+                                            let _e1590 = phi_3108_;
+                                            let _e1592 = phi_3109_;
+                                            let _e1594 = phi_3110_;
+                                            phi_3118_ = select(_e1592, _e1590, _e1594);
+                                        }
+                                        let _e1598 = phi_3118_;
+                                        phi_2764_ = _e1598;
+                                    } else {
+                                        phi_2764_ = _e1521;
+                                    }
+                                    let _e1600 = phi_2764_;
+                                    phi_2765_ = _e1600;
+                                }
+                                let _e1602 = phi_2765_;
+                                let _e1603 = bitcast<u32>(_e1602);
+                                if ((_e1603 & 2147483647u) >= 2139095040u) {
+                                    phi_2777_ = bitcast<f32>(((_e1603 & 2147483648u) | 2139095039u));
+                                } else {
+                                    phi_2777_ = _e1602;
+                                }
+                                let _e1610 = phi_2777_;
+                                phi_2782_ = type_23(_e1610, _e1491.member_1, _e1491.member_2, _e1491.member_3);
+                            } else {
+                                phi_2782_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            }
+                            let _e1613 = phi_2782_;
+                            if _e1489 {
+                            } else {
+                                phi_3452_ = true;
+                                break;
+                            }
+                            local[_e1484.member_1] = type_23(_e1613.member, _e1613.member_1, _e1613.member_2, _e1613.member_3);
+                        }
+                        continue;
+                        continuing {
+                            phi_2668_ = _e1482;
+                            phi_3452_ = _e1467;
+                            break if !(_e1488);
+                        }
+                    }
+                    let _e1621 = phi_3452_;
+                    if _e1621 {
+                        break;
+                    }
+                    let _e1622 = local;
+                    if _e95 {
+                    } else {
+                        break;
+                    }
+                    global_5.member[_e89] = array<type_23, 8>(type_23(_e1622[0].member, _e1622[0].member_1, _e1622[0].member_2, _e1622[0].member_3), type_23(_e1622[1].member, _e1622[1].member_1, _e1622[1].member_2, _e1622[1].member_3), type_23(_e1622[2].member, _e1622[2].member_1, _e1622[2].member_2, _e1622[2].member_3), type_23(_e1622[3].member, _e1622[3].member_1, _e1622[3].member_2, _e1622[3].member_3), type_23(_e1622[4].member, _e1622[4].member_1, _e1622[4].member_2, _e1622[4].member_3), type_23(_e1622[5].member, _e1622[5].member_1, _e1622[5].member_2, _e1622[5].member_3), type_23(_e1622[6].member, _e1622[6].member_1, _e1622[6].member_2, _e1622[6].member_3), type_23(_e1622[7].member, _e1622[7].member_1, _e1622[7].member_2, _e1622[7].member_3));
                 }
             }
             break;

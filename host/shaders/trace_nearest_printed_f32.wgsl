@@ -30,36 +30,43 @@ struct type_23 {
     member_3: f32,
 }
 
-struct type_32 {
+struct type_31 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_33 {
     member: array<type_23>,
 }
 
-struct type_36 {
+struct type_37 {
     member: array<array<type_22, 8>>,
 }
 
-struct type_42 {
+struct type_43 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_46 {
-    member: array<type_44>,
+struct type_47 {
+    member: array<type_45>,
 }
 
-struct type_49 {
+struct type_50 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_51 {
-    member: type_49,
+struct type_52 {
+    member: type_50,
     member_1: u32,
 }
 
@@ -69,13 +76,13 @@ var<uniform> global_1: type_8;
 @group(0) @binding(3) 
 var<storage> global_2: type_15;
 @group(0) @binding(1) 
-var<uniform> global_3: type_42;
+var<uniform> global_3: type_43;
 @group(0) @binding(4) 
-var<storage> global_4: type_32;
+var<storage> global_4: type_33;
 @group(0) @binding(2) 
-var<storage> global_5: type_46;
+var<storage> global_5: type_47;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_36;
+var<storage, read_write> global_6: type_37;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -89,486 +96,443 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_430_: i32;
-    var phi_431_: i32;
-    var phi_441_: bool;
-    var phi_451_: u32;
-    var phi_452_: u32;
-    var phi_454_: bool;
-    var phi_459_: u32;
-    var phi_472_: i32;
-    var phi_492_: i32;
-    var phi_510_: f32;
-    var phi_516_: f32;
-    var phi_556_: f32;
-    var phi_562_: f32;
-    var phi_614_: f32;
-    var phi_626_: f32;
-    var phi_635_: f32;
-    var phi_641_: f32;
-    var phi_681_: f32;
-    var phi_687_: f32;
-    var phi_739_: f32;
-    var phi_751_: f32;
-    var phi_760_: f32;
-    var phi_766_: f32;
-    var phi_806_: f32;
-    var phi_812_: f32;
-    var phi_864_: f32;
-    var phi_876_: f32;
-    var phi_931_: i32;
-    var phi_953_: u32;
-    var phi_954_: u32;
-    var phi_991_: i32;
-    var phi_1013_: u32;
-    var phi_1014_: u32;
-    var phi_1022_: f32;
-    var phi_1023_: f32;
-    var phi_3790_: bool;
-    var phi_3771_: f32;
-    var phi_1159_: u32;
-    var phi_1162_: bool;
-    var phi_1164_: u32;
-    var phi_1166_: type_51;
-    var phi_1177_: bool;
-    var phi_1264_: bool;
-    var phi_1265_: u32;
-    var phi_1266_: type_51;
-    var phi_3787_: bool;
-    var phi_3776_: f32;
-    var phi_1284_: type_4;
-    var phi_1285_: type_4;
-    var phi_1308_: type_4;
-    var phi_1329_: u32;
-    var phi_1421_: array<array<f32, 3>, 3>;
-    var phi_1574_: bool;
-    var phi_1603_: bool;
-    var phi_2022_: f32;
-    var phi_2023_: f32;
-    var phi_2024_: f32;
-    var phi_2025_: f32;
-    var phi_2026_: vec3<f32>;
-    var phi_2027_: vec3<f32>;
-    var phi_2028_: vec3<f32>;
-    var phi_2029_: vec3<f32>;
-    var phi_2066_: bool;
-    var phi_2075_: vec3<f32>;
-    var phi_2240_: f32;
-    var phi_2242_: f32;
-    var phi_2243_: bool;
-    var phi_2263_: f32;
-    var phi_2264_: f32;
-    var phi_2287_: type_22;
-    var phi_2289_: type_22;
-    var phi_2290_: bool;
-    var phi_2294_: type_22;
-    var phi_2295_: type_22;
-    var phi_2296_: type_22;
-    var phi_2297_: bool;
-    var phi_2301_: type_22;
-    var phi_2302_: bool;
-    var phi_2303_: type_22;
-    var phi_2304_: bool;
-    var phi_2305_: bool;
-    var phi_2306_: type_22;
-    var phi_2307_: bool;
-    var phi_2308_: bool;
-    var phi_2316_: type_22;
-    var phi_2317_: bool;
-    var phi_2321_: type_22;
-    var phi_2333_: type_4;
-    var phi_2336_: type_22;
-    var phi_2334_: type_4;
-    var phi_2359_: type_4;
-    var phi_2391_: bool;
-    var phi_2392_: bool;
-    var phi_2413_: type_22;
-    var phi_2337_: type_22;
-    var phi_3778_: bool;
-    var phi_4060_: f32;
-    var phi_4059_: f32;
-    var phi_3941_: bool;
-    var phi_4058_: f32;
-    var phi_3940_: bool;
-    var phi_4057_: f32;
-    var phi_3939_: bool;
-    var phi_3969_: f32;
-    var phi_3938_: bool;
-    var phi_4120_: bool;
-    var phi_3968_: f32;
-    var phi_2445_: type_44;
-    var phi_3332_: type_51;
-    var phi_3408_: type_51;
-    var phi_3409_: u32;
-    var phi_3410_: type_51;
-    var phi_3412_: u32;
-    var phi_3413_: type_51;
-    var phi_3414_: bool;
-    var phi_3421_: type_51;
-    var phi_3426_: bool;
-    var phi_3428_: type_51;
-    var phi_3432_: bool;
-    var phi_3433_: u32;
-    var phi_3434_: type_51;
-    var phi_3444_: type_51;
-    var phi_4147_: f32;
-    var phi_4064_: bool;
-    var phi_3445_: u32;
-    var phi_3446_: bool;
-    var phi_3447_: u32;
-    var phi_3448_: type_51;
-    var phi_4146_: f32;
-    var phi_4063_: bool;
-    var phi_3449_: u32;
-    var phi_3450_: bool;
-    var phi_3451_: u32;
-    var phi_3452_: type_51;
-    var phi_4145_: f32;
-    var phi_4062_: bool;
-    var phi_1160_: u32;
-    var phi_1163_: bool;
-    var phi_1165_: u32;
-    var phi_1167_: type_51;
-    var phi_3453_: bool;
-    var phi_4061_: bool;
-    var phi_3460_: type_4;
-    var phi_3461_: type_4;
-    var phi_3484_: type_4;
-    var phi_3536_: f32;
-    var phi_3538_: f32;
-    var phi_3539_: bool;
-    var phi_3540_: f32;
-    var phi_3541_: bool;
-    var phi_3680_: u32;
-    var phi_3698_: bool;
-    var phi_3701_: bool;
-    var phi_3714_: f32;
-    var phi_3715_: f32;
-    var phi_3720_: f32;
-    var phi_3721_: f32;
-    var phi_3722_: bool;
-    var phi_3730_: f32;
-    var phi_3556_: f32;
-    var phi_3557_: f32;
-    var phi_3569_: f32;
-    var phi_3574_: type_22;
-    var phi_4127_: bool;
+    var phi_451_: i32;
+    var phi_452_: i32;
+    var phi_462_: bool;
+    var phi_472_: u32;
+    var phi_473_: u32;
+    var phi_475_: bool;
+    var phi_480_: u32;
+    var phi_493_: i32;
+    var phi_513_: i32;
+    var phi_531_: f32;
+    var phi_537_: f32;
+    var phi_577_: f32;
+    var phi_583_: f32;
+    var phi_656_: f32;
+    var phi_662_: f32;
+    var phi_702_: f32;
+    var phi_708_: f32;
+    var phi_781_: f32;
+    var phi_787_: f32;
+    var phi_827_: f32;
+    var phi_833_: f32;
+    var phi_952_: i32;
+    var phi_974_: u32;
+    var phi_975_: u32;
+    var phi_1012_: i32;
+    var phi_1034_: u32;
+    var phi_1035_: u32;
+    var phi_1043_: f32;
+    var phi_1044_: f32;
+    var phi_3889_: bool;
+    var phi_3869_: f32;
+    var phi_1180_: u32;
+    var phi_1183_: bool;
+    var phi_1185_: u32;
+    var phi_1187_: type_52;
+    var phi_1198_: bool;
+    var phi_1285_: bool;
+    var phi_1286_: u32;
+    var phi_1287_: type_52;
+    var phi_3886_: bool;
+    var phi_3874_: f32;
+    var phi_1305_: type_4;
+    var phi_1306_: type_4;
+    var phi_1329_: type_4;
+    var phi_1350_: u32;
+    var phi_1442_: array<array<f32, 3>, 3>;
+    var phi_3585_: bool;
+    var phi_3600_: bool;
+    var phi_3615_: bool;
+    var phi_3630_: bool;
+    var phi_3645_: bool;
+    var phi_3660_: bool;
+    var phi_1985_: f32;
+    var phi_1986_: f32;
+    var phi_1987_: f32;
+    var phi_1988_: f32;
+    var phi_1989_: vec3<f32>;
+    var phi_1990_: vec3<f32>;
+    var phi_1991_: vec3<f32>;
+    var phi_1992_: vec3<f32>;
+    var phi_3675_: bool;
+    var phi_3690_: bool;
+    var phi_3705_: bool;
+    var phi_3720_: bool;
+    var phi_3735_: bool;
+    var phi_3750_: bool;
+    var phi_2200_: f32;
+    var phi_2220_: type_31;
+    var phi_2221_: type_31;
+    var phi_2224_: type_31;
+    var phi_2225_: type_31;
+    var phi_2226_: bool;
+    var phi_2230_: type_31;
+    var phi_2239_: type_22;
+    var phi_2251_: type_4;
+    var phi_2254_: type_22;
+    var phi_2252_: type_4;
+    var phi_2277_: type_4;
+    var phi_2309_: bool;
+    var phi_2310_: bool;
+    var phi_2331_: type_22;
+    var phi_2255_: type_22;
+    var phi_3876_: bool;
+    var phi_4168_: f32;
+    var phi_4167_: f32;
+    var phi_4044_: bool;
+    var phi_4166_: f32;
+    var phi_4043_: bool;
+    var phi_4165_: f32;
+    var phi_4042_: bool;
+    var phi_4072_: f32;
+    var phi_4041_: bool;
+    var phi_4228_: bool;
+    var phi_4071_: f32;
+    var phi_2363_: type_45;
+    var phi_3250_: type_52;
+    var phi_3326_: type_52;
+    var phi_3327_: u32;
+    var phi_3328_: type_52;
+    var phi_3330_: u32;
+    var phi_3331_: type_52;
+    var phi_3332_: bool;
+    var phi_3339_: type_52;
+    var phi_3344_: bool;
+    var phi_3346_: type_52;
+    var phi_3350_: bool;
+    var phi_3351_: u32;
+    var phi_3352_: type_52;
+    var phi_3362_: type_52;
+    var phi_4255_: f32;
+    var phi_4172_: bool;
+    var phi_3363_: u32;
+    var phi_3364_: bool;
+    var phi_3365_: u32;
+    var phi_3366_: type_52;
+    var phi_4254_: f32;
+    var phi_4171_: bool;
+    var phi_3367_: u32;
+    var phi_3368_: bool;
+    var phi_3369_: u32;
+    var phi_3370_: type_52;
+    var phi_4253_: f32;
+    var phi_4170_: bool;
+    var phi_1181_: u32;
+    var phi_1184_: bool;
+    var phi_1186_: u32;
+    var phi_1188_: type_52;
+    var phi_3371_: bool;
+    var phi_4169_: bool;
+    var phi_3378_: type_4;
+    var phi_3379_: type_4;
+    var phi_3402_: type_4;
+    var phi_3454_: f32;
+    var phi_3456_: f32;
+    var phi_3457_: bool;
+    var phi_3458_: f32;
+    var phi_3459_: bool;
+    var phi_3778_: u32;
+    var phi_3796_: bool;
+    var phi_3799_: bool;
+    var phi_3812_: f32;
+    var phi_3813_: f32;
+    var phi_3818_: f32;
+    var phi_3819_: f32;
+    var phi_3820_: bool;
+    var phi_3828_: f32;
+    var phi_3474_: f32;
+    var phi_3475_: f32;
+    var phi_3487_: f32;
+    var phi_3492_: type_22;
+    var phi_4235_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e87 = global;
-            let _e90 = arrayLength((&global_5.member));
-            let _e92 = arrayLength((&global_2.member));
-            let _e100 = global_3.member[0u][0u];
-            let _e104 = global_3.member[0u][1u];
-            let _e108 = global_3.member[0u][2u];
-            let _e112 = global_3.member[1u][0u];
-            let _e116 = global_3.member[1u][1u];
-            let _e120 = global_3.member[1u][2u];
-            let _e124 = global_3.member[1u][3u];
-            let _e127 = global_1.member[0u];
-            let _e128 = bitcast<i32>(_e127);
-            let _e138 = (_e87.x + (_e87.y * 2097152u));
-            let _e139 = (_e138 < arrayLength((&global_4.member)));
-            if _e139 {
-                let _e140 = (_e138 < arrayLength((&global_6.member)));
-                if _e140 {
-                    if _e139 {
+            let _e88 = global;
+            let _e91 = arrayLength((&global_5.member));
+            let _e93 = arrayLength((&global_2.member));
+            let _e101 = global_3.member[0u][0u];
+            let _e105 = global_3.member[0u][1u];
+            let _e109 = global_3.member[0u][2u];
+            let _e113 = global_3.member[1u][0u];
+            let _e117 = global_3.member[1u][1u];
+            let _e121 = global_3.member[1u][2u];
+            let _e125 = global_3.member[1u][3u];
+            let _e128 = global_1.member[0u];
+            let _e129 = bitcast<i32>(_e128);
+            let _e139 = (_e88.x + (_e88.y * 2097152u));
+            let _e140 = (_e139 < arrayLength((&global_4.member)));
+            if _e140 {
+                let _e141 = (_e139 < arrayLength((&global_6.member)));
+                if _e141 {
+                    if _e140 {
                     } else {
                         break;
                     }
-                    let _e148 = global_4.member[_e138].member_2[0u];
-                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
-                    let _e155 = global_4.member[_e138].member_2[1u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_4.member[_e138].member_2[2u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_4.member[_e138].member[0u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e176 = global_4.member[_e138].member[1u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e183 = global_4.member[_e138].member[2u];
-                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
-                    let _e187 = select(_e157, _e150, (_e157 < _e150));
-                    let _e189 = select(_e164, _e187, (_e164 < _e187));
-                    let _e191 = select(_e171, _e189, (_e171 < _e189));
-                    let _e193 = select(_e178, _e191, (_e178 < _e191));
-                    let _e195 = select(_e185, _e193, (_e185 < _e193));
-                    let _e199 = global_4.member[_e138].member_1;
-                    let _e200 = bitcast<u32>(_e199);
-                    let _e201 = (_e200 & 2147483647u);
-                    let _e208 = global_4.member[_e138].member_3;
-                    let _e209 = bitcast<u32>(_e208);
-                    let _e210 = (_e209 & 2147483647u);
-                    let _e214 = (((select(_e201, _e195, (_e201 < _e195)) < 2139095040u) && (_e210 <= 2139095040u)) && (_e189 > 0u));
-                    if _e214 {
-                        let _e217 = (bitcast<u32>(bitcast<f32>(_e189)) & 2147483647u);
-                        if (_e217 >= 8388608u) {
-                            phi_430_ = (bitcast<i32>((_e217 >> bitcast<u32>(23i))) - 127i);
+                    let _e149 = global_4.member[_e139].member_2[0u];
+                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
+                    let _e156 = global_4.member[_e139].member_2[1u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_4.member[_e139].member_2[2u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_4.member[_e139].member[0u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_4.member[_e139].member[1u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_4.member[_e139].member[2u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e188 = select(_e158, _e151, (_e158 < _e151));
+                    let _e190 = select(_e165, _e188, (_e165 < _e188));
+                    let _e192 = select(_e172, _e190, (_e172 < _e190));
+                    let _e194 = select(_e179, _e192, (_e179 < _e192));
+                    let _e196 = select(_e186, _e194, (_e186 < _e194));
+                    let _e200 = global_4.member[_e139].member_1;
+                    let _e201 = bitcast<u32>(_e200);
+                    let _e202 = (_e201 & 2147483647u);
+                    let _e209 = global_4.member[_e139].member_3;
+                    let _e210 = bitcast<u32>(_e209);
+                    let _e211 = (_e210 & 2147483647u);
+                    let _e215 = (((select(_e202, _e196, (_e202 < _e196)) < 2139095040u) && (_e211 <= 2139095040u)) && (_e190 > 0u));
+                    if _e215 {
+                        let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
+                        if (_e218 >= 8388608u) {
+                            phi_451_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_430_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e217)), 32u, (_e217 == 0u))));
+                            phi_451_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
                         }
-                        let _e231 = phi_430_;
-                        phi_431_ = _e231;
+                        let _e232 = phi_451_;
+                        phi_452_ = _e232;
                     } else {
-                        phi_431_ = 0i;
+                        phi_452_ = 0i;
                     }
-                    let _e233 = phi_431_;
-                    let _e234 = (_e150 == _e189);
-                    if _e234 {
-                        phi_441_ = true;
+                    let _e234 = phi_452_;
+                    let _e235 = (_e151 == _e190);
+                    if _e235 {
+                        phi_462_ = true;
                     } else {
-                        phi_441_ = (_e157 == _e189);
+                        phi_462_ = (_e158 == _e190);
                     }
-                    let _e237 = phi_441_;
-                    let _e238 = select(1u, 0u, _e234);
-                    if _e237 {
-                        let _e239 = (_e238 + 1u);
-                        phi_451_ = _e239;
-                        phi_452_ = _e239;
-                        phi_454_ = select(true, false, (_e239 == 2u));
+                    let _e238 = phi_462_;
+                    let _e239 = select(1u, 0u, _e235);
+                    if _e238 {
+                        let _e240 = (_e239 + 1u);
+                        phi_472_ = _e240;
+                        phi_473_ = _e240;
+                        phi_475_ = select(true, false, (_e240 == 2u));
                     } else {
-                        phi_451_ = u32();
-                        phi_452_ = 0u;
-                        phi_454_ = true;
+                        phi_472_ = u32();
+                        phi_473_ = 0u;
+                        phi_475_ = true;
                     }
-                    let _e243 = phi_451_;
-                    let _e245 = phi_452_;
-                    let _e247 = phi_454_;
-                    if _e247 {
-                        phi_459_ = (_e245 + 1u);
+                    let _e244 = phi_472_;
+                    let _e246 = phi_473_;
+                    let _e248 = phi_475_;
+                    if _e248 {
+                        phi_480_ = (_e246 + 1u);
                     } else {
-                        phi_459_ = 0u;
+                        phi_480_ = 0u;
                     }
-                    let _e251 = phi_459_;
-                    let _e252 = select(_e243, _e245, _e247);
-                    let _e253 = select(_e238, select(2u, _e238, _e237), _e247);
-                    if (_e128 < -126i) {
-                        phi_472_ = -126i;
+                    let _e252 = phi_480_;
+                    let _e253 = select(_e244, _e246, _e248);
+                    let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
+                    if (_e129 < -126i) {
+                        phi_493_ = -126i;
                     } else {
-                        phi_472_ = select(_e128, 127i, (_e128 > 127i));
+                        phi_493_ = select(_e129, 127i, (_e129 > 127i));
                     }
-                    let _e258 = phi_472_;
-                    let _e263 = bitcast<f32>((bitcast<u32>((_e258 + 127i)) << bitcast<u32>(23i)));
-                    let _e269 = bitcast<f32>((bitcast<u32>(((_e128 - _e258) + 127i)) << bitcast<u32>(23i)));
-                    let _e270 = -(_e233);
-                    if (_e270 < -126i) {
-                        phi_492_ = -126i;
+                    let _e259 = phi_493_;
+                    let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
+                    let _e270 = bitcast<f32>((bitcast<u32>(((_e129 - _e259) + 127i)) << bitcast<u32>(23i)));
+                    let _e271 = -(_e234);
+                    if (_e271 < -126i) {
+                        phi_513_ = -126i;
                     } else {
-                        phi_492_ = select(_e270, 127i, (_e270 > 127i));
+                        phi_513_ = select(_e271, 127i, (_e271 > 127i));
                     }
-                    let _e275 = phi_492_;
-                    let _e280 = bitcast<f32>((bitcast<u32>((_e275 + 127i)) << bitcast<u32>(23i)));
-                    let _e286 = bitcast<f32>((bitcast<u32>(((_e270 - _e275) + 127i)) << bitcast<u32>(23i)));
-                    let _e290 = global_4.member[_e138].member;
-                    let _e291 = (_e252 == 0u);
-                    if _e291 {
-                        phi_510_ = _e290[0];
+                    let _e276 = phi_513_;
+                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
+                    let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
+                    let _e291 = global_4.member[_e139].member;
+                    let _e292 = (_e253 == 0u);
+                    if _e292 {
+                        phi_531_ = _e291[0];
                     } else {
-                        phi_510_ = _e290[1];
+                        phi_531_ = _e291[1];
                     }
-                    let _e295 = phi_510_;
-                    let _e296 = (_e252 == 2u);
-                    if _e296 {
-                        phi_516_ = _e290[2];
+                    let _e296 = phi_531_;
+                    let _e297 = (_e253 == 2u);
+                    if _e297 {
+                        phi_537_ = _e291[2];
                     } else {
-                        phi_516_ = _e295;
+                        phi_537_ = _e296;
                     }
-                    let _e299 = phi_516_;
-                    let _e300 = bitcast<u32>(_e299);
-                    let _e302 = ((_e300 & 2139095040u) != 0u);
-                    let _e316 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e300 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e300 & 2147483648u))), _e299, _e302) * _e263) * select(0.00000011920929f, 1f, _e302)) * _e269);
-                    let _e317 = global_4.member[_e138].member_2;
-                    if _e291 {
-                        phi_556_ = _e317[0];
+                    let _e300 = phi_537_;
+                    let _e301 = bitcast<u32>(_e300);
+                    let _e303 = ((_e301 & 2139095040u) != 0u);
+                    let _e317 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e301 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e301 & 2147483648u))), _e300, _e303) * _e264) * select(0.00000011920929f, 1f, _e303)) * _e270);
+                    let _e318 = global_4.member[_e139].member_2;
+                    if _e292 {
+                        phi_577_ = _e318[0];
                     } else {
-                        phi_556_ = _e317[1];
+                        phi_577_ = _e318[1];
                     }
-                    let _e321 = phi_556_;
-                    if _e296 {
-                        phi_562_ = _e317[2];
+                    let _e322 = phi_577_;
+                    if _e297 {
+                        phi_583_ = _e318[2];
                     } else {
-                        phi_562_ = _e321;
+                        phi_583_ = _e322;
                     }
-                    let _e324 = phi_562_;
-                    let _e325 = bitcast<u32>(_e324);
-                    let _e327 = ((_e325 & 2139095040u) != 0u);
-                    let _e341 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e325 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e325 & 2147483648u))), _e324, _e327) * _e280) * select(0.00000011920929f, 1f, _e327)) * _e286);
-                    let _e345 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e345 {
-                        let _e349 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) * 0.00000011920929f);
-                        phi_614_ = select(0.00000000000011368684f, _e349, (_e349 > 0.00000000000011368684f));
+                    let _e325 = phi_583_;
+                    let _e326 = bitcast<u32>(_e325);
+                    let _e328 = ((_e326 & 2139095040u) != 0u);
+                    let _e342 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e325, _e328) * _e281) * select(0.00000011920929f, 1f, _e328)) * _e287);
+                    let _e346 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e349 = bitcast<f32>((bitcast<u32>(_e317) & 2147483647u));
+                    let _e350 = (_e349 * 0.00000011920929f);
+                    let _e353 = select(select(0.00000000000011368684f, _e350, (_e350 > 0.00000000000011368684f)), 0f, _e346);
+                    let _e354 = select(0f, _e342, _e346);
+                    let _e355 = (_e317 + _e353);
+                    let _e356 = (_e317 - _e353);
+                    let _e358 = select(38685626000000000000000000f, (1f / _e342), _e346);
+                    let _e359 = (_e252 == 0u);
+                    if _e359 {
+                        phi_656_ = _e291[0];
                     } else {
-                        phi_614_ = 0f;
+                        phi_656_ = _e291[1];
                     }
-                    let _e353 = phi_614_;
-                    let _e354 = (_e316 + _e353);
-                    let _e355 = (_e316 - _e353);
-                    let _e356 = select(_e341, 0f, _e345);
-                    if _e345 {
-                        phi_626_ = 38685626000000000000000000f;
+                    let _e363 = phi_656_;
+                    let _e364 = (_e252 == 2u);
+                    if _e364 {
+                        phi_662_ = _e291[2];
                     } else {
-                        phi_626_ = (1f / _e341);
+                        phi_662_ = _e363;
                     }
-                    let _e359 = phi_626_;
-                    let _e360 = (_e251 == 0u);
-                    if _e360 {
-                        phi_635_ = _e290[0];
+                    let _e367 = phi_662_;
+                    let _e368 = bitcast<u32>(_e367);
+                    let _e370 = ((_e368 & 2139095040u) != 0u);
+                    let _e384 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e368 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e368 & 2147483648u))), _e367, _e370) * _e264) * select(0.00000011920929f, 1f, _e370)) * _e270);
+                    if _e359 {
+                        phi_702_ = _e318[0];
                     } else {
-                        phi_635_ = _e290[1];
+                        phi_702_ = _e318[1];
                     }
-                    let _e364 = phi_635_;
-                    let _e365 = (_e251 == 2u);
-                    if _e365 {
-                        phi_641_ = _e290[2];
+                    let _e388 = phi_702_;
+                    if _e364 {
+                        phi_708_ = _e318[2];
                     } else {
-                        phi_641_ = _e364;
+                        phi_708_ = _e388;
                     }
-                    let _e368 = phi_641_;
-                    let _e369 = bitcast<u32>(_e368);
-                    let _e371 = ((_e369 & 2139095040u) != 0u);
-                    let _e385 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e369 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e369 & 2147483648u))), _e368, _e371) * _e263) * select(0.00000011920929f, 1f, _e371)) * _e269);
-                    if _e360 {
-                        phi_681_ = _e317[0];
+                    let _e391 = phi_708_;
+                    let _e392 = bitcast<u32>(_e391);
+                    let _e394 = ((_e392 & 2139095040u) != 0u);
+                    let _e408 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e392 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e392 & 2147483648u))), _e391, _e394) * _e281) * select(0.00000011920929f, 1f, _e394)) * _e287);
+                    let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e415 = bitcast<f32>((bitcast<u32>(_e384) & 2147483647u));
+                    let _e416 = (_e415 * 0.00000011920929f);
+                    let _e419 = select(select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f)), 0f, _e412);
+                    let _e420 = select(0f, _e408, _e412);
+                    let _e421 = (_e384 + _e419);
+                    let _e422 = (_e384 - _e419);
+                    let _e424 = select(38685626000000000000000000f, (1f / _e408), _e412);
+                    let _e425 = (_e254 == 0u);
+                    if _e425 {
+                        phi_781_ = _e291[0];
                     } else {
-                        phi_681_ = _e317[1];
+                        phi_781_ = _e291[1];
                     }
-                    let _e389 = phi_681_;
-                    if _e365 {
-                        phi_687_ = _e317[2];
+                    let _e429 = phi_781_;
+                    let _e430 = (_e254 == 2u);
+                    if _e430 {
+                        phi_787_ = _e291[2];
                     } else {
-                        phi_687_ = _e389;
+                        phi_787_ = _e429;
                     }
-                    let _e392 = phi_687_;
-                    let _e393 = bitcast<u32>(_e392);
-                    let _e395 = ((_e393 & 2139095040u) != 0u);
-                    let _e409 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e393 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e393 & 2147483648u))), _e392, _e395) * _e280) * select(0.00000011920929f, 1f, _e395)) * _e286);
-                    let _e413 = (bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e413 {
-                        let _e417 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) * 0.00000011920929f);
-                        phi_739_ = select(0.00000000000011368684f, _e417, (_e417 > 0.00000000000011368684f));
+                    let _e433 = phi_787_;
+                    let _e434 = bitcast<u32>(_e433);
+                    let _e436 = ((_e434 & 2139095040u) != 0u);
+                    let _e450 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e434 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e434 & 2147483648u))), _e433, _e436) * _e264) * select(0.00000011920929f, 1f, _e436)) * _e270);
+                    if _e425 {
+                        phi_827_ = _e318[0];
                     } else {
-                        phi_739_ = 0f;
+                        phi_827_ = _e318[1];
                     }
-                    let _e421 = phi_739_;
-                    let _e422 = (_e385 + _e421);
-                    let _e423 = (_e385 - _e421);
-                    let _e424 = select(_e409, 0f, _e413);
-                    if _e413 {
-                        phi_751_ = 38685626000000000000000000f;
+                    let _e454 = phi_827_;
+                    if _e430 {
+                        phi_833_ = _e318[2];
                     } else {
-                        phi_751_ = (1f / _e409);
+                        phi_833_ = _e454;
                     }
-                    let _e427 = phi_751_;
-                    let _e428 = (_e253 == 0u);
-                    if _e428 {
-                        phi_760_ = _e290[0];
-                    } else {
-                        phi_760_ = _e290[1];
-                    }
-                    let _e432 = phi_760_;
-                    let _e433 = (_e253 == 2u);
-                    if _e433 {
-                        phi_766_ = _e290[2];
-                    } else {
-                        phi_766_ = _e432;
-                    }
-                    let _e436 = phi_766_;
-                    let _e437 = bitcast<u32>(_e436);
-                    let _e439 = ((_e437 & 2139095040u) != 0u);
-                    let _e453 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e437 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e437 & 2147483648u))), _e436, _e439) * _e263) * select(0.00000011920929f, 1f, _e439)) * _e269);
-                    if _e428 {
-                        phi_806_ = _e317[0];
-                    } else {
-                        phi_806_ = _e317[1];
-                    }
-                    let _e457 = phi_806_;
-                    if _e433 {
-                        phi_812_ = _e317[2];
-                    } else {
-                        phi_812_ = _e457;
-                    }
-                    let _e460 = phi_812_;
-                    let _e461 = bitcast<u32>(_e460);
-                    let _e463 = ((_e461 & 2139095040u) != 0u);
-                    let _e477 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e461 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e461 & 2147483648u))), _e460, _e463) * _e280) * select(0.00000011920929f, 1f, _e463)) * _e286);
-                    let _e481 = (bitcast<f32>((bitcast<u32>(_e477) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e481 {
-                        let _e485 = (bitcast<f32>((bitcast<u32>(_e453) & 2147483647u)) * 0.00000011920929f);
-                        phi_864_ = select(0.00000000000011368684f, _e485, (_e485 > 0.00000000000011368684f));
-                    } else {
-                        phi_864_ = 0f;
-                    }
-                    let _e489 = phi_864_;
-                    let _e490 = (_e453 + _e489);
-                    let _e491 = (_e453 - _e489);
-                    let _e492 = select(_e477, 0f, _e481);
-                    if _e481 {
-                        phi_876_ = 38685626000000000000000000f;
-                    } else {
-                        phi_876_ = (1f / _e477);
-                    }
-                    let _e495 = phi_876_;
-                    let _e498 = bitcast<f32>((bitcast<u32>(_e316) & 2147483647u));
-                    let _e501 = bitcast<f32>((bitcast<u32>(_e385) & 2147483647u));
-                    let _e503 = select(_e501, _e498, (_e498 > _e501));
-                    let _e506 = bitcast<f32>((bitcast<u32>(_e453) & 2147483647u));
-                    let _e509 = (_e128 + _e233);
-                    if (_e214 && (select(_e506, _e503, (_e503 > _e506)) <= 1099511600000f)) {
-                        let _e519 = ((_e201 & 8388607u) | (select(0u, 1u, ((_e201 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e522 = bitcast<i32>((_e201 >> bitcast<u32>(23i)));
-                        let _e526 = (_e519 == 0u);
-                        let _e529 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e519)), 32u, _e526)) - 8i);
-                        if (_e522 == 255i) {
-                            phi_931_ = 255i;
+                    let _e457 = phi_833_;
+                    let _e458 = bitcast<u32>(_e457);
+                    let _e460 = ((_e458 & 2139095040u) != 0u);
+                    let _e474 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e458 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e458 & 2147483648u))), _e457, _e460) * _e281) * select(0.00000011920929f, 1f, _e460)) * _e287);
+                    let _e478 = (bitcast<f32>((bitcast<u32>(_e474) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e481 = bitcast<f32>((bitcast<u32>(_e450) & 2147483647u));
+                    let _e482 = (_e481 * 0.00000011920929f);
+                    let _e485 = select(select(0.00000000000011368684f, _e482, (_e482 > 0.00000000000011368684f)), 0f, _e478);
+                    let _e486 = select(0f, _e474, _e478);
+                    let _e487 = (_e450 + _e485);
+                    let _e488 = (_e450 - _e485);
+                    let _e490 = select(38685626000000000000000000f, (1f / _e474), _e478);
+                    let _e492 = select(_e415, _e349, (_e349 > _e415));
+                    let _e495 = (_e129 + _e234);
+                    if (_e215 && (select(_e481, _e492, (_e492 > _e481)) <= 1099511600000f)) {
+                        let _e505 = ((_e202 & 8388607u) | (select(0u, 1u, ((_e202 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e508 = bitcast<i32>((_e202 >> bitcast<u32>(23i)));
+                        let _e512 = (_e505 == 0u);
+                        let _e515 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e505)), 32u, _e512)) - 8i);
+                        if (_e508 == 255i) {
+                            phi_952_ = 255i;
                         } else {
-                            phi_931_ = (((_e522 + select(0i, 1i, (_e522 == 0i))) - _e529) + _e509);
+                            phi_952_ = (((_e508 + select(0i, 1i, (_e508 == 0i))) - _e515) + _e495);
                         }
-                        let _e537 = phi_931_;
-                        let _e547 = (_e537 <= 0i);
-                        if _e547 {
-                            phi_954_ = u32();
+                        let _e523 = phi_952_;
+                        let _e533 = (_e523 <= 0i);
+                        if _e533 {
+                            phi_975_ = u32();
                         } else {
-                            if _e526 {
-                                phi_953_ = u32();
+                            if _e512 {
+                                phi_974_ = u32();
                             } else {
-                                phi_953_ = select(((bitcast<u32>(_e537) << bitcast<u32>(23i)) | ((_e519 << bitcast<u32>(((_e529 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e537 >= 255i));
+                                phi_974_ = select(((bitcast<u32>(_e523) << bitcast<u32>(23i)) | ((_e505 << bitcast<u32>(((_e515 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e523 >= 255i));
                             }
-                            let _e551 = phi_953_;
-                            phi_954_ = _e551;
+                            let _e537 = phi_974_;
+                            phi_975_ = _e537;
                         }
-                        let _e553 = phi_954_;
-                        let _e565 = ((_e210 & 8388607u) | (select(0u, 1u, ((_e210 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e568 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
-                        let _e572 = (_e565 == 0u);
-                        let _e575 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e565)), 32u, _e572)) - 8i);
-                        if (_e568 == 255i) {
-                            phi_991_ = 255i;
+                        let _e539 = phi_975_;
+                        let _e551 = ((_e211 & 8388607u) | (select(0u, 1u, ((_e211 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e554 = bitcast<i32>((_e211 >> bitcast<u32>(23i)));
+                        let _e558 = (_e551 == 0u);
+                        let _e561 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e551)), 32u, _e558)) - 8i);
+                        if (_e554 == 255i) {
+                            phi_1012_ = 255i;
                         } else {
-                            phi_991_ = (((_e568 + select(0i, 1i, (_e568 == 0i))) - _e575) + _e509);
+                            phi_1012_ = (((_e554 + select(0i, 1i, (_e554 == 0i))) - _e561) + _e495);
                         }
-                        let _e583 = phi_991_;
-                        let _e593 = (_e583 <= 0i);
-                        if _e593 {
-                            phi_1014_ = u32();
+                        let _e569 = phi_1012_;
+                        let _e579 = (_e569 <= 0i);
+                        if _e579 {
+                            phi_1035_ = u32();
                         } else {
-                            if _e572 {
-                                phi_1013_ = u32();
+                            if _e558 {
+                                phi_1034_ = u32();
                             } else {
-                                phi_1013_ = select(((bitcast<u32>(_e583) << bitcast<u32>(23i)) | ((_e565 << bitcast<u32>(((_e575 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e583 >= 255i));
+                                phi_1034_ = select(((bitcast<u32>(_e569) << bitcast<u32>(23i)) | ((_e551 << bitcast<u32>(((_e561 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e569 >= 255i));
                             }
-                            let _e597 = phi_1013_;
-                            phi_1014_ = _e597;
+                            let _e583 = phi_1034_;
+                            phi_1035_ = _e583;
                         }
-                        let _e599 = phi_1014_;
-                        phi_1022_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e599, 0u, select(_e572, true, _e593))));
-                        phi_1023_ = bitcast<f32>(((_e200 & 2147483648u) | select(_e553, 0u, select(_e526, true, _e547))));
+                        let _e585 = phi_1035_;
+                        phi_1043_ = bitcast<f32>(((_e210 & 2147483648u) | select(_e585, 0u, select(_e558, true, _e579))));
+                        phi_1044_ = bitcast<f32>(((_e201 & 2147483648u) | select(_e539, 0u, select(_e512, true, _e533))));
                     } else {
-                        phi_1022_ = 0f;
-                        phi_1023_ = 1f;
+                        phi_1043_ = 0f;
+                        phi_1044_ = 1f;
                     }
-                    let _e605 = phi_1022_;
-                    let _e607 = phi_1023_;
+                    let _e591 = phi_1043_;
+                    let _e593 = phi_1044_;
                     local_7 = array<type_22, 8>(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -578,1105 +542,1082 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_8 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_10 = array<f32, 3>(bitcast<f32>(_e100), bitcast<f32>(_e104), bitcast<f32>(_e108));
-                    let _e611 = (_e252 % 3u);
-                    let _e612 = (_e611 < 3u);
-                    if _e612 {
+                    local_10 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
+                    let _e597 = (_e253 % 3u);
+                    let _e598 = (_e597 < 3u);
+                    if _e598 {
                     } else {
                         break;
                     }
-                    let _e614 = local_10[_e611];
-                    let _e615 = (_e251 % 3u);
-                    let _e616 = (_e615 < 3u);
-                    if _e616 {
+                    let _e600 = local_10[_e597];
+                    let _e601 = (_e252 % 3u);
+                    let _e602 = (_e601 < 3u);
+                    if _e602 {
                     } else {
                         break;
                     }
-                    let _e618 = local_10[_e615];
-                    let _e619 = (_e253 % 3u);
-                    let _e620 = (_e619 < 3u);
-                    if _e620 {
+                    let _e604 = local_10[_e601];
+                    let _e605 = (_e254 % 3u);
+                    let _e606 = (_e605 < 3u);
+                    if _e606 {
                     } else {
                         break;
                     }
-                    let _e622 = local_10[_e619];
-                    local_9 = array<f32, 3>(bitcast<f32>(_e112), bitcast<f32>(_e116), bitcast<f32>(_e120));
-                    if _e612 {
+                    let _e608 = local_10[_e605];
+                    local_9 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
+                    if _e598 {
                     } else {
                         break;
                     }
-                    let _e626 = local_9[_e611];
-                    if _e616 {
+                    let _e612 = local_9[_e597];
+                    if _e602 {
                     } else {
                         break;
                     }
-                    let _e628 = local_9[_e615];
-                    if _e620 {
+                    let _e614 = local_9[_e601];
+                    if _e606 {
                     } else {
                         break;
                     }
-                    let _e630 = local_9[_e619];
-                    phi_3790_ = false;
-                    phi_3771_ = _e605;
-                    phi_1159_ = ((3u * _e90) + 1u);
-                    phi_1162_ = (_e607 <= _e605);
-                    phi_1164_ = 0u;
-                    phi_1166_ = type_51(type_49(array<f32, 3>(_e614, _e618, _e622), array<f32, 3>(_e626, _e628, _e630)), select(0u, 2147483648u, (_e90 == 0u)));
+                    let _e616 = local_9[_e605];
+                    phi_3889_ = false;
+                    phi_3869_ = _e591;
+                    phi_1180_ = ((3u * _e91) + 1u);
+                    phi_1183_ = (_e593 <= _e591);
+                    phi_1185_ = 0u;
+                    phi_1187_ = type_52(type_50(array<f32, 3>(_e600, _e604, _e608), array<f32, 3>(_e612, _e614, _e616)), select(0u, 2147483648u, (_e91 == 0u)));
                     loop {
-                        let _e638 = phi_3790_;
-                        let _e640 = phi_3771_;
-                        let _e642 = phi_1159_;
-                        let _e644 = phi_1162_;
-                        let _e646 = phi_1164_;
-                        let _e648 = phi_1166_;
-                        if _e644 {
-                            phi_1177_ = true;
+                        let _e624 = phi_3889_;
+                        let _e626 = phi_3869_;
+                        let _e628 = phi_1180_;
+                        let _e630 = phi_1183_;
+                        let _e632 = phi_1185_;
+                        let _e634 = phi_1187_;
+                        if _e630 {
+                            phi_1198_ = true;
                         } else {
-                            phi_1177_ = (_e646 > 0u);
+                            phi_1198_ = (_e632 > 0u);
                         }
-                        let _e651 = phi_1177_;
-                        if _e651 {
-                            let _e652 = (_e642 > 0u);
-                            if _e652 {
-                                if _e644 {
-                                    phi_1264_ = _e644;
-                                    phi_1265_ = _e646;
-                                    phi_1266_ = _e648;
+                        let _e637 = phi_1198_;
+                        if _e637 {
+                            let _e638 = (_e628 > 0u);
+                            if _e638 {
+                                if _e630 {
+                                    phi_1285_ = _e630;
+                                    phi_1286_ = _e632;
+                                    phi_1287_ = _e634;
                                 } else {
-                                    let _e653 = (_e646 - 1u);
-                                    let _e654 = (_e653 % 128u);
-                                    let _e655 = (_e654 < 128u);
-                                    if _e655 {
+                                    let _e639 = (_e632 - 1u);
+                                    let _e640 = (_e639 % 128u);
+                                    let _e641 = (_e640 < 128u);
+                                    if _e641 {
                                     } else {
-                                        phi_4061_ = true;
+                                        phi_4169_ = true;
                                         break;
                                     }
-                                    let _e657 = local_6[_e654];
-                                    if _e655 {
+                                    let _e643 = local_6[_e640];
+                                    if _e641 {
                                     } else {
-                                        phi_4061_ = true;
+                                        phi_4169_ = true;
                                         break;
                                     }
-                                    let _e659 = local_5[_e654];
-                                    if _e655 {
+                                    let _e645 = local_5[_e640];
+                                    if _e641 {
                                     } else {
-                                        phi_4061_ = true;
+                                        phi_4169_ = true;
                                         break;
                                     }
-                                    let _e661 = local_4[_e654];
-                                    if _e655 {
+                                    let _e647 = local_4[_e640];
+                                    if _e641 {
                                     } else {
-                                        phi_4061_ = true;
+                                        phi_4169_ = true;
                                         break;
                                     }
-                                    let _e663 = local_3[_e654];
-                                    if _e655 {
+                                    let _e649 = local_3[_e640];
+                                    if _e641 {
                                     } else {
-                                        phi_4061_ = true;
+                                        phi_4169_ = true;
                                         break;
                                     }
-                                    let _e666 = local_2[_e654];
-                                    if _e655 {
+                                    let _e652 = local_2[_e640];
+                                    if _e641 {
                                     } else {
-                                        phi_4061_ = true;
+                                        phi_4169_ = true;
                                         break;
                                     }
-                                    let _e668 = local_1[_e654];
-                                    if _e655 {
+                                    let _e654 = local_1[_e640];
+                                    if _e641 {
                                     } else {
-                                        phi_4061_ = true;
+                                        phi_4169_ = true;
                                         break;
                                     }
-                                    let _e670 = local[_e654];
-                                    if _e655 {
+                                    let _e656 = local[_e640];
+                                    if _e641 {
                                     } else {
-                                        phi_4061_ = true;
+                                        phi_4169_ = true;
                                         break;
                                     }
-                                    let _e675 = local_8[_e654];
-                                    phi_1264_ = (_e675 <= _e640);
-                                    phi_1265_ = _e653;
-                                    phi_1266_ = type_51(type_49(array<f32, 3>(_e659, _e661, _e663), array<f32, 3>(_e666, _e668, _e670)), _e657);
+                                    let _e661 = local_8[_e640];
+                                    phi_1285_ = (_e661 <= _e626);
+                                    phi_1286_ = _e639;
+                                    phi_1287_ = type_52(type_50(array<f32, 3>(_e645, _e647, _e649), array<f32, 3>(_e652, _e654, _e656)), _e643);
                                 }
-                                let _e678 = phi_1264_;
-                                let _e680 = phi_1265_;
-                                let _e682 = phi_1266_;
-                                if _e678 {
-                                    let _e686 = ((_e682.member_1 & 2147483648u) != 0u);
-                                    if _e686 {
-                                        phi_3787_ = _e638;
-                                        phi_3776_ = _e640;
-                                        phi_1284_ = type_4(0u, ((_e682.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e664 = phi_1285_;
+                                let _e666 = phi_1286_;
+                                let _e668 = phi_1287_;
+                                if _e664 {
+                                    let _e672 = ((_e668.member_1 & 2147483648u) != 0u);
+                                    if _e672 {
+                                        phi_3886_ = _e624;
+                                        phi_3874_ = _e626;
+                                        phi_1305_ = type_4(0u, ((_e668.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e693 = phi_3787_;
-                                            let _e695 = phi_3776_;
-                                            let _e697 = phi_1284_;
-                                            if (_e697.member < _e697.member_1) {
-                                                phi_1285_ = type_4((_e697.member + 1u), _e697.member_1);
-                                                phi_1308_ = type_4(1u, _e697.member);
+                                            let _e679 = phi_3886_;
+                                            let _e681 = phi_3874_;
+                                            let _e683 = phi_1305_;
+                                            if (_e683.member < _e683.member_1) {
+                                                phi_1306_ = type_4((_e683.member + 1u), _e683.member_1);
+                                                phi_1329_ = type_4(1u, _e683.member);
                                             } else {
-                                                phi_1285_ = _e697;
-                                                phi_1308_ = type_4(0u, type_4().member_1);
+                                                phi_1306_ = _e683;
+                                                phi_1329_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e710 = phi_1285_;
-                                            let _e712 = phi_1308_;
-                                            let _e716 = (bitcast<i32>(_e712.member) != 0i);
-                                            if _e716 {
-                                                let _e717 = ((_e682.member_1 & 268435455u) + _e712.member_1);
-                                                let _e718 = (_e717 < _e92);
-                                                if _e718 {
-                                                    if _e718 {
+                                            let _e696 = phi_1306_;
+                                            let _e698 = phi_1329_;
+                                            let _e702 = (bitcast<i32>(_e698.member) != 0i);
+                                            if _e702 {
+                                                let _e703 = ((_e668.member_1 & 268435455u) + _e698.member_1);
+                                                let _e704 = (_e703 < _e93);
+                                                if _e704 {
+                                                    if _e704 {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e722 = global_2.member[_e717].member_1;
-                                                    phi_1329_ = _e722;
+                                                    let _e708 = global_2.member[_e703].member_1;
+                                                    phi_1350_ = _e708;
                                                 } else {
-                                                    phi_1329_ = 4294967295u;
+                                                    phi_1350_ = 4294967295u;
                                                 }
-                                                let _e724 = phi_1329_;
-                                                if (_e717 >= _e92) {
-                                                    phi_1421_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e710 = phi_1350_;
+                                                if (_e703 >= _e93) {
+                                                    phi_1442_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e718 {
+                                                    if _e704 {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    if (_e611 < 9u) {
+                                                    if (_e597 < 9u) {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e731 = global_2.member[_e717].member[_e611];
-                                                    if (_e615 < 9u) {
+                                                    let _e717 = global_2.member[_e703].member[_e597];
+                                                    if (_e601 < 9u) {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e737 = global_2.member[_e717].member[_e615];
-                                                    if (_e619 < 9u) {
+                                                    let _e723 = global_2.member[_e703].member[_e601];
+                                                    if (_e605 < 9u) {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e743 = global_2.member[_e717].member[_e619];
-                                                    let _e745 = (3u + _e611);
+                                                    let _e729 = global_2.member[_e703].member[_e605];
+                                                    let _e731 = (3u + _e597);
+                                                    if (_e731 < 9u) {
+                                                    } else {
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
+                                                        break;
+                                                    }
+                                                    let _e737 = global_2.member[_e703].member[_e731];
+                                                    let _e738 = (3u + _e601);
+                                                    if (_e738 < 9u) {
+                                                    } else {
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
+                                                        break;
+                                                    }
+                                                    let _e744 = global_2.member[_e703].member[_e738];
+                                                    let _e745 = (3u + _e605);
                                                     if (_e745 < 9u) {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e751 = global_2.member[_e717].member[_e745];
-                                                    let _e752 = (3u + _e615);
-                                                    if (_e752 < 9u) {
+                                                    let _e751 = global_2.member[_e703].member[_e745];
+                                                    let _e753 = (6u + _e597);
+                                                    if (_e753 < 9u) {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e758 = global_2.member[_e717].member[_e752];
-                                                    let _e759 = (3u + _e619);
-                                                    if (_e759 < 9u) {
+                                                    let _e759 = global_2.member[_e703].member[_e753];
+                                                    let _e760 = (6u + _e601);
+                                                    if (_e760 < 9u) {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e765 = global_2.member[_e717].member[_e759];
-                                                    let _e767 = (6u + _e611);
+                                                    let _e766 = global_2.member[_e703].member[_e760];
+                                                    let _e767 = (6u + _e605);
                                                     if (_e767 < 9u) {
                                                     } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e773 = global_2.member[_e717].member[_e767];
-                                                    let _e774 = (6u + _e615);
-                                                    if (_e774 < 9u) {
-                                                    } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
-                                                        break;
-                                                    }
-                                                    let _e780 = global_2.member[_e717].member[_e774];
-                                                    let _e781 = (6u + _e619);
-                                                    if (_e781 < 9u) {
-                                                    } else {
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = true;
-                                                        break;
-                                                    }
-                                                    let _e787 = global_2.member[_e717].member[_e781];
-                                                    phi_1421_ = array<array<f32, 3>, 3>(array<f32, 3>(_e731, _e737, _e743), array<f32, 3>(_e751, _e758, _e765), array<f32, 3>(_e773, _e780, _e787));
+                                                    let _e773 = global_2.member[_e703].member[_e767];
+                                                    phi_1442_ = array<array<f32, 3>, 3>(array<f32, 3>(_e717, _e723, _e729), array<f32, 3>(_e737, _e744, _e751), array<f32, 3>(_e759, _e766, _e773));
                                                 }
-                                                let _e791 = phi_1421_;
-                                                let _e798 = (_e791[0][2] - _e453);
-                                                let _e801 = (((_e791[0][0] - _e316) * _e492) - (_e798 * _e356));
-                                                let _e804 = (((_e791[0][1] - _e385) * _e492) - (_e798 * _e424));
-                                                let _e811 = (_e791[1][2] - _e453);
-                                                let _e814 = (((_e791[1][0] - _e316) * _e492) - (_e811 * _e356));
-                                                let _e817 = (((_e791[1][1] - _e385) * _e492) - (_e811 * _e424));
-                                                let _e824 = (_e791[2][2] - _e453);
-                                                let _e827 = (((_e791[2][0] - _e316) * _e492) - (_e824 * _e356));
-                                                let _e830 = (((_e791[2][1] - _e385) * _e492) - (_e824 * _e424));
-                                                let _e831 = (_e827 * _e817);
-                                                let _e832 = (_e830 * _e814);
-                                                let _e833 = (_e801 * _e830);
-                                                let _e834 = (_e804 * _e827);
-                                                let _e835 = (_e814 * _e804);
-                                                let _e836 = (_e817 * _e801);
-                                                let _e841 = (((_e831 >= _e832) && (_e833 >= _e834)) && (_e835 >= _e836));
-                                                if (_e841 || (((_e831 <= _e832) && (_e833 <= _e834)) && (_e835 <= _e836))) {
-                                                    let _e848 = select(-1f, 1f, _e841);
-                                                    let _e850 = ((_e831 - _e832) * _e848);
-                                                    let _e852 = select(0f, _e850, (_e850 > 0f));
-                                                    let _e854 = ((_e833 - _e834) * _e848);
-                                                    let _e856 = select(0f, _e854, (_e854 > 0f));
-                                                    let _e858 = ((_e835 - _e836) * _e848);
-                                                    let _e860 = select(0f, _e858, (_e858 > 0f));
-                                                    let _e862 = ((_e852 + _e856) + _e860);
-                                                    if (_e862 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2306_ = type_22();
-                                                        phi_2307_ = true;
-                                                        phi_2308_ = false;
-                                                    } else {
-                                                        let _e865 = select(_e814, _e801, (_e801 < _e814));
-                                                        if (select(_e827, _e865, (_e865 < _e827)) > 0f) {
-                                                            phi_1574_ = true;
+                                                let _e777 = phi_1442_;
+                                                let _e792 = (_e777[0][2] - _e450);
+                                                let _e795 = (((_e777[0][0] - _e317) * _e486) - (_e792 * _e354));
+                                                let _e798 = (((_e777[0][1] - _e384) * _e486) - (_e792 * _e420));
+                                                let _e801 = (_e777[1][2] - _e450);
+                                                let _e804 = (((_e777[1][0] - _e317) * _e486) - (_e801 * _e354));
+                                                let _e807 = (((_e777[1][1] - _e384) * _e486) - (_e801 * _e420));
+                                                let _e810 = (_e777[2][2] - _e450);
+                                                let _e813 = (((_e777[2][0] - _e317) * _e486) - (_e810 * _e354));
+                                                let _e816 = (((_e777[2][1] - _e384) * _e486) - (_e810 * _e420));
+                                                let _e817 = (_e813 * _e807);
+                                                let _e818 = (_e816 * _e804);
+                                                let _e819 = (_e795 * _e816);
+                                                let _e820 = (_e798 * _e813);
+                                                let _e821 = (_e804 * _e798);
+                                                let _e822 = (_e807 * _e795);
+                                                let _e827 = (((_e817 >= _e818) && (_e819 >= _e820)) && (_e821 >= _e822));
+                                                let _e833 = (_e827 || (((_e817 <= _e818) && (_e819 <= _e820)) && (_e821 <= _e822)));
+                                                if _e833 {
+                                                    let _e835 = select(-1f, 1f, _e827);
+                                                    let _e837 = ((_e817 - _e818) * _e835);
+                                                    let _e839 = select(0f, _e837, (_e837 > 0f));
+                                                    let _e841 = ((_e819 - _e820) * _e835);
+                                                    let _e843 = select(0f, _e841, (_e841 > 0f));
+                                                    let _e845 = ((_e821 - _e822) * _e835);
+                                                    let _e847 = select(0f, _e845, (_e845 > 0f));
+                                                    let _e849 = ((_e839 + _e843) + _e847);
+                                                    let _e851 = select(_e777[1][0], _e777[0][0], (_e777[0][0] < _e777[1][0]));
+                                                    let _e855 = select(_e777[1][0], _e777[0][0], (_e777[0][0] > _e777[1][0]));
+                                                    let _e859 = select(_e777[1][1], _e777[0][1], (_e777[0][1] < _e777[1][1]));
+                                                    let _e863 = select(_e777[1][1], _e777[0][1], (_e777[0][1] > _e777[1][1]));
+                                                    let _e867 = select(_e777[1][2], _e777[0][2], (_e777[0][2] < _e777[1][2]));
+                                                    let _e871 = select(_e777[1][2], _e777[0][2], (_e777[0][2] > _e777[1][2]));
+                                                    let _e876 = ((select(_e777[2][0], _e851, (_e851 < _e777[2][0])) - _e355) * _e358);
+                                                    let _e877 = ((select(_e777[2][0], _e855, (_e855 > _e777[2][0])) - _e356) * _e358);
+                                                    let _e880 = ((select(_e777[2][1], _e859, (_e859 < _e777[2][1])) - _e421) * _e424);
+                                                    let _e881 = ((select(_e777[2][1], _e863, (_e863 > _e777[2][1])) - _e422) * _e424);
+                                                    let _e884 = ((select(_e777[2][2], _e867, (_e867 < _e777[2][2])) - _e487) * _e490);
+                                                    let _e885 = ((select(_e777[2][2], _e871, (_e871 > _e777[2][2])) - _e488) * _e490);
+                                                    let _e887 = select(_e885, _e884, (_e884 < _e885));
+                                                    let _e889 = select(_e885, _e884, (_e884 > _e885));
+                                                    let _e891 = select(_e877, _e876, (_e876 < _e877));
+                                                    let _e893 = select(_e881, _e880, (_e880 < _e881));
+                                                    let _e895 = select(_e893, _e891, (_e891 > _e893));
+                                                    let _e897 = select(_e887, _e895, (_e895 > _e887));
+                                                    let _e899 = select(_e877, _e876, (_e876 > _e877));
+                                                    let _e901 = select(_e881, _e880, (_e880 > _e881));
+                                                    let _e903 = select(_e901, _e899, (_e899 < _e901));
+                                                    let _e905 = select(_e889, _e903, (_e903 < _e889));
+                                                    let _e906 = -(_e887);
+                                                    let _e912 = select(_e593, _e897, (_e897 > _e593));
+                                                    let _e916 = select(_e804, _e795, (_e795 < _e804));
+                                                    let _e921 = select(_e804, _e795, (_e795 > _e804));
+                                                    let _e928 = select(_e807, _e798, (_e798 < _e807));
+                                                    let _e933 = select(_e807, _e798, (_e798 > _e807));
+                                                    let _e942 = (((((_e833 && (_e849 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e813, _e916, (_e916 < _e813)) <= 0f) && (select(_e813, _e921, (_e921 > _e813)) >= 0f))) && ((select(_e816, _e928, (_e928 < _e816)) <= 0f) && (select(_e816, _e933, (_e933 > _e816)) >= 0f))) && (_e912 <= (_e905 + (select(_e906, _e889, (_e889 > _e906)) * 0.0000019073523f)))) && (_e912 <= _e681));
+                                                    if _e942 {
+                                                        let _e947 = (_e777[1][0] - _e777[0][0]);
+                                                        let _e948 = (_e777[1][1] - _e777[0][1]);
+                                                        let _e949 = (_e777[1][2] - _e777[0][2]);
+                                                        let _e950 = vec3<f32>(_e947, _e948, _e949);
+                                                        let _e951 = (_e777[2][0] - _e777[1][0]);
+                                                        let _e952 = (_e777[2][1] - _e777[1][1]);
+                                                        let _e953 = (_e777[2][2] - _e777[1][2]);
+                                                        let _e954 = vec3<f32>(_e951, _e952, _e953);
+                                                        let _e955 = (_e777[0][0] - _e777[2][0]);
+                                                        let _e956 = (_e777[0][1] - _e777[2][1]);
+                                                        let _e957 = (_e777[0][2] - _e777[2][2]);
+                                                        let _e958 = vec3<f32>(_e955, _e956, _e957);
+                                                        let _e959 = abs(_e947);
+                                                        let _e960 = abs(_e948);
+                                                        if (_e959 != _e959) {
+                                                            phi_3585_ = true;
                                                         } else {
-                                                            let _e870 = select(_e814, _e801, (_e801 > _e814));
-                                                            phi_1574_ = (select(_e827, _e870, (_e870 > _e827)) < 0f);
+                                                            phi_3585_ = (_e960 >= _e959);
                                                         }
-                                                        let _e875 = phi_1574_;
-                                                        if _e875 {
-                                                            phi_2303_ = type_22();
-                                                            phi_2304_ = true;
-                                                            phi_2305_ = false;
+                                                        let _e964 = phi_3585_;
+                                                        let _e965 = select(_e959, _e960, _e964);
+                                                        let _e966 = abs(_e949);
+                                                        if (_e965 != _e965) {
+                                                            phi_3600_ = true;
                                                         } else {
-                                                            let _e877 = select(_e817, _e804, (_e804 < _e817));
-                                                            if (select(_e830, _e877, (_e877 < _e830)) > 0f) {
-                                                                phi_1603_ = true;
-                                                            } else {
-                                                                let _e882 = select(_e817, _e804, (_e804 > _e817));
-                                                                phi_1603_ = (select(_e830, _e882, (_e882 > _e830)) < 0f);
-                                                            }
-                                                            let _e887 = phi_1603_;
-                                                            if _e887 {
-                                                                phi_2301_ = type_22();
-                                                                phi_2302_ = false;
-                                                            } else {
-                                                                let _e889 = select(_e791[1][0], _e791[0][0], (_e791[0][0] < _e791[1][0]));
-                                                                let _e893 = select(_e791[1][0], _e791[0][0], (_e791[0][0] > _e791[1][0]));
-                                                                let _e897 = select(_e791[1][1], _e791[0][1], (_e791[0][1] < _e791[1][1]));
-                                                                let _e901 = select(_e791[1][1], _e791[0][1], (_e791[0][1] > _e791[1][1]));
-                                                                let _e905 = select(_e791[1][2], _e791[0][2], (_e791[0][2] < _e791[1][2]));
-                                                                let _e909 = select(_e791[1][2], _e791[0][2], (_e791[0][2] > _e791[1][2]));
-                                                                let _e914 = ((select(_e791[2][0], _e889, (_e889 < _e791[2][0])) - _e354) * _e359);
-                                                                let _e915 = ((select(_e791[2][0], _e893, (_e893 > _e791[2][0])) - _e355) * _e359);
-                                                                let _e918 = ((select(_e791[2][1], _e897, (_e897 < _e791[2][1])) - _e422) * _e427);
-                                                                let _e919 = ((select(_e791[2][1], _e901, (_e901 > _e791[2][1])) - _e423) * _e427);
-                                                                let _e922 = ((select(_e791[2][2], _e905, (_e905 < _e791[2][2])) - _e490) * _e495);
-                                                                let _e923 = ((select(_e791[2][2], _e909, (_e909 > _e791[2][2])) - _e491) * _e495);
-                                                                let _e925 = select(_e923, _e922, (_e922 < _e923));
-                                                                let _e927 = select(_e923, _e922, (_e922 > _e923));
-                                                                let _e929 = select(_e915, _e914, (_e914 < _e915));
-                                                                let _e931 = select(_e919, _e918, (_e918 < _e919));
-                                                                let _e933 = select(_e931, _e929, (_e929 > _e931));
-                                                                let _e935 = select(_e925, _e933, (_e933 > _e925));
-                                                                let _e937 = select(_e915, _e914, (_e914 > _e915));
-                                                                let _e939 = select(_e919, _e918, (_e918 > _e919));
-                                                                let _e941 = select(_e939, _e937, (_e937 < _e939));
-                                                                let _e943 = select(_e927, _e941, (_e941 < _e927));
-                                                                let _e944 = -(_e925);
-                                                                let _e950 = select(_e607, _e935, (_e935 > _e607));
-                                                                if (_e950 > (_e943 + (select(_e944, _e927, (_e927 > _e944)) * 0.0000019073523f))) {
-                                                                    phi_2296_ = type_22();
-                                                                    phi_2297_ = true;
-                                                                } else {
-                                                                    let _e952 = (_e950 > _e695);
-                                                                    if _e952 {
-                                                                        phi_2295_ = type_22();
-                                                                    } else {
-                                                                        let _e953 = vec3<f32>(_e791[0][0], _e791[0][1], _e791[0][2]);
-                                                                        let _e954 = vec3<f32>(_e791[1][0], _e791[1][1], _e791[1][2]);
-                                                                        let _e955 = vec3<f32>(_e791[2][0], _e791[2][1], _e791[2][2]);
-                                                                        let _e956 = (_e791[1][0] - _e791[0][0]);
-                                                                        let _e957 = (_e791[1][1] - _e791[0][1]);
-                                                                        let _e958 = (_e791[1][2] - _e791[0][2]);
-                                                                        let _e959 = vec3<f32>(_e956, _e957, _e958);
-                                                                        let _e960 = (_e791[2][0] - _e791[1][0]);
-                                                                        let _e961 = (_e791[2][1] - _e791[1][1]);
-                                                                        let _e962 = (_e791[2][2] - _e791[1][2]);
-                                                                        let _e963 = vec3<f32>(_e960, _e961, _e962);
-                                                                        let _e964 = (_e791[0][0] - _e791[2][0]);
-                                                                        let _e965 = (_e791[0][1] - _e791[2][1]);
-                                                                        let _e966 = (_e791[0][2] - _e791[2][2]);
-                                                                        let _e967 = vec3<f32>(_e964, _e965, _e966);
-                                                                        let _e970 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
-                                                                        let _e973 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
-                                                                        let _e975 = select(_e973, _e970, (_e970 > _e973));
-                                                                        let _e978 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
-                                                                        let _e980 = select(_e978, _e975, (_e975 > _e978));
-                                                                        let _e983 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
-                                                                        let _e986 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
-                                                                        let _e988 = select(_e986, _e983, (_e983 > _e986));
-                                                                        let _e991 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
-                                                                        let _e993 = select(_e991, _e988, (_e988 > _e991));
-                                                                        let _e996 = bitcast<f32>((bitcast<u32>(_e964) & 2147483647u));
-                                                                        let _e999 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
-                                                                        let _e1001 = select(_e999, _e996, (_e996 > _e999));
-                                                                        let _e1004 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
-                                                                        let _e1006 = select(_e1004, _e1001, (_e1001 > _e1004));
-                                                                        let _e1008 = select(_e993, _e980, (_e980 > _e993));
-                                                                        let _e1010 = select(_e1006, _e1008, (_e1008 > _e1006));
-                                                                        if (_e980 == _e1010) {
-                                                                            phi_2022_ = _e817;
-                                                                            phi_2023_ = _e814;
-                                                                            phi_2024_ = _e804;
-                                                                            phi_2025_ = _e801;
-                                                                            phi_2026_ = _e953;
-                                                                            phi_2027_ = _e967;
-                                                                            phi_2028_ = _e963;
-                                                                            phi_2029_ = _e959;
-                                                                        } else {
-                                                                            let _e1012 = (_e993 == _e1010);
-                                                                            let _e1017 = vec3(_e1012);
-                                                                            phi_2022_ = select(_e804, _e830, _e1012);
-                                                                            phi_2023_ = select(_e801, _e827, _e1012);
-                                                                            phi_2024_ = select(_e830, _e817, _e1012);
-                                                                            phi_2025_ = select(_e827, _e814, _e1012);
-                                                                            phi_2026_ = select(_e955, _e954, _e1017);
-                                                                            phi_2027_ = select(_e963, _e959, _e1017);
-                                                                            phi_2028_ = select(_e959, _e967, _e1017);
-                                                                            phi_2029_ = select(_e967, _e963, _e1017);
-                                                                        }
-                                                                        let _e1023 = phi_2022_;
-                                                                        let _e1025 = phi_2023_;
-                                                                        let _e1027 = phi_2024_;
-                                                                        let _e1029 = phi_2025_;
-                                                                        let _e1031 = phi_2026_;
-                                                                        let _e1033 = phi_2027_;
-                                                                        let _e1035 = phi_2028_;
-                                                                        let _e1037 = phi_2029_;
-                                                                        let _e1044 = ((_e1035.y * _e1033.z) - (_e1033.y * _e1035.z));
-                                                                        let _e1049 = ((_e1035.z * _e1033.x) - (_e1033.z * _e1035.x));
-                                                                        let _e1052 = ((_e1035.x * _e1033.y) - (_e1033.x * _e1035.y));
-                                                                        if (_e852 >= _e856) {
-                                                                            phi_2066_ = select(true, false, (_e852 >= _e860));
-                                                                        } else {
-                                                                            phi_2066_ = true;
-                                                                        }
-                                                                        let _e1057 = phi_2066_;
-                                                                        if _e1057 {
-                                                                            phi_2075_ = select(_e955, _e954, vec3((_e856 >= _e860)));
-                                                                        } else {
-                                                                            phi_2075_ = _e953;
-                                                                        }
-                                                                        let _e1062 = phi_2075_;
-                                                                        let _e1073 = (((_e1044 * (_e1062.x - _e316)) + (_e1049 * (_e1062.y - _e385))) + (_e1052 * (_e1062.z - _e453)));
-                                                                        let _e1078 = (((_e1044 * _e356) + (_e1049 * _e424)) + (_e1052 * _e492));
-                                                                        let _e1079 = (_e1025 - _e1029);
-                                                                        let _e1080 = (_e1023 - _e1027);
-                                                                        let _e1088 = (-(((_e1029 * _e1079) + (_e1027 * _e1080))) / ((_e1079 * _e1079) + (_e1080 * _e1080)));
-                                                                        let _e1090 = select(1f, _e1088, (_e1088 < 1f));
-                                                                        let _e1092 = select(0f, _e1090, (_e1090 > 0f));
-                                                                        let _e1105 = ((_e1031.x + (_e1037.x * _e1092)) - _e316);
-                                                                        let _e1106 = ((_e1031.y + (_e1037.y * _e1092)) - _e385);
-                                                                        let _e1107 = ((_e1031.z + (_e1037.z * _e1092)) - _e453);
-                                                                        let _e1108 = (_e1107 / _e492);
-                                                                        let _e1120 = bitcast<f32>((bitcast<u32>(_e1105) & 2147483647u));
-                                                                        let _e1123 = bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u));
-                                                                        let _e1125 = select(_e1123, _e1120, (_e1120 > _e1123));
-                                                                        let _e1128 = bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u));
-                                                                        let _e1130 = select(_e1128, _e1125, (_e1125 > _e1128));
-                                                                        let _e1136 = bitcast<f32>((bitcast<u32>(_e1044) & 2147483647u));
-                                                                        let _e1139 = bitcast<f32>((bitcast<u32>(_e1049) & 2147483647u));
-                                                                        let _e1141 = select(_e1139, _e1136, (_e1136 > _e1139));
-                                                                        let _e1144 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1044 * _e1105) + (_e1049 * _e1106)) + (_e1052 * _e1107)) - _e1073)) & 2147483647u)) <= ((0.0000009536743f * select(_e1010, _e1130, (_e1130 > _e1010))) * select(_e1144, _e1141, (_e1141 > _e1144)))) {
-                                                                            let _e1154 = bitcast<f32>((bitcast<u32>(_e1035.x) & 2147483647u));
-                                                                            let _e1157 = bitcast<f32>((bitcast<u32>(_e1035.y) & 2147483647u));
-                                                                            let _e1159 = select(_e1157, _e1154, (_e1154 > _e1157));
-                                                                            let _e1162 = bitcast<f32>((bitcast<u32>(_e1035.z) & 2147483647u));
-                                                                            let _e1168 = bitcast<f32>((bitcast<u32>(_e1033.x) & 2147483647u));
-                                                                            let _e1171 = bitcast<f32>((bitcast<u32>(_e1033.y) & 2147483647u));
-                                                                            let _e1173 = select(_e1171, _e1168, (_e1168 > _e1171));
-                                                                            let _e1176 = bitcast<f32>((bitcast<u32>(_e1033.z) & 2147483647u));
-                                                                            let _e1180 = (bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u)) > ((0.0000038146973f * select(_e1162, _e1159, (_e1159 > _e1162))) * select(_e1176, _e1173, (_e1173 > _e1176))));
-                                                                            if _e1180 {
-                                                                                phi_2240_ = (_e1073 / _e1078);
-                                                                            } else {
-                                                                                phi_2240_ = f32();
-                                                                            }
-                                                                            let _e1183 = phi_2240_;
-                                                                            phi_2242_ = _e1183;
-                                                                            phi_2243_ = select(true, false, _e1180);
-                                                                        } else {
-                                                                            phi_2242_ = f32();
-                                                                            phi_2243_ = true;
-                                                                        }
-                                                                        let _e1186 = phi_2242_;
-                                                                        let _e1188 = phi_2243_;
-                                                                        if _e1188 {
-                                                                            let _e1196 = (((_e1044 * (_e1105 - (_e356 * _e1108))) + (_e1049 * (_e1106 - (_e424 * _e1108)))) / _e1078);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u)) <= _e1010) {
-                                                                                phi_2263_ = (_e1108 + _e1196);
-                                                                            } else {
-                                                                                phi_2263_ = _e1108;
-                                                                            }
-                                                                            let _e1203 = phi_2263_;
-                                                                            phi_2264_ = _e1203;
-                                                                        } else {
-                                                                            phi_2264_ = _e1186;
-                                                                        }
-                                                                        let _e1205 = phi_2264_;
-                                                                        let _e1207 = select(_e943, _e1205, (_e1205 < _e943));
-                                                                        let _e1209 = select(_e935, _e1207, (_e1207 > _e935));
-                                                                        if (_e1209 >= _e607) {
-                                                                            let _e1211 = (_e1209 <= _e695);
-                                                                            if _e1211 {
-                                                                                let _e1212 = (1f / _e862);
-                                                                                phi_2287_ = type_22(_e1209, (_e856 * _e1212), (_e860 * _e1212), _e724);
-                                                                            } else {
-                                                                                phi_2287_ = type_22();
-                                                                            }
-                                                                            let _e1217 = phi_2287_;
-                                                                            phi_2289_ = _e1217;
-                                                                            phi_2290_ = select(true, false, _e1211);
-                                                                        } else {
-                                                                            phi_2289_ = type_22();
-                                                                            phi_2290_ = true;
-                                                                        }
-                                                                        let _e1220 = phi_2289_;
-                                                                        let _e1222 = phi_2290_;
-                                                                        if _e1222 {
-                                                                            phi_2294_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2294_ = _e1220;
-                                                                        }
-                                                                        let _e1224 = phi_2294_;
-                                                                        phi_2295_ = _e1224;
-                                                                    }
-                                                                    let _e1226 = phi_2295_;
-                                                                    phi_2296_ = _e1226;
-                                                                    phi_2297_ = _e952;
-                                                                }
-                                                                let _e1228 = phi_2296_;
-                                                                let _e1230 = phi_2297_;
-                                                                phi_2301_ = _e1228;
-                                                                phi_2302_ = _e1230;
-                                                            }
-                                                            let _e1232 = phi_2301_;
-                                                            let _e1234 = phi_2302_;
-                                                            phi_2303_ = _e1232;
-                                                            phi_2304_ = _e887;
-                                                            phi_2305_ = _e1234;
+                                                            phi_3600_ = (_e966 >= _e965);
                                                         }
-                                                        let _e1236 = phi_2303_;
-                                                        let _e1238 = phi_2304_;
-                                                        let _e1240 = phi_2305_;
-                                                        phi_2306_ = _e1236;
-                                                        phi_2307_ = _e1238;
-                                                        phi_2308_ = _e1240;
+                                                        let _e970 = phi_3600_;
+                                                        let _e971 = select(_e965, _e966, _e970);
+                                                        let _e972 = abs(_e951);
+                                                        let _e973 = abs(_e952);
+                                                        if (_e972 != _e972) {
+                                                            phi_3615_ = true;
+                                                        } else {
+                                                            phi_3615_ = (_e973 >= _e972);
+                                                        }
+                                                        let _e977 = phi_3615_;
+                                                        let _e978 = select(_e972, _e973, _e977);
+                                                        let _e979 = abs(_e953);
+                                                        if (_e978 != _e978) {
+                                                            phi_3630_ = true;
+                                                        } else {
+                                                            phi_3630_ = (_e979 >= _e978);
+                                                        }
+                                                        let _e983 = phi_3630_;
+                                                        let _e984 = select(_e978, _e979, _e983);
+                                                        let _e985 = abs(_e955);
+                                                        let _e986 = abs(_e956);
+                                                        if (_e985 != _e985) {
+                                                            phi_3645_ = true;
+                                                        } else {
+                                                            phi_3645_ = (_e986 >= _e985);
+                                                        }
+                                                        let _e990 = phi_3645_;
+                                                        let _e991 = select(_e985, _e986, _e990);
+                                                        let _e992 = abs(_e957);
+                                                        if (_e991 != _e991) {
+                                                            phi_3660_ = true;
+                                                        } else {
+                                                            phi_3660_ = (_e992 >= _e991);
+                                                        }
+                                                        let _e996 = phi_3660_;
+                                                        let _e997 = select(_e991, _e992, _e996);
+                                                        let _e999 = select(_e984, _e971, (_e971 > _e984));
+                                                        let _e1001 = select(_e997, _e999, (_e999 > _e997));
+                                                        if (_e971 == _e1001) {
+                                                            phi_1985_ = _e807;
+                                                            phi_1986_ = _e804;
+                                                            phi_1987_ = _e798;
+                                                            phi_1988_ = _e795;
+                                                            phi_1989_ = vec3<f32>(_e777[0][0], _e777[0][1], _e777[0][2]);
+                                                            phi_1990_ = _e958;
+                                                            phi_1991_ = _e954;
+                                                            phi_1992_ = _e950;
+                                                        } else {
+                                                            let _e1003 = (_e984 == _e1001);
+                                                            let _e1008 = vec3(_e1003);
+                                                            phi_1985_ = select(_e798, _e816, _e1003);
+                                                            phi_1986_ = select(_e795, _e813, _e1003);
+                                                            phi_1987_ = select(_e816, _e807, _e1003);
+                                                            phi_1988_ = select(_e813, _e804, _e1003);
+                                                            phi_1989_ = select(vec3<f32>(_e777[2][0], _e777[2][1], _e777[2][2]), vec3<f32>(_e777[1][0], _e777[1][1], _e777[1][2]), _e1008);
+                                                            phi_1990_ = select(_e954, _e950, _e1008);
+                                                            phi_1991_ = select(_e950, _e958, _e1008);
+                                                            phi_1992_ = select(_e958, _e954, _e1008);
+                                                        }
+                                                        let _e1014 = phi_1985_;
+                                                        let _e1016 = phi_1986_;
+                                                        let _e1018 = phi_1987_;
+                                                        let _e1020 = phi_1988_;
+                                                        let _e1022 = phi_1989_;
+                                                        let _e1024 = phi_1990_;
+                                                        let _e1026 = phi_1991_;
+                                                        let _e1028 = phi_1992_;
+                                                        let _e1035 = ((_e1026.y * _e1024.z) - (_e1024.y * _e1026.z));
+                                                        let _e1040 = ((_e1026.z * _e1024.x) - (_e1024.z * _e1026.x));
+                                                        let _e1043 = ((_e1026.x * _e1024.y) - (_e1024.x * _e1026.y));
+                                                        let _e1046 = ((_e839 >= _e843) && (_e839 >= _e847));
+                                                        let _e1047 = (_e843 >= _e847);
+                                                        let _e1061 = (((_e1035 * (select(select(_e777[2][0], _e777[1][0], _e1047), _e777[0][0], _e1046) - _e317)) + (_e1040 * (select(select(_e777[2][1], _e777[1][1], _e1047), _e777[0][1], _e1046) - _e384))) + (_e1043 * (select(select(_e777[2][2], _e777[1][2], _e1047), _e777[0][2], _e1046) - _e450)));
+                                                        let _e1066 = (((_e1035 * _e354) + (_e1040 * _e420)) + (_e1043 * _e486));
+                                                        let _e1067 = (_e1016 - _e1020);
+                                                        let _e1068 = (_e1014 - _e1018);
+                                                        let _e1071 = ((_e1067 * _e1067) + (_e1068 * _e1068));
+                                                        let _e1078 = (-(((_e1020 * _e1067) + (_e1018 * _e1068))) / select(0.000000000000000000000000000000000000011754944f, _e1071, (_e1071 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1080 = select(1f, _e1078, (_e1078 < 1f));
+                                                        let _e1082 = select(0f, _e1080, (_e1080 > 0f));
+                                                        let _e1091 = ((_e1022.x + (_e1028.x * _e1082)) - _e317);
+                                                        let _e1094 = ((_e1022.y + (_e1028.y * _e1082)) - _e384);
+                                                        let _e1097 = ((_e1022.z + (_e1028.z * _e1082)) - _e450);
+                                                        let _e1100 = bitcast<f32>((bitcast<u32>(_e1091) & 2147483647u));
+                                                        let _e1103 = bitcast<f32>((bitcast<u32>(_e1094) & 2147483647u));
+                                                        let _e1105 = select(_e1103, _e1100, (_e1100 > _e1103));
+                                                        let _e1108 = bitcast<f32>((bitcast<u32>(_e1097) & 2147483647u));
+                                                        let _e1110 = select(_e1108, _e1105, (_e1105 > _e1108));
+                                                        let _e1114 = abs(_e1035);
+                                                        let _e1115 = abs(_e1040);
+                                                        if (_e1114 != _e1114) {
+                                                            phi_3675_ = true;
+                                                        } else {
+                                                            phi_3675_ = (_e1115 >= _e1114);
+                                                        }
+                                                        let _e1119 = phi_3675_;
+                                                        let _e1120 = select(_e1114, _e1115, _e1119);
+                                                        let _e1121 = abs(_e1043);
+                                                        if (_e1120 != _e1120) {
+                                                            phi_3690_ = true;
+                                                        } else {
+                                                            phi_3690_ = (_e1121 >= _e1120);
+                                                        }
+                                                        let _e1125 = phi_3690_;
+                                                        let _e1141 = abs(_e1026.x);
+                                                        let _e1142 = abs(_e1026.y);
+                                                        if (_e1141 != _e1141) {
+                                                            phi_3705_ = true;
+                                                        } else {
+                                                            phi_3705_ = (_e1142 >= _e1141);
+                                                        }
+                                                        let _e1146 = phi_3705_;
+                                                        let _e1147 = select(_e1141, _e1142, _e1146);
+                                                        let _e1148 = abs(_e1026.z);
+                                                        if (_e1147 != _e1147) {
+                                                            phi_3720_ = true;
+                                                        } else {
+                                                            phi_3720_ = (_e1148 >= _e1147);
+                                                        }
+                                                        let _e1152 = phi_3720_;
+                                                        let _e1155 = abs(_e1024.x);
+                                                        let _e1156 = abs(_e1024.y);
+                                                        if (_e1155 != _e1155) {
+                                                            phi_3735_ = true;
+                                                        } else {
+                                                            phi_3735_ = (_e1156 >= _e1155);
+                                                        }
+                                                        let _e1160 = phi_3735_;
+                                                        let _e1161 = select(_e1155, _e1156, _e1160);
+                                                        let _e1162 = abs(_e1024.z);
+                                                        if (_e1161 != _e1161) {
+                                                            phi_3750_ = true;
+                                                        } else {
+                                                            phi_3750_ = (_e1162 >= _e1161);
+                                                        }
+                                                        let _e1166 = phi_3750_;
+                                                        let _e1171 = ((bitcast<f32>((bitcast<u32>(((((_e1035 * _e1091) + (_e1040 * _e1094)) + (_e1043 * _e1097)) - _e1061)) & 2147483647u)) <= ((0.0000009536743f * select(_e1001, _e1110, (_e1110 > _e1001))) * select(_e1120, _e1121, _e1125))) && !((bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u)) <= ((0.0000038146973f * select(_e1147, _e1148, _e1152)) * select(_e1161, _e1162, _e1166)))));
+                                                        let _e1172 = (_e1061 / _e1066);
+                                                        if (_e942 && !(_e1171)) {
+                                                            let _e1175 = (_e1097 / _e486);
+                                                            let _e1183 = (((_e1035 * (_e1091 - (_e354 * _e1175))) + (_e1040 * (_e1094 - (_e420 * _e1175)))) / _e1066);
+                                                            phi_2200_ = select(select(_e1175, (_e1175 + _e1183), (bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u)) <= _e1001)), _e1172, _e1171);
+                                                        } else {
+                                                            phi_2200_ = _e1172;
+                                                        }
+                                                        let _e1192 = phi_2200_;
+                                                        let _e1194 = select(_e905, _e1192, (_e1192 < _e905));
+                                                        let _e1196 = select(_e897, _e1194, (_e1194 > _e897));
+                                                        let _e1197 = (1f / _e849);
+                                                        phi_2220_ = type_31(_e1196, (_e843 * _e1197), (_e847 * _e1197), ((_e942 && (_e1196 >= _e593)) && (_e1196 <= _e681)));
+                                                        phi_2221_ = type_31();
+                                                    } else {
+                                                        phi_2220_ = type_31();
+                                                        phi_2221_ = type_31(0f, 0f, 0f, _e942);
                                                     }
-                                                    let _e1242 = phi_2306_;
-                                                    let _e1244 = phi_2307_;
-                                                    let _e1246 = phi_2308_;
-                                                    phi_2316_ = _e1242;
-                                                    phi_2317_ = select(_e1246, true, _e1244);
+                                                    let _e1206 = phi_2220_;
+                                                    let _e1208 = phi_2221_;
+                                                    phi_2224_ = _e1206;
+                                                    phi_2225_ = _e1208;
+                                                    phi_2226_ = select(true, false, _e942);
                                                 } else {
-                                                    phi_2316_ = type_22();
-                                                    phi_2317_ = true;
+                                                    phi_2224_ = type_31();
+                                                    phi_2225_ = type_31(0f, 0f, 0f, _e833);
+                                                    phi_2226_ = true;
                                                 }
-                                                let _e1249 = phi_2316_;
-                                                let _e1251 = phi_2317_;
-                                                if _e1251 {
-                                                    phi_2321_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1211 = phi_2224_;
+                                                let _e1213 = phi_2225_;
+                                                let _e1215 = phi_2226_;
+                                                if _e1215 {
+                                                    phi_2230_ = _e1213;
                                                 } else {
-                                                    phi_2321_ = _e1249;
+                                                    phi_2230_ = _e1211;
                                                 }
-                                                let _e1253 = phi_2321_;
-                                                if (_e1253.member_3 != 4294967295u) {
-                                                    if (_e724 != 4294967295u) {
-                                                        phi_2333_ = type_4(0u, 8u);
-                                                        phi_2336_ = _e1253;
+                                                let _e1217 = phi_2230_;
+                                                if _e1217.member_3 {
+                                                    phi_2239_ = type_22(_e1217.member, _e1217.member_1, _e1217.member_2, _e710);
+                                                } else {
+                                                    phi_2239_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1224 = phi_2239_;
+                                                if (_e1224.member_3 != 4294967295u) {
+                                                    if (_e710 != 4294967295u) {
+                                                        phi_2251_ = type_4(0u, 8u);
+                                                        phi_2254_ = _e1224;
                                                         loop {
-                                                            let _e1258 = phi_2333_;
-                                                            let _e1260 = phi_2336_;
-                                                            if (_e1258.member < _e1258.member_1) {
-                                                                phi_2334_ = type_4((_e1258.member + 1u), _e1258.member_1);
-                                                                phi_2359_ = type_4(1u, _e1258.member);
+                                                            let _e1229 = phi_2251_;
+                                                            let _e1231 = phi_2254_;
+                                                            if (_e1229.member < _e1229.member_1) {
+                                                                phi_2252_ = type_4((_e1229.member + 1u), _e1229.member_1);
+                                                                phi_2277_ = type_4(1u, _e1229.member);
                                                             } else {
-                                                                phi_2334_ = _e1258;
-                                                                phi_2359_ = type_4(0u, type_4().member_1);
+                                                                phi_2252_ = _e1229;
+                                                                phi_2277_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1273 = phi_2334_;
-                                                            let _e1275 = phi_2359_;
-                                                            let _e1279 = (bitcast<i32>(_e1275.member) != 0i);
-                                                            if _e1279 {
-                                                                let _e1280 = (_e1275.member_1 < 8u);
-                                                                if _e1280 {
+                                                            let _e1244 = phi_2252_;
+                                                            let _e1246 = phi_2277_;
+                                                            let _e1250 = (bitcast<i32>(_e1246.member) != 0i);
+                                                            if _e1250 {
+                                                                let _e1251 = (_e1246.member_1 < 8u);
+                                                                if _e1251 {
                                                                 } else {
-                                                                    phi_3778_ = true;
+                                                                    phi_3876_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1285 = local_7[_e1275.member_1].member;
-                                                                if (_e1260.member < _e1285) {
-                                                                    phi_2392_ = true;
+                                                                let _e1256 = local_7[_e1246.member_1].member;
+                                                                if (_e1231.member < _e1256) {
+                                                                    phi_2310_ = true;
                                                                 } else {
-                                                                    let _e1287 = local_7[_e1275.member_1].member;
-                                                                    if (_e1260.member == _e1287) {
-                                                                        let _e1292 = local_7[_e1275.member_1].member_3;
-                                                                        phi_2391_ = (_e1260.member_3 < _e1292);
+                                                                    let _e1258 = local_7[_e1246.member_1].member;
+                                                                    if (_e1231.member == _e1258) {
+                                                                        let _e1263 = local_7[_e1246.member_1].member_3;
+                                                                        phi_2309_ = (_e1231.member_3 < _e1263);
                                                                     } else {
-                                                                        phi_2391_ = false;
+                                                                        phi_2309_ = false;
                                                                     }
-                                                                    let _e1295 = phi_2391_;
-                                                                    phi_2392_ = _e1295;
+                                                                    let _e1266 = phi_2309_;
+                                                                    phi_2310_ = _e1266;
                                                                 }
-                                                                let _e1297 = phi_2392_;
-                                                                if _e1297 {
-                                                                    if _e1280 {
+                                                                let _e1268 = phi_2310_;
+                                                                if _e1268 {
+                                                                    if _e1251 {
                                                                     } else {
-                                                                        phi_3778_ = true;
+                                                                        phi_3876_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1298 = local_7[_e1275.member_1];
-                                                                    local_7[_e1275.member_1] = type_22(_e1260.member, _e1260.member_1, _e1260.member_2, _e1260.member_3);
-                                                                    phi_2413_ = type_22(_e1298.member, _e1298.member_1, _e1298.member_2, _e1298.member_3);
+                                                                    let _e1269 = local_7[_e1246.member_1];
+                                                                    local_7[_e1246.member_1] = type_22(_e1231.member, _e1231.member_1, _e1231.member_2, _e1231.member_3);
+                                                                    phi_2331_ = type_22(_e1269.member, _e1269.member_1, _e1269.member_2, _e1269.member_3);
                                                                 } else {
-                                                                    phi_2413_ = _e1260;
+                                                                    phi_2331_ = _e1231;
                                                                 }
-                                                                let _e1309 = phi_2413_;
-                                                                phi_2337_ = _e1309;
+                                                                let _e1280 = phi_2331_;
+                                                                phi_2255_ = _e1280;
                                                             } else {
-                                                                phi_2337_ = type_22();
+                                                                phi_2255_ = type_22();
                                                             }
-                                                            let _e1311 = phi_2337_;
+                                                            let _e1282 = phi_2255_;
                                                             continue;
                                                             continuing {
-                                                                phi_2333_ = _e1273;
-                                                                phi_2336_ = _e1311;
-                                                                phi_3778_ = _e693;
-                                                                break if !(_e1279);
+                                                                phi_2251_ = _e1244;
+                                                                phi_2254_ = _e1282;
+                                                                phi_3876_ = _e679;
+                                                                break if !(_e1250);
                                                             }
                                                         }
-                                                        let _e1314 = phi_3778_;
-                                                        phi_3969_ = _e695;
-                                                        phi_3938_ = _e1314;
-                                                        if _e1314 {
+                                                        let _e1285 = phi_3876_;
+                                                        phi_4072_ = _e681;
+                                                        phi_4041_ = _e1285;
+                                                        if _e1285 {
                                                             break;
                                                         }
-                                                        let _e1317 = local_7[7u].member_3;
-                                                        if (_e1317 != 4294967295u) {
-                                                            let _e1321 = local_7[7u].member;
-                                                            phi_4060_ = _e1321;
+                                                        let _e1288 = local_7[7u].member_3;
+                                                        if (_e1288 != 4294967295u) {
+                                                            let _e1292 = local_7[7u].member;
+                                                            phi_4168_ = _e1292;
                                                         } else {
-                                                            phi_4060_ = _e695;
+                                                            phi_4168_ = _e681;
                                                         }
-                                                        let _e1323 = phi_4060_;
-                                                        phi_4059_ = _e1323;
-                                                        phi_3941_ = _e1314;
+                                                        let _e1294 = phi_4168_;
+                                                        phi_4167_ = _e1294;
+                                                        phi_4044_ = _e1285;
                                                     } else {
-                                                        phi_4059_ = _e695;
-                                                        phi_3941_ = _e693;
+                                                        phi_4167_ = _e681;
+                                                        phi_4044_ = _e679;
                                                     }
-                                                    let _e1325 = phi_4059_;
-                                                    let _e1327 = phi_3941_;
-                                                    phi_4058_ = _e1325;
-                                                    phi_3940_ = _e1327;
+                                                    let _e1296 = phi_4167_;
+                                                    let _e1298 = phi_4044_;
+                                                    phi_4166_ = _e1296;
+                                                    phi_4043_ = _e1298;
                                                 } else {
-                                                    phi_4058_ = _e695;
-                                                    phi_3940_ = _e693;
+                                                    phi_4166_ = _e681;
+                                                    phi_4043_ = _e679;
                                                 }
-                                                let _e1329 = phi_4058_;
-                                                let _e1331 = phi_3940_;
-                                                phi_4057_ = _e1329;
-                                                phi_3939_ = _e1331;
+                                                let _e1300 = phi_4166_;
+                                                let _e1302 = phi_4043_;
+                                                phi_4165_ = _e1300;
+                                                phi_4042_ = _e1302;
                                             } else {
-                                                phi_4057_ = _e695;
-                                                phi_3939_ = _e693;
+                                                phi_4165_ = _e681;
+                                                phi_4042_ = _e679;
                                             }
-                                            let _e1333 = phi_4057_;
-                                            let _e1335 = phi_3939_;
+                                            let _e1304 = phi_4165_;
+                                            let _e1306 = phi_4042_;
                                             continue;
                                             continuing {
-                                                phi_3787_ = _e1335;
-                                                phi_3776_ = _e1333;
-                                                phi_1284_ = _e710;
-                                                phi_3969_ = _e1333;
-                                                phi_3938_ = _e1335;
-                                                break if !(_e716);
+                                                phi_3886_ = _e1306;
+                                                phi_3874_ = _e1304;
+                                                phi_1305_ = _e696;
+                                                phi_4072_ = _e1304;
+                                                phi_4041_ = _e1306;
+                                                break if !(_e702);
                                             }
                                         }
-                                        let _e1338 = phi_3969_;
-                                        let _e1340 = phi_3938_;
-                                        phi_4061_ = _e1340;
-                                        if _e1340 {
+                                        let _e1309 = phi_4072_;
+                                        let _e1311 = phi_4041_;
+                                        phi_4169_ = _e1311;
+                                        if _e1311 {
                                             break;
                                         }
-                                        phi_4120_ = _e1340;
-                                        phi_3968_ = _e1338;
+                                        phi_4228_ = _e1311;
+                                        phi_4071_ = _e1309;
                                     } else {
-                                        phi_4120_ = _e638;
-                                        phi_3968_ = _e640;
+                                        phi_4228_ = _e624;
+                                        phi_4071_ = _e626;
                                     }
-                                    let _e1342 = phi_4120_;
-                                    let _e1344 = phi_3968_;
-                                    if _e686 {
-                                        phi_3432_ = bool();
-                                        phi_3433_ = u32();
-                                        phi_3434_ = type_51();
+                                    let _e1313 = phi_4228_;
+                                    let _e1315 = phi_4071_;
+                                    if _e672 {
+                                        phi_3350_ = bool();
+                                        phi_3351_ = u32();
+                                        phi_3352_ = type_52();
                                     } else {
-                                        let _e1345 = (_e682.member_1 < _e90);
-                                        if _e1345 {
-                                            if _e1345 {
+                                        let _e1316 = (_e668.member_1 < _e91);
+                                        if _e1316 {
+                                            if _e1316 {
                                             } else {
-                                                phi_4061_ = true;
+                                                phi_4169_ = true;
                                                 break;
                                             }
-                                            let _e1347 = global_5.member[_e682.member_1];
-                                            phi_2445_ = _e1347;
+                                            let _e1318 = global_5.member[_e668.member_1];
+                                            phi_2363_ = _e1318;
                                         } else {
-                                            phi_2445_ = type_44(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2363_ = type_45(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1349 = phi_2445_;
-                                        let _e1364 = ((10u * _e252) & 31u);
-                                        let _e1367 = ((_e1349.member[0] >> bitcast<u32>(_e1364)) & 1023u);
-                                        let _e1375 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[0] - _e682.member.member[0]) * 0.0009775171f)) ^ _e124));
-                                        let _e1380 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1367)) - 8388608f) * _e1375)) ^ _e124)));
-                                        let _e1384 = select(select(_e682.member.member_1[0], _e1380, (_e1380 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e1367 == 1023u));
-                                        let _e1386 = ((10u * _e251) & 31u);
-                                        let _e1389 = ((_e1349.member[0] >> bitcast<u32>(_e1386)) & 1023u);
-                                        let _e1397 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[1] - _e682.member.member[1]) * 0.0009775171f)) ^ _e124));
-                                        let _e1402 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1389)) - 8388608f) * _e1397)) ^ _e124)));
-                                        let _e1406 = select(select(_e682.member.member_1[1], _e1402, (_e1402 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e1389 == 1023u));
-                                        let _e1408 = ((10u * _e253) & 31u);
-                                        let _e1411 = ((_e1349.member[0] >> bitcast<u32>(_e1408)) & 1023u);
-                                        let _e1419 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[2] - _e682.member.member[2]) * 0.0009775171f)) ^ _e124));
-                                        let _e1424 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1411)) - 8388608f) * _e1419)) ^ _e124)));
-                                        let _e1428 = select(select(_e682.member.member_1[2], _e1424, (_e1424 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e1411 == 1023u));
-                                        let _e1431 = ((_e1349.member[1] >> bitcast<u32>(_e1364)) & 1023u);
-                                        let _e1439 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1431)) - 8388608f) * _e1375)) ^ _e124)));
-                                        let _e1443 = select(select(_e682.member.member_1[0], _e1439, (_e1439 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e1431 == 1023u));
-                                        let _e1446 = ((_e1349.member[1] >> bitcast<u32>(_e1386)) & 1023u);
-                                        let _e1454 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1446)) - 8388608f) * _e1397)) ^ _e124)));
-                                        let _e1458 = select(select(_e682.member.member_1[1], _e1454, (_e1454 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e1446 == 1023u));
-                                        let _e1461 = ((_e1349.member[1] >> bitcast<u32>(_e1408)) & 1023u);
-                                        let _e1469 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1461)) - 8388608f) * _e1419)) ^ _e124)));
-                                        let _e1473 = select(select(_e682.member.member_1[2], _e1469, (_e1469 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e1461 == 1023u));
-                                        let _e1479 = ((_e1349.member_1[0] >> bitcast<u32>(_e1364)) & 1023u);
-                                        let _e1487 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1479)) - 8388608f) * _e1375)) ^ _e124)));
-                                        let _e1491 = select(select(_e682.member.member_1[0], _e1487, (_e1487 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e1479 == 1023u));
-                                        let _e1494 = ((_e1349.member_1[0] >> bitcast<u32>(_e1386)) & 1023u);
-                                        let _e1502 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1494)) - 8388608f) * _e1397)) ^ _e124)));
-                                        let _e1506 = select(select(_e682.member.member_1[1], _e1502, (_e1502 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e1494 == 1023u));
-                                        let _e1509 = ((_e1349.member_1[0] >> bitcast<u32>(_e1408)) & 1023u);
-                                        let _e1517 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1509)) - 8388608f) * _e1419)) ^ _e124)));
-                                        let _e1521 = select(select(_e682.member.member_1[2], _e1517, (_e1517 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e1509 == 1023u));
-                                        let _e1524 = ((_e1349.member_1[1] >> bitcast<u32>(_e1364)) & 1023u);
-                                        let _e1532 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1524)) - 8388608f) * _e1375)) ^ _e124)));
-                                        let _e1536 = select(select(_e682.member.member_1[0], _e1532, (_e1532 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e1524 == 1023u));
-                                        let _e1539 = ((_e1349.member_1[1] >> bitcast<u32>(_e1386)) & 1023u);
-                                        let _e1547 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1539)) - 8388608f) * _e1397)) ^ _e124)));
-                                        let _e1551 = select(select(_e682.member.member_1[1], _e1547, (_e1547 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e1539 == 1023u));
-                                        let _e1554 = ((_e1349.member_1[1] >> bitcast<u32>(_e1408)) & 1023u);
-                                        let _e1562 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1554)) - 8388608f) * _e1419)) ^ _e124)));
-                                        let _e1566 = select(select(_e682.member.member_1[2], _e1562, (_e1562 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e1554 == 1023u));
-                                        let _e1571 = type_51(type_49(array<f32, 3>(_e1384, _e1406, _e1428), array<f32, 3>(_e1443, _e1458, _e1473)), _e1349.member_2);
-                                        let _e1576 = type_51(type_49(array<f32, 3>(_e1491, _e1506, _e1521), array<f32, 3>(_e1536, _e1551, _e1566)), _e1349.member_3);
-                                        let _e1581 = ((_e1384 - _e354) * _e359);
-                                        let _e1582 = ((_e1491 - _e354) * _e359);
-                                        let _e1583 = ((_e1443 - _e355) * _e359);
-                                        let _e1584 = ((_e1536 - _e355) * _e359);
-                                        let _e1589 = ((_e1406 - _e422) * _e427);
-                                        let _e1590 = ((_e1506 - _e422) * _e427);
-                                        let _e1591 = ((_e1458 - _e423) * _e427);
-                                        let _e1592 = ((_e1551 - _e423) * _e427);
-                                        let _e1597 = ((_e1428 - _e490) * _e495);
-                                        let _e1598 = ((_e1521 - _e490) * _e495);
-                                        let _e1599 = ((_e1473 - _e491) * _e495);
-                                        let _e1600 = ((_e1566 - _e491) * _e495);
-                                        let _e1602 = select(_e1599, _e1597, (_e1597 < _e1599));
-                                        let _e1604 = select(_e1600, _e1598, (_e1598 < _e1600));
-                                        let _e1606 = select(_e1599, _e1597, (_e1597 > _e1599));
-                                        let _e1608 = select(_e1600, _e1598, (_e1598 > _e1600));
-                                        let _e1610 = select(_e1583, _e1581, (_e1581 < _e1583));
-                                        let _e1612 = select(_e1584, _e1582, (_e1582 < _e1584));
-                                        let _e1614 = select(_e1591, _e1589, (_e1589 < _e1591));
-                                        let _e1616 = select(_e1592, _e1590, (_e1590 < _e1592));
-                                        let _e1618 = select(_e1614, _e1610, (_e1610 > _e1614));
-                                        let _e1620 = select(_e1616, _e1612, (_e1612 > _e1616));
-                                        let _e1622 = select(_e1602, _e1618, (_e1618 > _e1602));
-                                        let _e1624 = select(_e1604, _e1620, (_e1620 > _e1604));
-                                        let _e1626 = select(_e1583, _e1581, (_e1581 > _e1583));
-                                        let _e1628 = select(_e1584, _e1582, (_e1582 > _e1584));
-                                        let _e1630 = select(_e1591, _e1589, (_e1589 > _e1591));
-                                        let _e1632 = select(_e1592, _e1590, (_e1590 > _e1592));
-                                        let _e1634 = select(_e1630, _e1626, (_e1626 < _e1630));
-                                        let _e1636 = select(_e1632, _e1628, (_e1628 < _e1632));
-                                        let _e1641 = -(_e1602);
-                                        let _e1642 = -(_e1604);
-                                        let _e1649 = (select(_e1606, _e1634, (_e1634 < _e1606)) + (select(_e1641, _e1606, (_e1606 > _e1641)) * 0.0000019073523f));
-                                        let _e1650 = (select(_e1608, _e1636, (_e1636 < _e1608)) + (select(_e1642, _e1608, (_e1608 > _e1642)) * 0.0000019073523f));
-                                        let _e1652 = select(_e607, _e1622, (_e1622 > _e607));
-                                        let _e1654 = select(_e607, _e1624, (_e1624 > _e607));
-                                        let _e1659 = (_e1652 <= select(_e1344, _e1649, (_e1649 < _e1344)));
-                                        let _e1660 = (_e1654 <= select(_e1344, _e1650, (_e1650 < _e1344)));
-                                        let _e1661 = (_e1652 <= _e1654);
-                                        if _e1659 {
-                                            if _e1660 {
-                                                if _e1661 {
-                                                    phi_3332_ = _e1576;
+                                        let _e1320 = phi_2363_;
+                                        let _e1335 = ((10u * _e253) & 31u);
+                                        let _e1338 = ((_e1320.member[0] >> bitcast<u32>(_e1335)) & 1023u);
+                                        let _e1346 = bitcast<f32>((bitcast<u32>(((_e668.member.member_1[0] - _e668.member.member[0]) * 0.0009775171f)) ^ _e125));
+                                        let _e1351 = (_e668.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1338)) - 8388608f) * _e1346)) ^ _e125)));
+                                        let _e1355 = select(select(_e668.member.member_1[0], _e1351, (_e1351 < _e668.member.member_1[0])), _e668.member.member_1[0], (_e1338 == 1023u));
+                                        let _e1357 = ((10u * _e252) & 31u);
+                                        let _e1360 = ((_e1320.member[0] >> bitcast<u32>(_e1357)) & 1023u);
+                                        let _e1368 = bitcast<f32>((bitcast<u32>(((_e668.member.member_1[1] - _e668.member.member[1]) * 0.0009775171f)) ^ _e125));
+                                        let _e1373 = (_e668.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1360)) - 8388608f) * _e1368)) ^ _e125)));
+                                        let _e1377 = select(select(_e668.member.member_1[1], _e1373, (_e1373 < _e668.member.member_1[1])), _e668.member.member_1[1], (_e1360 == 1023u));
+                                        let _e1379 = ((10u * _e254) & 31u);
+                                        let _e1382 = ((_e1320.member[0] >> bitcast<u32>(_e1379)) & 1023u);
+                                        let _e1390 = bitcast<f32>((bitcast<u32>(((_e668.member.member_1[2] - _e668.member.member[2]) * 0.0009775171f)) ^ _e125));
+                                        let _e1395 = (_e668.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1382)) - 8388608f) * _e1390)) ^ _e125)));
+                                        let _e1399 = select(select(_e668.member.member_1[2], _e1395, (_e1395 < _e668.member.member_1[2])), _e668.member.member_1[2], (_e1382 == 1023u));
+                                        let _e1402 = ((_e1320.member[1] >> bitcast<u32>(_e1335)) & 1023u);
+                                        let _e1410 = (_e668.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1402)) - 8388608f) * _e1346)) ^ _e125)));
+                                        let _e1414 = select(select(_e668.member.member_1[0], _e1410, (_e1410 < _e668.member.member_1[0])), _e668.member.member_1[0], (_e1402 == 1023u));
+                                        let _e1417 = ((_e1320.member[1] >> bitcast<u32>(_e1357)) & 1023u);
+                                        let _e1425 = (_e668.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1417)) - 8388608f) * _e1368)) ^ _e125)));
+                                        let _e1429 = select(select(_e668.member.member_1[1], _e1425, (_e1425 < _e668.member.member_1[1])), _e668.member.member_1[1], (_e1417 == 1023u));
+                                        let _e1432 = ((_e1320.member[1] >> bitcast<u32>(_e1379)) & 1023u);
+                                        let _e1440 = (_e668.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1432)) - 8388608f) * _e1390)) ^ _e125)));
+                                        let _e1444 = select(select(_e668.member.member_1[2], _e1440, (_e1440 < _e668.member.member_1[2])), _e668.member.member_1[2], (_e1432 == 1023u));
+                                        let _e1450 = ((_e1320.member_1[0] >> bitcast<u32>(_e1335)) & 1023u);
+                                        let _e1458 = (_e668.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1450)) - 8388608f) * _e1346)) ^ _e125)));
+                                        let _e1462 = select(select(_e668.member.member_1[0], _e1458, (_e1458 < _e668.member.member_1[0])), _e668.member.member_1[0], (_e1450 == 1023u));
+                                        let _e1465 = ((_e1320.member_1[0] >> bitcast<u32>(_e1357)) & 1023u);
+                                        let _e1473 = (_e668.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1465)) - 8388608f) * _e1368)) ^ _e125)));
+                                        let _e1477 = select(select(_e668.member.member_1[1], _e1473, (_e1473 < _e668.member.member_1[1])), _e668.member.member_1[1], (_e1465 == 1023u));
+                                        let _e1480 = ((_e1320.member_1[0] >> bitcast<u32>(_e1379)) & 1023u);
+                                        let _e1488 = (_e668.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1480)) - 8388608f) * _e1390)) ^ _e125)));
+                                        let _e1492 = select(select(_e668.member.member_1[2], _e1488, (_e1488 < _e668.member.member_1[2])), _e668.member.member_1[2], (_e1480 == 1023u));
+                                        let _e1495 = ((_e1320.member_1[1] >> bitcast<u32>(_e1335)) & 1023u);
+                                        let _e1503 = (_e668.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1495)) - 8388608f) * _e1346)) ^ _e125)));
+                                        let _e1507 = select(select(_e668.member.member_1[0], _e1503, (_e1503 < _e668.member.member_1[0])), _e668.member.member_1[0], (_e1495 == 1023u));
+                                        let _e1510 = ((_e1320.member_1[1] >> bitcast<u32>(_e1357)) & 1023u);
+                                        let _e1518 = (_e668.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1510)) - 8388608f) * _e1368)) ^ _e125)));
+                                        let _e1522 = select(select(_e668.member.member_1[1], _e1518, (_e1518 < _e668.member.member_1[1])), _e668.member.member_1[1], (_e1510 == 1023u));
+                                        let _e1525 = ((_e1320.member_1[1] >> bitcast<u32>(_e1379)) & 1023u);
+                                        let _e1533 = (_e668.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1525)) - 8388608f) * _e1390)) ^ _e125)));
+                                        let _e1537 = select(select(_e668.member.member_1[2], _e1533, (_e1533 < _e668.member.member_1[2])), _e668.member.member_1[2], (_e1525 == 1023u));
+                                        let _e1542 = type_52(type_50(array<f32, 3>(_e1355, _e1377, _e1399), array<f32, 3>(_e1414, _e1429, _e1444)), _e1320.member_2);
+                                        let _e1547 = type_52(type_50(array<f32, 3>(_e1462, _e1477, _e1492), array<f32, 3>(_e1507, _e1522, _e1537)), _e1320.member_3);
+                                        let _e1552 = ((_e1355 - _e355) * _e358);
+                                        let _e1553 = ((_e1462 - _e355) * _e358);
+                                        let _e1554 = ((_e1414 - _e356) * _e358);
+                                        let _e1555 = ((_e1507 - _e356) * _e358);
+                                        let _e1560 = ((_e1377 - _e421) * _e424);
+                                        let _e1561 = ((_e1477 - _e421) * _e424);
+                                        let _e1562 = ((_e1429 - _e422) * _e424);
+                                        let _e1563 = ((_e1522 - _e422) * _e424);
+                                        let _e1568 = ((_e1399 - _e487) * _e490);
+                                        let _e1569 = ((_e1492 - _e487) * _e490);
+                                        let _e1570 = ((_e1444 - _e488) * _e490);
+                                        let _e1571 = ((_e1537 - _e488) * _e490);
+                                        let _e1573 = select(_e1570, _e1568, (_e1568 < _e1570));
+                                        let _e1575 = select(_e1571, _e1569, (_e1569 < _e1571));
+                                        let _e1577 = select(_e1570, _e1568, (_e1568 > _e1570));
+                                        let _e1579 = select(_e1571, _e1569, (_e1569 > _e1571));
+                                        let _e1581 = select(_e1554, _e1552, (_e1552 < _e1554));
+                                        let _e1583 = select(_e1555, _e1553, (_e1553 < _e1555));
+                                        let _e1585 = select(_e1562, _e1560, (_e1560 < _e1562));
+                                        let _e1587 = select(_e1563, _e1561, (_e1561 < _e1563));
+                                        let _e1589 = select(_e1585, _e1581, (_e1581 > _e1585));
+                                        let _e1591 = select(_e1587, _e1583, (_e1583 > _e1587));
+                                        let _e1593 = select(_e1573, _e1589, (_e1589 > _e1573));
+                                        let _e1595 = select(_e1575, _e1591, (_e1591 > _e1575));
+                                        let _e1597 = select(_e1554, _e1552, (_e1552 > _e1554));
+                                        let _e1599 = select(_e1555, _e1553, (_e1553 > _e1555));
+                                        let _e1601 = select(_e1562, _e1560, (_e1560 > _e1562));
+                                        let _e1603 = select(_e1563, _e1561, (_e1561 > _e1563));
+                                        let _e1605 = select(_e1601, _e1597, (_e1597 < _e1601));
+                                        let _e1607 = select(_e1603, _e1599, (_e1599 < _e1603));
+                                        let _e1612 = -(_e1573);
+                                        let _e1613 = -(_e1575);
+                                        let _e1620 = (select(_e1577, _e1605, (_e1605 < _e1577)) + (select(_e1612, _e1577, (_e1577 > _e1612)) * 0.0000019073523f));
+                                        let _e1621 = (select(_e1579, _e1607, (_e1607 < _e1579)) + (select(_e1613, _e1579, (_e1579 > _e1613)) * 0.0000019073523f));
+                                        let _e1623 = select(_e593, _e1593, (_e1593 > _e593));
+                                        let _e1625 = select(_e593, _e1595, (_e1595 > _e593));
+                                        let _e1630 = (_e1623 <= select(_e1315, _e1620, (_e1620 < _e1315)));
+                                        let _e1631 = (_e1625 <= select(_e1315, _e1621, (_e1621 < _e1315)));
+                                        let _e1632 = (_e1623 <= _e1625);
+                                        if _e1630 {
+                                            if _e1631 {
+                                                if _e1632 {
+                                                    phi_3250_ = _e1547;
                                                 } else {
-                                                    phi_3332_ = _e1571;
+                                                    phi_3250_ = _e1542;
                                                 }
-                                                let _e1663 = phi_3332_;
-                                                let _e1670 = (_e680 % 128u);
-                                                let _e1671 = (_e1670 < 128u);
-                                                if _e1671 {
+                                                let _e1634 = phi_3250_;
+                                                let _e1641 = (_e666 % 128u);
+                                                let _e1642 = (_e1641 < 128u);
+                                                if _e1642 {
                                                 } else {
-                                                    phi_4061_ = true;
+                                                    phi_4169_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1670] = _e1663.member_1;
-                                                if _e1671 {
+                                                local_6[_e1641] = _e1634.member_1;
+                                                if _e1642 {
                                                 } else {
-                                                    phi_4061_ = true;
+                                                    phi_4169_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1670] = _e1663.member.member[0];
-                                                if _e1671 {
+                                                local_5[_e1641] = _e1634.member.member[0];
+                                                if _e1642 {
                                                 } else {
-                                                    phi_4061_ = true;
+                                                    phi_4169_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1670] = _e1663.member.member[1];
-                                                if _e1671 {
+                                                local_4[_e1641] = _e1634.member.member[1];
+                                                if _e1642 {
                                                 } else {
-                                                    phi_4061_ = true;
+                                                    phi_4169_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1670] = _e1663.member.member[2];
-                                                if _e1671 {
+                                                local_3[_e1641] = _e1634.member.member[2];
+                                                if _e1642 {
                                                 } else {
-                                                    phi_4061_ = true;
+                                                    phi_4169_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1670] = _e1663.member.member_1[0];
-                                                if _e1671 {
+                                                local_2[_e1641] = _e1634.member.member_1[0];
+                                                if _e1642 {
                                                 } else {
-                                                    phi_4061_ = true;
+                                                    phi_4169_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1670] = _e1663.member.member_1[1];
-                                                if _e1671 {
+                                                local_1[_e1641] = _e1634.member.member_1[1];
+                                                if _e1642 {
                                                 } else {
-                                                    phi_4061_ = true;
+                                                    phi_4169_ = true;
                                                     break;
                                                 }
-                                                local[_e1670] = _e1663.member.member_1[2];
-                                                if _e1671 {
+                                                local[_e1641] = _e1634.member.member_1[2];
+                                                if _e1642 {
                                                 } else {
-                                                    phi_4061_ = true;
+                                                    phi_4169_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1670] = select(_e1652, _e1654, _e1661);
-                                                if _e1661 {
-                                                    phi_3408_ = _e1571;
+                                                local_8[_e1641] = select(_e1623, _e1625, _e1632);
+                                                if _e1632 {
+                                                    phi_3326_ = _e1542;
                                                 } else {
-                                                    phi_3408_ = _e1576;
+                                                    phi_3326_ = _e1547;
                                                 }
-                                                let _e1688 = phi_3408_;
-                                                phi_3409_ = (_e680 + 1u);
-                                                phi_3410_ = _e1688;
+                                                let _e1659 = phi_3326_;
+                                                phi_3327_ = (_e666 + 1u);
+                                                phi_3328_ = _e1659;
                                             } else {
-                                                phi_3409_ = u32();
-                                                phi_3410_ = type_51();
+                                                phi_3327_ = u32();
+                                                phi_3328_ = type_52();
                                             }
-                                            let _e1690 = phi_3409_;
-                                            let _e1692 = phi_3410_;
-                                            phi_3412_ = _e1690;
-                                            phi_3413_ = _e1692;
-                                            phi_3414_ = select(true, false, _e1660);
+                                            let _e1661 = phi_3327_;
+                                            let _e1663 = phi_3328_;
+                                            phi_3330_ = _e1661;
+                                            phi_3331_ = _e1663;
+                                            phi_3332_ = select(true, false, _e1631);
                                         } else {
-                                            phi_3412_ = u32();
-                                            phi_3413_ = type_51();
-                                            phi_3414_ = true;
+                                            phi_3330_ = u32();
+                                            phi_3331_ = type_52();
+                                            phi_3332_ = true;
                                         }
-                                        let _e1695 = phi_3412_;
-                                        let _e1697 = phi_3413_;
-                                        let _e1699 = phi_3414_;
-                                        if _e1699 {
-                                            if _e1659 {
-                                                phi_3421_ = _e1571;
+                                        let _e1666 = phi_3330_;
+                                        let _e1668 = phi_3331_;
+                                        let _e1670 = phi_3332_;
+                                        if _e1670 {
+                                            if _e1630 {
+                                                phi_3339_ = _e1542;
                                             } else {
-                                                phi_3421_ = _e1576;
+                                                phi_3339_ = _e1547;
                                             }
-                                            let _e1701 = phi_3421_;
-                                            phi_3426_ = select(_e1660, true, _e1659);
-                                            phi_3428_ = _e1701;
+                                            let _e1672 = phi_3339_;
+                                            phi_3344_ = select(_e1631, true, _e1630);
+                                            phi_3346_ = _e1672;
                                         } else {
-                                            phi_3426_ = _e678;
-                                            phi_3428_ = _e1697;
+                                            phi_3344_ = _e664;
+                                            phi_3346_ = _e1668;
                                         }
-                                        let _e1704 = phi_3426_;
-                                        let _e1706 = phi_3428_;
-                                        phi_3432_ = _e1704;
-                                        phi_3433_ = select(_e1695, _e680, _e1699);
-                                        phi_3434_ = _e1706;
+                                        let _e1675 = phi_3344_;
+                                        let _e1677 = phi_3346_;
+                                        phi_3350_ = _e1675;
+                                        phi_3351_ = select(_e1666, _e666, _e1670);
+                                        phi_3352_ = _e1677;
                                     }
-                                    let _e1709 = phi_3432_;
-                                    let _e1711 = phi_3433_;
-                                    let _e1713 = phi_3434_;
-                                    if _e686 {
-                                        phi_3444_ = _e682;
+                                    let _e1680 = phi_3350_;
+                                    let _e1682 = phi_3351_;
+                                    let _e1684 = phi_3352_;
+                                    if _e672 {
+                                        phi_3362_ = _e668;
                                     } else {
-                                        phi_3444_ = _e1713;
+                                        phi_3362_ = _e1684;
                                     }
-                                    let _e1715 = phi_3444_;
-                                    phi_4147_ = _e1344;
-                                    phi_4064_ = _e1342;
-                                    phi_3445_ = (_e642 - 1u);
-                                    phi_3446_ = select(_e1709, false, _e686);
-                                    phi_3447_ = select(_e1711, _e680, _e686);
-                                    phi_3448_ = _e1715;
+                                    let _e1686 = phi_3362_;
+                                    phi_4255_ = _e1315;
+                                    phi_4172_ = _e1313;
+                                    phi_3363_ = (_e628 - 1u);
+                                    phi_3364_ = select(_e1680, false, _e672);
+                                    phi_3365_ = select(_e1682, _e666, _e672);
+                                    phi_3366_ = _e1686;
                                 } else {
-                                    phi_4147_ = _e640;
-                                    phi_4064_ = _e638;
-                                    phi_3445_ = _e642;
-                                    phi_3446_ = _e678;
-                                    phi_3447_ = _e680;
-                                    phi_3448_ = _e682;
+                                    phi_4255_ = _e626;
+                                    phi_4172_ = _e624;
+                                    phi_3363_ = _e628;
+                                    phi_3364_ = _e664;
+                                    phi_3365_ = _e666;
+                                    phi_3366_ = _e668;
                                 }
-                                let _e1719 = phi_4147_;
-                                let _e1721 = phi_4064_;
-                                let _e1723 = phi_3445_;
-                                let _e1725 = phi_3446_;
-                                let _e1727 = phi_3447_;
-                                let _e1729 = phi_3448_;
-                                phi_4146_ = _e1719;
-                                phi_4063_ = _e1721;
-                                phi_3449_ = _e1723;
-                                phi_3450_ = _e1725;
-                                phi_3451_ = _e1727;
-                                phi_3452_ = _e1729;
+                                let _e1690 = phi_4255_;
+                                let _e1692 = phi_4172_;
+                                let _e1694 = phi_3363_;
+                                let _e1696 = phi_3364_;
+                                let _e1698 = phi_3365_;
+                                let _e1700 = phi_3366_;
+                                phi_4254_ = _e1690;
+                                phi_4171_ = _e1692;
+                                phi_3367_ = _e1694;
+                                phi_3368_ = _e1696;
+                                phi_3369_ = _e1698;
+                                phi_3370_ = _e1700;
                             } else {
-                                phi_4146_ = _e640;
-                                phi_4063_ = _e638;
-                                phi_3449_ = u32();
-                                phi_3450_ = bool();
-                                phi_3451_ = u32();
-                                phi_3452_ = type_51();
+                                phi_4254_ = _e626;
+                                phi_4171_ = _e624;
+                                phi_3367_ = u32();
+                                phi_3368_ = bool();
+                                phi_3369_ = u32();
+                                phi_3370_ = type_52();
                             }
-                            let _e1731 = phi_4146_;
-                            let _e1733 = phi_4063_;
-                            let _e1735 = phi_3449_;
-                            let _e1737 = phi_3450_;
-                            let _e1739 = phi_3451_;
-                            let _e1741 = phi_3452_;
-                            phi_4145_ = _e1731;
-                            phi_4062_ = _e1733;
-                            phi_1160_ = _e1735;
-                            phi_1163_ = _e1737;
-                            phi_1165_ = _e1739;
-                            phi_1167_ = _e1741;
-                            phi_3453_ = _e652;
+                            let _e1702 = phi_4254_;
+                            let _e1704 = phi_4171_;
+                            let _e1706 = phi_3367_;
+                            let _e1708 = phi_3368_;
+                            let _e1710 = phi_3369_;
+                            let _e1712 = phi_3370_;
+                            phi_4253_ = _e1702;
+                            phi_4170_ = _e1704;
+                            phi_1181_ = _e1706;
+                            phi_1184_ = _e1708;
+                            phi_1186_ = _e1710;
+                            phi_1188_ = _e1712;
+                            phi_3371_ = _e638;
                         } else {
-                            phi_4145_ = _e640;
-                            phi_4062_ = _e638;
-                            phi_1160_ = u32();
-                            phi_1163_ = bool();
-                            phi_1165_ = u32();
-                            phi_1167_ = type_51();
-                            phi_3453_ = false;
+                            phi_4253_ = _e626;
+                            phi_4170_ = _e624;
+                            phi_1181_ = u32();
+                            phi_1184_ = bool();
+                            phi_1186_ = u32();
+                            phi_1188_ = type_52();
+                            phi_3371_ = false;
                         }
-                        let _e1743 = phi_4145_;
-                        let _e1745 = phi_4062_;
-                        let _e1747 = phi_1160_;
-                        let _e1749 = phi_1163_;
-                        let _e1751 = phi_1165_;
-                        let _e1753 = phi_1167_;
-                        let _e1755 = phi_3453_;
+                        let _e1714 = phi_4253_;
+                        let _e1716 = phi_4170_;
+                        let _e1718 = phi_1181_;
+                        let _e1720 = phi_1184_;
+                        let _e1722 = phi_1186_;
+                        let _e1724 = phi_1188_;
+                        let _e1726 = phi_3371_;
                         continue;
                         continuing {
-                            phi_3790_ = _e1745;
-                            phi_3771_ = _e1743;
-                            phi_1159_ = _e1747;
-                            phi_1162_ = _e1749;
-                            phi_1164_ = _e1751;
-                            phi_1166_ = _e1753;
-                            phi_4061_ = _e1745;
-                            break if !(_e1755);
+                            phi_3889_ = _e1716;
+                            phi_3869_ = _e1714;
+                            phi_1180_ = _e1718;
+                            phi_1183_ = _e1720;
+                            phi_1185_ = _e1722;
+                            phi_1187_ = _e1724;
+                            phi_4169_ = _e1716;
+                            break if !(_e1726);
                         }
                     }
-                    let _e1758 = phi_4061_;
-                    if _e1758 {
+                    let _e1729 = phi_4169_;
+                    if _e1729 {
                         break;
                     }
-                    phi_3460_ = type_4(0u, 8u);
+                    phi_3378_ = type_4(0u, 8u);
                     loop {
-                        let _e1760 = phi_3460_;
-                        if (_e1760.member < _e1760.member_1) {
-                            phi_3461_ = type_4((_e1760.member + 1u), _e1760.member_1);
-                            phi_3484_ = type_4(1u, _e1760.member);
+                        let _e1731 = phi_3378_;
+                        if (_e1731.member < _e1731.member_1) {
+                            phi_3379_ = type_4((_e1731.member + 1u), _e1731.member_1);
+                            phi_3402_ = type_4(1u, _e1731.member);
                         } else {
-                            phi_3461_ = _e1760;
-                            phi_3484_ = type_4(0u, type_4().member_1);
+                            phi_3379_ = _e1731;
+                            phi_3402_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1773 = phi_3461_;
-                        let _e1775 = phi_3484_;
-                        let _e1779 = (bitcast<i32>(_e1775.member) != 0i);
-                        if _e1779 {
-                            let _e1780 = (_e1775.member_1 < 8u);
-                            if _e1780 {
+                        let _e1744 = phi_3379_;
+                        let _e1746 = phi_3402_;
+                        let _e1750 = (bitcast<i32>(_e1746.member) != 0i);
+                        if _e1750 {
+                            let _e1751 = (_e1746.member_1 < 8u);
+                            if _e1751 {
                             } else {
-                                phi_4127_ = true;
+                                phi_4235_ = true;
                                 break;
                             }
-                            let _e1782 = local_7[_e1775.member_1];
-                            if (_e1782.member_3 != 4294967295u) {
-                                let _e1788 = -(_e509);
-                                let _e1789 = bitcast<u32>(_e1782.member);
-                                let _e1793 = (bitcast<i32>((_e1789 >> bitcast<u32>(23i))) & 255i);
-                                let _e1794 = (_e1793 + _e1788);
-                                if (_e1793 == 255i) {
-                                    phi_3557_ = _e1782.member;
+                            let _e1753 = local_7[_e1746.member_1];
+                            if (_e1753.member_3 != 4294967295u) {
+                                let _e1759 = -(_e495);
+                                let _e1760 = bitcast<u32>(_e1753.member);
+                                let _e1764 = (bitcast<i32>((_e1760 >> bitcast<u32>(23i))) & 255i);
+                                let _e1765 = (_e1764 + _e1759);
+                                if (_e1764 == 255i) {
+                                    phi_3475_ = _e1753.member;
                                 } else {
-                                    if (_e1793 > 0i) {
-                                        if (_e1794 > 0i) {
-                                            let _e1798 = (_e1794 < 255i);
-                                            if _e1798 {
-                                                phi_3536_ = bitcast<f32>((_e1789 + bitcast<u32>((_e1788 << bitcast<u32>(23i)))));
+                                    if (_e1764 > 0i) {
+                                        if (_e1765 > 0i) {
+                                            let _e1769 = (_e1765 < 255i);
+                                            if _e1769 {
+                                                phi_3454_ = bitcast<f32>((_e1760 + bitcast<u32>((_e1759 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3536_ = f32();
+                                                phi_3454_ = f32();
                                             }
-                                            let _e1805 = phi_3536_;
-                                            phi_3538_ = _e1805;
-                                            phi_3539_ = select(true, false, _e1798);
+                                            let _e1776 = phi_3454_;
+                                            phi_3456_ = _e1776;
+                                            phi_3457_ = select(true, false, _e1769);
                                         } else {
-                                            phi_3538_ = f32();
-                                            phi_3539_ = true;
+                                            phi_3456_ = f32();
+                                            phi_3457_ = true;
                                         }
-                                        let _e1808 = phi_3538_;
-                                        let _e1810 = phi_3539_;
-                                        phi_3540_ = _e1808;
-                                        phi_3541_ = _e1810;
+                                        let _e1779 = phi_3456_;
+                                        let _e1781 = phi_3457_;
+                                        phi_3458_ = _e1779;
+                                        phi_3459_ = _e1781;
                                     } else {
-                                        phi_3540_ = f32();
-                                        phi_3541_ = true;
+                                        phi_3458_ = f32();
+                                        phi_3459_ = true;
                                     }
-                                    let _e1812 = phi_3540_;
-                                    let _e1814 = phi_3541_;
-                                    if _e1814 {
-                                        let _e1815 = (_e1789 & 2147483648u);
-                                        let _e1822 = ((_e1789 & 8388607u) | (select(0u, 1u, ((_e1789 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1826 = (_e1822 == 0u);
-                                        if _e1826 {
-                                            phi_3730_ = bitcast<f32>(_e1815);
+                                    let _e1783 = phi_3458_;
+                                    let _e1785 = phi_3459_;
+                                    if _e1785 {
+                                        let _e1786 = (_e1760 & 2147483648u);
+                                        let _e1793 = ((_e1760 & 8388607u) | (select(0u, 1u, ((_e1760 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1797 = (_e1793 == 0u);
+                                        if _e1797 {
+                                            phi_3828_ = bitcast<f32>(_e1786);
                                         } else {
-                                            let _e1831 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1822)), 32u, _e1826) - 8u);
-                                            let _e1834 = (_e1822 << bitcast<u32>((_e1831 & 31u)));
-                                            let _e1836 = ((_e1794 + select(0i, 1i, (_e1793 == 0i))) - bitcast<i32>(_e1831));
-                                            if (_e1836 >= 255i) {
-                                                phi_3720_ = bitcast<f32>((_e1815 | 2139095040u));
-                                                phi_3721_ = f32();
-                                                phi_3722_ = true;
+                                            let _e1802 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1793)), 32u, _e1797) - 8u);
+                                            let _e1805 = (_e1793 << bitcast<u32>((_e1802 & 31u)));
+                                            let _e1807 = ((_e1765 + select(0i, 1i, (_e1764 == 0i))) - bitcast<i32>(_e1802));
+                                            if (_e1807 >= 255i) {
+                                                phi_3818_ = bitcast<f32>((_e1786 | 2139095040u));
+                                                phi_3819_ = f32();
+                                                phi_3820_ = true;
                                             } else {
-                                                let _e1838 = (_e1836 > 0i);
-                                                if _e1838 {
-                                                    phi_3714_ = bitcast<f32>(((_e1815 | (bitcast<u32>(_e1836) << bitcast<u32>(23i))) | (_e1834 & 8388607u)));
-                                                    phi_3715_ = f32();
+                                                let _e1809 = (_e1807 > 0i);
+                                                if _e1809 {
+                                                    phi_3812_ = bitcast<f32>(((_e1786 | (bitcast<u32>(_e1807) << bitcast<u32>(23i))) | (_e1805 & 8388607u)));
+                                                    phi_3813_ = f32();
                                                 } else {
-                                                    if (_e1836 < -24i) {
-                                                        phi_3680_ = 26u;
+                                                    if (_e1807 < -24i) {
+                                                        phi_3778_ = 26u;
                                                     } else {
-                                                        phi_3680_ = bitcast<u32>((1i - _e1836));
+                                                        phi_3778_ = bitcast<u32>((1i - _e1807));
                                                     }
-                                                    let _e1843 = phi_3680_;
-                                                    let _e1844 = (_e1843 & 31u);
-                                                    let _e1846 = (_e1834 >> bitcast<u32>(_e1844));
-                                                    let _e1850 = (_e1834 & ((1u << bitcast<u32>(_e1844)) - 1u));
-                                                    let _e1854 = (1u << bitcast<u32>(((_e1843 - 1u) & 31u)));
-                                                    if (_e1850 > _e1854) {
-                                                        phi_3701_ = true;
+                                                    let _e1814 = phi_3778_;
+                                                    let _e1815 = (_e1814 & 31u);
+                                                    let _e1817 = (_e1805 >> bitcast<u32>(_e1815));
+                                                    let _e1821 = (_e1805 & ((1u << bitcast<u32>(_e1815)) - 1u));
+                                                    let _e1825 = (1u << bitcast<u32>(((_e1814 - 1u) & 31u)));
+                                                    if (_e1821 > _e1825) {
+                                                        phi_3799_ = true;
                                                     } else {
-                                                        if (_e1850 == _e1854) {
-                                                            phi_3698_ = ((_e1846 & 1u) == 1u);
+                                                        if (_e1821 == _e1825) {
+                                                            phi_3796_ = ((_e1817 & 1u) == 1u);
                                                         } else {
-                                                            phi_3698_ = false;
+                                                            phi_3796_ = false;
                                                         }
-                                                        let _e1860 = phi_3698_;
-                                                        phi_3701_ = _e1860;
+                                                        let _e1831 = phi_3796_;
+                                                        phi_3799_ = _e1831;
                                                     }
-                                                    let _e1862 = phi_3701_;
-                                                    phi_3714_ = f32();
-                                                    phi_3715_ = bitcast<f32>((_e1815 | (_e1846 + select(0u, 1u, _e1862))));
+                                                    let _e1833 = phi_3799_;
+                                                    phi_3812_ = f32();
+                                                    phi_3813_ = bitcast<f32>((_e1786 | (_e1817 + select(0u, 1u, _e1833))));
                                                 }
-                                                let _e1875 = phi_3714_;
-                                                let _e1877 = phi_3715_;
-                                                phi_3720_ = _e1875;
-                                                phi_3721_ = _e1877;
-                                                phi_3722_ = _e1838;
+                                                let _e1846 = phi_3812_;
+                                                let _e1848 = phi_3813_;
+                                                phi_3818_ = _e1846;
+                                                phi_3819_ = _e1848;
+                                                phi_3820_ = _e1809;
                                             }
-                                            let _e1881 = phi_3720_;
-                                            let _e1883 = phi_3721_;
-                                            let _e1885 = phi_3722_;
-                                            phi_3730_ = select(_e1883, _e1881, _e1885);
+                                            let _e1852 = phi_3818_;
+                                            let _e1854 = phi_3819_;
+                                            let _e1856 = phi_3820_;
+                                            phi_3828_ = select(_e1854, _e1852, _e1856);
                                         }
-                                        let _e1889 = phi_3730_;
-                                        phi_3556_ = _e1889;
+                                        let _e1860 = phi_3828_;
+                                        phi_3474_ = _e1860;
                                     } else {
-                                        phi_3556_ = _e1812;
+                                        phi_3474_ = _e1783;
                                     }
-                                    let _e1891 = phi_3556_;
-                                    phi_3557_ = _e1891;
+                                    let _e1862 = phi_3474_;
+                                    phi_3475_ = _e1862;
                                 }
-                                let _e1893 = phi_3557_;
-                                let _e1894 = bitcast<u32>(_e1893);
-                                if ((_e1894 & 2147483647u) >= 2139095040u) {
-                                    phi_3569_ = bitcast<f32>(((_e1894 & 2147483648u) | 2139095039u));
+                                let _e1864 = phi_3475_;
+                                let _e1865 = bitcast<u32>(_e1864);
+                                if ((_e1865 & 2147483647u) >= 2139095040u) {
+                                    phi_3487_ = bitcast<f32>(((_e1865 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3569_ = _e1893;
+                                    phi_3487_ = _e1864;
                                 }
-                                let _e1901 = phi_3569_;
-                                phi_3574_ = type_22(_e1901, _e1782.member_1, _e1782.member_2, _e1782.member_3);
+                                let _e1872 = phi_3487_;
+                                phi_3492_ = type_22(_e1872, _e1753.member_1, _e1753.member_2, _e1753.member_3);
                             } else {
-                                phi_3574_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3492_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1904 = phi_3574_;
-                            if _e1780 {
+                            let _e1875 = phi_3492_;
+                            if _e1751 {
                             } else {
-                                phi_4127_ = true;
+                                phi_4235_ = true;
                                 break;
                             }
-                            local_7[_e1775.member_1] = type_22(_e1904.member, _e1904.member_1, _e1904.member_2, _e1904.member_3);
+                            local_7[_e1746.member_1] = type_22(_e1875.member, _e1875.member_1, _e1875.member_2, _e1875.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3460_ = _e1773;
-                            phi_4127_ = _e1758;
-                            break if !(_e1779);
+                            phi_3378_ = _e1744;
+                            phi_4235_ = _e1729;
+                            break if !(_e1750);
                         }
                     }
-                    let _e1912 = phi_4127_;
-                    if _e1912 {
+                    let _e1883 = phi_4235_;
+                    if _e1883 {
                         break;
                     }
-                    let _e1913 = local_7;
-                    if _e140 {
+                    let _e1884 = local_7;
+                    if _e141 {
                     } else {
                         break;
                     }
-                    global_6.member[_e138] = array<type_22, 8>(type_22(_e1913[0].member, _e1913[0].member_1, _e1913[0].member_2, _e1913[0].member_3), type_22(_e1913[1].member, _e1913[1].member_1, _e1913[1].member_2, _e1913[1].member_3), type_22(_e1913[2].member, _e1913[2].member_1, _e1913[2].member_2, _e1913[2].member_3), type_22(_e1913[3].member, _e1913[3].member_1, _e1913[3].member_2, _e1913[3].member_3), type_22(_e1913[4].member, _e1913[4].member_1, _e1913[4].member_2, _e1913[4].member_3), type_22(_e1913[5].member, _e1913[5].member_1, _e1913[5].member_2, _e1913[5].member_3), type_22(_e1913[6].member, _e1913[6].member_1, _e1913[6].member_2, _e1913[6].member_3), type_22(_e1913[7].member, _e1913[7].member_1, _e1913[7].member_2, _e1913[7].member_3));
+                    global_6.member[_e139] = array<type_22, 8>(type_22(_e1884[0].member, _e1884[0].member_1, _e1884[0].member_2, _e1884[0].member_3), type_22(_e1884[1].member, _e1884[1].member_1, _e1884[1].member_2, _e1884[1].member_3), type_22(_e1884[2].member, _e1884[2].member_1, _e1884[2].member_2, _e1884[2].member_3), type_22(_e1884[3].member, _e1884[3].member_1, _e1884[3].member_2, _e1884[3].member_3), type_22(_e1884[4].member, _e1884[4].member_1, _e1884[4].member_2, _e1884[4].member_3), type_22(_e1884[5].member, _e1884[5].member_1, _e1884[5].member_2, _e1884[5].member_3), type_22(_e1884[6].member, _e1884[6].member_1, _e1884[6].member_2, _e1884[6].member_3), type_22(_e1884[7].member, _e1884[7].member_1, _e1884[7].member_2, _e1884[7].member_3));
                 }
             }
             break;

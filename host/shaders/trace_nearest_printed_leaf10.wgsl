@@ -21,45 +21,52 @@ struct type_19 {
     member_3: f32,
 }
 
-struct type_27 {
+struct type_26 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_28 {
     member: array<type_19>,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<array<type_18, 8>>,
 }
 
-struct type_37 {
+struct type_38 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_41 {
-    member: array<type_39>,
+struct type_42 {
+    member: array<type_40>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_48 {
-    member: array<type_46>,
+struct type_49 {
+    member: array<type_47>,
 }
 
-struct type_52 {
-    member: type_44,
+struct type_53 {
+    member: type_45,
     member_1: u32,
 }
 
@@ -67,15 +74,15 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_8;
 @group(0) @binding(1) 
-var<uniform> global_2: type_37;
+var<uniform> global_2: type_38;
 @group(0) @binding(4) 
-var<storage> global_3: type_27;
+var<storage> global_3: type_28;
 @group(0) @binding(2) 
-var<storage> global_4: type_41;
+var<storage> global_4: type_42;
 @group(0) @binding(5) 
-var<storage, read_write> global_5: type_31;
+var<storage, read_write> global_5: type_32;
 @group(0) @binding(3) 
-var<storage> global_6: type_48;
+var<storage> global_6: type_49;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -89,485 +96,442 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_433_: i32;
-    var phi_434_: i32;
-    var phi_444_: bool;
-    var phi_454_: u32;
-    var phi_455_: u32;
-    var phi_457_: bool;
-    var phi_462_: u32;
-    var phi_475_: i32;
-    var phi_495_: i32;
-    var phi_513_: f32;
-    var phi_519_: f32;
-    var phi_559_: f32;
-    var phi_565_: f32;
-    var phi_617_: f32;
-    var phi_629_: f32;
-    var phi_638_: f32;
-    var phi_644_: f32;
-    var phi_684_: f32;
-    var phi_690_: f32;
-    var phi_742_: f32;
-    var phi_754_: f32;
-    var phi_763_: f32;
-    var phi_769_: f32;
-    var phi_809_: f32;
-    var phi_815_: f32;
-    var phi_867_: f32;
-    var phi_879_: f32;
-    var phi_934_: i32;
-    var phi_956_: u32;
-    var phi_957_: u32;
-    var phi_994_: i32;
-    var phi_1016_: u32;
-    var phi_1017_: u32;
-    var phi_1025_: f32;
-    var phi_1026_: f32;
-    var phi_4020_: bool;
-    var phi_3965_: f32;
-    var phi_1162_: u32;
-    var phi_1165_: bool;
-    var phi_1167_: u32;
-    var phi_1169_: type_52;
-    var phi_1180_: bool;
-    var phi_1267_: bool;
-    var phi_1268_: u32;
-    var phi_1269_: type_52;
+    var phi_454_: i32;
+    var phi_455_: i32;
+    var phi_465_: bool;
+    var phi_475_: u32;
+    var phi_476_: u32;
+    var phi_478_: bool;
+    var phi_483_: u32;
+    var phi_496_: i32;
+    var phi_516_: i32;
+    var phi_534_: f32;
+    var phi_540_: f32;
+    var phi_580_: f32;
+    var phi_586_: f32;
+    var phi_659_: f32;
+    var phi_665_: f32;
+    var phi_705_: f32;
+    var phi_711_: f32;
+    var phi_784_: f32;
+    var phi_790_: f32;
+    var phi_830_: f32;
+    var phi_836_: f32;
+    var phi_955_: i32;
+    var phi_977_: u32;
+    var phi_978_: u32;
+    var phi_1015_: i32;
+    var phi_1037_: u32;
+    var phi_1038_: u32;
+    var phi_1046_: f32;
+    var phi_1047_: f32;
+    var phi_4122_: bool;
+    var phi_4066_: f32;
+    var phi_1183_: u32;
+    var phi_1186_: bool;
+    var phi_1188_: u32;
+    var phi_1190_: type_53;
+    var phi_1201_: bool;
+    var phi_1288_: bool;
+    var phi_1289_: u32;
+    var phi_1290_: type_53;
+    var phi_4119_: bool;
+    var phi_4089_: f32;
+    var phi_1309_: type_4;
+    var phi_1310_: type_4;
+    var phi_1333_: type_4;
+    var phi_1358_: u32;
+    var phi_1374_: type_47;
+    var phi_3782_: bool;
+    var phi_3797_: bool;
+    var phi_3812_: bool;
+    var phi_3827_: bool;
+    var phi_3842_: bool;
+    var phi_3857_: bool;
+    var phi_2182_: f32;
+    var phi_2183_: f32;
+    var phi_2184_: f32;
+    var phi_2185_: f32;
+    var phi_2186_: vec3<f32>;
+    var phi_2187_: vec3<f32>;
+    var phi_2188_: vec3<f32>;
+    var phi_2189_: vec3<f32>;
+    var phi_3872_: bool;
+    var phi_3887_: bool;
+    var phi_3902_: bool;
+    var phi_3917_: bool;
+    var phi_3932_: bool;
+    var phi_3947_: bool;
+    var phi_2397_: f32;
+    var phi_2417_: type_26;
+    var phi_2418_: type_26;
+    var phi_2421_: type_26;
+    var phi_2422_: type_26;
+    var phi_2423_: bool;
+    var phi_2427_: type_26;
+    var phi_2436_: type_18;
+    var phi_2448_: type_4;
+    var phi_2451_: type_18;
+    var phi_2449_: type_4;
+    var phi_2474_: type_4;
+    var phi_2506_: bool;
+    var phi_2507_: bool;
+    var phi_2528_: type_18;
+    var phi_2452_: type_18;
+    var phi_4091_: bool;
+    var phi_4401_: f32;
+    var phi_4400_: f32;
+    var phi_4277_: bool;
+    var phi_4399_: f32;
+    var phi_4276_: bool;
+    var phi_4398_: f32;
+    var phi_4275_: bool;
+    var phi_4305_: f32;
+    var phi_4274_: bool;
+    var phi_4461_: bool;
+    var phi_4304_: f32;
+    var phi_2560_: type_40;
+    var phi_3447_: type_53;
+    var phi_3523_: type_53;
+    var phi_3524_: u32;
+    var phi_3525_: type_53;
+    var phi_3527_: u32;
+    var phi_3528_: type_53;
+    var phi_3529_: bool;
+    var phi_3536_: type_53;
+    var phi_3541_: bool;
+    var phi_3543_: type_53;
+    var phi_3547_: bool;
+    var phi_3548_: u32;
+    var phi_3549_: type_53;
+    var phi_3559_: type_53;
+    var phi_4488_: f32;
+    var phi_4405_: bool;
+    var phi_3560_: u32;
+    var phi_3561_: bool;
+    var phi_3562_: u32;
+    var phi_3563_: type_53;
+    var phi_4487_: f32;
+    var phi_4404_: bool;
+    var phi_3564_: u32;
+    var phi_3565_: bool;
+    var phi_3566_: u32;
+    var phi_3567_: type_53;
+    var phi_4486_: f32;
+    var phi_4403_: bool;
+    var phi_1184_: u32;
+    var phi_1187_: bool;
+    var phi_1189_: u32;
+    var phi_1191_: type_53;
+    var phi_3568_: bool;
+    var phi_4402_: bool;
+    var phi_3575_: type_4;
+    var phi_3576_: type_4;
+    var phi_3599_: type_4;
+    var phi_3651_: f32;
+    var phi_3653_: f32;
+    var phi_3654_: bool;
+    var phi_3655_: f32;
+    var phi_3656_: bool;
+    var phi_3975_: u32;
+    var phi_3993_: bool;
+    var phi_3996_: bool;
+    var phi_4009_: f32;
+    var phi_4010_: f32;
+    var phi_4015_: f32;
+    var phi_4016_: f32;
     var phi_4017_: bool;
-    var phi_3988_: f32;
-    var phi_1288_: type_4;
-    var phi_1289_: type_4;
-    var phi_1312_: type_4;
-    var phi_1337_: u32;
-    var phi_1353_: type_46;
-    var phi_1792_: bool;
-    var phi_1821_: bool;
-    var phi_2216_: f32;
-    var phi_2217_: f32;
-    var phi_2218_: f32;
-    var phi_2219_: f32;
-    var phi_2220_: vec3<f32>;
-    var phi_2221_: vec3<f32>;
-    var phi_2222_: vec3<f32>;
-    var phi_2223_: vec3<f32>;
-    var phi_2260_: bool;
-    var phi_2269_: vec3<f32>;
-    var phi_2434_: f32;
-    var phi_2436_: f32;
-    var phi_2437_: bool;
-    var phi_2457_: f32;
-    var phi_2458_: f32;
-    var phi_2481_: type_18;
-    var phi_2483_: type_18;
-    var phi_2484_: bool;
-    var phi_2488_: type_18;
-    var phi_2489_: type_18;
-    var phi_2490_: type_18;
-    var phi_2491_: bool;
-    var phi_2495_: type_18;
-    var phi_2496_: bool;
-    var phi_2497_: type_18;
-    var phi_2498_: bool;
-    var phi_2499_: bool;
-    var phi_2500_: type_18;
-    var phi_2501_: bool;
-    var phi_2502_: bool;
-    var phi_2510_: type_18;
-    var phi_2511_: bool;
-    var phi_2515_: type_18;
-    var phi_2527_: type_4;
-    var phi_2530_: type_18;
-    var phi_2528_: type_4;
-    var phi_2553_: type_4;
-    var phi_2585_: bool;
-    var phi_2586_: bool;
-    var phi_2607_: type_18;
-    var phi_2531_: type_18;
-    var phi_3990_: bool;
-    var phi_4290_: f32;
-    var phi_4289_: f32;
-    var phi_4171_: bool;
-    var phi_4288_: f32;
-    var phi_4170_: bool;
-    var phi_4287_: f32;
-    var phi_4169_: bool;
-    var phi_4199_: f32;
-    var phi_4168_: bool;
-    var phi_4350_: bool;
-    var phi_4198_: f32;
-    var phi_2639_: type_39;
-    var phi_3526_: type_52;
-    var phi_3602_: type_52;
-    var phi_3603_: u32;
-    var phi_3604_: type_52;
-    var phi_3606_: u32;
-    var phi_3607_: type_52;
-    var phi_3608_: bool;
-    var phi_3615_: type_52;
-    var phi_3620_: bool;
-    var phi_3622_: type_52;
-    var phi_3626_: bool;
-    var phi_3627_: u32;
-    var phi_3628_: type_52;
-    var phi_3638_: type_52;
-    var phi_4377_: f32;
-    var phi_4294_: bool;
-    var phi_3639_: u32;
-    var phi_3640_: bool;
-    var phi_3641_: u32;
-    var phi_3642_: type_52;
-    var phi_4376_: f32;
-    var phi_4293_: bool;
-    var phi_3643_: u32;
-    var phi_3644_: bool;
-    var phi_3645_: u32;
-    var phi_3646_: type_52;
-    var phi_4375_: f32;
-    var phi_4292_: bool;
-    var phi_1163_: u32;
-    var phi_1166_: bool;
-    var phi_1168_: u32;
-    var phi_1170_: type_52;
-    var phi_3647_: bool;
-    var phi_4291_: bool;
-    var phi_3654_: type_4;
-    var phi_3655_: type_4;
-    var phi_3678_: type_4;
-    var phi_3730_: f32;
-    var phi_3732_: f32;
-    var phi_3733_: bool;
-    var phi_3734_: f32;
-    var phi_3735_: bool;
-    var phi_3874_: u32;
-    var phi_3892_: bool;
-    var phi_3895_: bool;
-    var phi_3908_: f32;
-    var phi_3909_: f32;
-    var phi_3914_: f32;
-    var phi_3915_: f32;
-    var phi_3916_: bool;
-    var phi_3924_: f32;
-    var phi_3750_: f32;
-    var phi_3751_: f32;
-    var phi_3763_: f32;
-    var phi_3768_: type_18;
-    var phi_4357_: bool;
+    var phi_4025_: f32;
+    var phi_3671_: f32;
+    var phi_3672_: f32;
+    var phi_3684_: f32;
+    var phi_3689_: type_18;
+    var phi_4468_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e85 = global;
-            let _e88 = arrayLength((&global_4.member));
-            let _e99 = global_2.member[0u][0u];
-            let _e103 = global_2.member[0u][1u];
-            let _e107 = global_2.member[0u][2u];
-            let _e111 = global_2.member[1u][0u];
-            let _e115 = global_2.member[1u][1u];
-            let _e119 = global_2.member[1u][2u];
-            let _e123 = global_2.member[1u][3u];
-            let _e126 = global_1.member[0u];
-            let _e127 = bitcast<i32>(_e126);
-            let _e137 = (_e85.x + (_e85.y * 2097152u));
-            let _e138 = (_e137 < arrayLength((&global_3.member)));
-            if _e138 {
-                let _e139 = (_e137 < arrayLength((&global_5.member)));
-                if _e139 {
-                    if _e138 {
+            let _e86 = global;
+            let _e89 = arrayLength((&global_4.member));
+            let _e100 = global_2.member[0u][0u];
+            let _e104 = global_2.member[0u][1u];
+            let _e108 = global_2.member[0u][2u];
+            let _e112 = global_2.member[1u][0u];
+            let _e116 = global_2.member[1u][1u];
+            let _e120 = global_2.member[1u][2u];
+            let _e124 = global_2.member[1u][3u];
+            let _e127 = global_1.member[0u];
+            let _e128 = bitcast<i32>(_e127);
+            let _e138 = (_e86.x + (_e86.y * 2097152u));
+            let _e139 = (_e138 < arrayLength((&global_3.member)));
+            if _e139 {
+                let _e140 = (_e138 < arrayLength((&global_5.member)));
+                if _e140 {
+                    if _e139 {
                     } else {
                         break;
                     }
-                    let _e147 = global_3.member[_e137].member_2[0u];
-                    let _e149 = (bitcast<u32>(_e147) & 2147483647u);
-                    let _e154 = global_3.member[_e137].member_2[1u];
-                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
-                    let _e161 = global_3.member[_e137].member_2[2u];
-                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
-                    let _e168 = global_3.member[_e137].member[0u];
-                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
-                    let _e175 = global_3.member[_e137].member[1u];
-                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
-                    let _e182 = global_3.member[_e137].member[2u];
-                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
-                    let _e186 = select(_e156, _e149, (_e156 < _e149));
-                    let _e188 = select(_e163, _e186, (_e163 < _e186));
-                    let _e190 = select(_e170, _e188, (_e170 < _e188));
-                    let _e192 = select(_e177, _e190, (_e177 < _e190));
-                    let _e194 = select(_e184, _e192, (_e184 < _e192));
-                    let _e198 = global_3.member[_e137].member_1;
-                    let _e199 = bitcast<u32>(_e198);
-                    let _e200 = (_e199 & 2147483647u);
-                    let _e207 = global_3.member[_e137].member_3;
-                    let _e208 = bitcast<u32>(_e207);
-                    let _e209 = (_e208 & 2147483647u);
-                    let _e213 = (((select(_e200, _e194, (_e200 < _e194)) < 2139095040u) && (_e209 <= 2139095040u)) && (_e188 > 0u));
-                    if _e213 {
-                        let _e216 = (bitcast<u32>(bitcast<f32>(_e188)) & 2147483647u);
-                        if (_e216 >= 8388608u) {
-                            phi_433_ = (bitcast<i32>((_e216 >> bitcast<u32>(23i))) - 127i);
+                    let _e148 = global_3.member[_e138].member_2[0u];
+                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                    let _e155 = global_3.member[_e138].member_2[1u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_3.member[_e138].member_2[2u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_3.member[_e138].member[0u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_3.member[_e138].member[1u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e183 = global_3.member[_e138].member[2u];
+                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                    let _e187 = select(_e157, _e150, (_e157 < _e150));
+                    let _e189 = select(_e164, _e187, (_e164 < _e187));
+                    let _e191 = select(_e171, _e189, (_e171 < _e189));
+                    let _e193 = select(_e178, _e191, (_e178 < _e191));
+                    let _e195 = select(_e185, _e193, (_e185 < _e193));
+                    let _e199 = global_3.member[_e138].member_1;
+                    let _e200 = bitcast<u32>(_e199);
+                    let _e201 = (_e200 & 2147483647u);
+                    let _e208 = global_3.member[_e138].member_3;
+                    let _e209 = bitcast<u32>(_e208);
+                    let _e210 = (_e209 & 2147483647u);
+                    let _e214 = (((select(_e201, _e195, (_e201 < _e195)) < 2139095040u) && (_e210 <= 2139095040u)) && (_e189 > 0u));
+                    if _e214 {
+                        let _e217 = (bitcast<u32>(bitcast<f32>(_e189)) & 2147483647u);
+                        if (_e217 >= 8388608u) {
+                            phi_454_ = (bitcast<i32>((_e217 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_433_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u))));
+                            phi_454_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e217)), 32u, (_e217 == 0u))));
                         }
-                        let _e230 = phi_433_;
-                        phi_434_ = _e230;
+                        let _e231 = phi_454_;
+                        phi_455_ = _e231;
                     } else {
-                        phi_434_ = 0i;
+                        phi_455_ = 0i;
                     }
-                    let _e232 = phi_434_;
-                    let _e233 = (_e149 == _e188);
-                    if _e233 {
-                        phi_444_ = true;
+                    let _e233 = phi_455_;
+                    let _e234 = (_e150 == _e189);
+                    if _e234 {
+                        phi_465_ = true;
                     } else {
-                        phi_444_ = (_e156 == _e188);
+                        phi_465_ = (_e157 == _e189);
                     }
-                    let _e236 = phi_444_;
-                    let _e237 = select(1u, 0u, _e233);
-                    if _e236 {
-                        let _e238 = (_e237 + 1u);
-                        phi_454_ = _e238;
-                        phi_455_ = _e238;
-                        phi_457_ = select(true, false, (_e238 == 2u));
+                    let _e237 = phi_465_;
+                    let _e238 = select(1u, 0u, _e234);
+                    if _e237 {
+                        let _e239 = (_e238 + 1u);
+                        phi_475_ = _e239;
+                        phi_476_ = _e239;
+                        phi_478_ = select(true, false, (_e239 == 2u));
                     } else {
-                        phi_454_ = u32();
-                        phi_455_ = 0u;
-                        phi_457_ = true;
+                        phi_475_ = u32();
+                        phi_476_ = 0u;
+                        phi_478_ = true;
                     }
-                    let _e242 = phi_454_;
-                    let _e244 = phi_455_;
-                    let _e246 = phi_457_;
-                    if _e246 {
-                        phi_462_ = (_e244 + 1u);
+                    let _e243 = phi_475_;
+                    let _e245 = phi_476_;
+                    let _e247 = phi_478_;
+                    if _e247 {
+                        phi_483_ = (_e245 + 1u);
                     } else {
-                        phi_462_ = 0u;
+                        phi_483_ = 0u;
                     }
-                    let _e250 = phi_462_;
-                    let _e251 = select(_e242, _e244, _e246);
-                    let _e252 = select(_e237, select(2u, _e237, _e236), _e246);
-                    if (_e127 < -126i) {
-                        phi_475_ = -126i;
+                    let _e251 = phi_483_;
+                    let _e252 = select(_e243, _e245, _e247);
+                    let _e253 = select(_e238, select(2u, _e238, _e237), _e247);
+                    if (_e128 < -126i) {
+                        phi_496_ = -126i;
                     } else {
-                        phi_475_ = select(_e127, 127i, (_e127 > 127i));
+                        phi_496_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e257 = phi_475_;
-                    let _e262 = bitcast<f32>((bitcast<u32>((_e257 + 127i)) << bitcast<u32>(23i)));
-                    let _e268 = bitcast<f32>((bitcast<u32>(((_e127 - _e257) + 127i)) << bitcast<u32>(23i)));
-                    let _e269 = -(_e232);
-                    if (_e269 < -126i) {
-                        phi_495_ = -126i;
+                    let _e258 = phi_496_;
+                    let _e263 = bitcast<f32>((bitcast<u32>((_e258 + 127i)) << bitcast<u32>(23i)));
+                    let _e269 = bitcast<f32>((bitcast<u32>(((_e128 - _e258) + 127i)) << bitcast<u32>(23i)));
+                    let _e270 = -(_e233);
+                    if (_e270 < -126i) {
+                        phi_516_ = -126i;
                     } else {
-                        phi_495_ = select(_e269, 127i, (_e269 > 127i));
+                        phi_516_ = select(_e270, 127i, (_e270 > 127i));
                     }
-                    let _e274 = phi_495_;
-                    let _e279 = bitcast<f32>((bitcast<u32>((_e274 + 127i)) << bitcast<u32>(23i)));
-                    let _e285 = bitcast<f32>((bitcast<u32>(((_e269 - _e274) + 127i)) << bitcast<u32>(23i)));
-                    let _e289 = global_3.member[_e137].member;
-                    let _e290 = (_e251 == 0u);
-                    if _e290 {
-                        phi_513_ = _e289[0];
+                    let _e275 = phi_516_;
+                    let _e280 = bitcast<f32>((bitcast<u32>((_e275 + 127i)) << bitcast<u32>(23i)));
+                    let _e286 = bitcast<f32>((bitcast<u32>(((_e270 - _e275) + 127i)) << bitcast<u32>(23i)));
+                    let _e290 = global_3.member[_e138].member;
+                    let _e291 = (_e252 == 0u);
+                    if _e291 {
+                        phi_534_ = _e290[0];
                     } else {
-                        phi_513_ = _e289[1];
+                        phi_534_ = _e290[1];
                     }
-                    let _e294 = phi_513_;
-                    let _e295 = (_e251 == 2u);
-                    if _e295 {
-                        phi_519_ = _e289[2];
+                    let _e295 = phi_534_;
+                    let _e296 = (_e252 == 2u);
+                    if _e296 {
+                        phi_540_ = _e290[2];
                     } else {
-                        phi_519_ = _e294;
+                        phi_540_ = _e295;
                     }
-                    let _e298 = phi_519_;
-                    let _e299 = bitcast<u32>(_e298);
-                    let _e301 = ((_e299 & 2139095040u) != 0u);
-                    let _e315 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e299 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e299 & 2147483648u))), _e298, _e301) * _e262) * select(0.00000011920929f, 1f, _e301)) * _e268);
-                    let _e316 = global_3.member[_e137].member_2;
-                    if _e290 {
-                        phi_559_ = _e316[0];
+                    let _e299 = phi_540_;
+                    let _e300 = bitcast<u32>(_e299);
+                    let _e302 = ((_e300 & 2139095040u) != 0u);
+                    let _e316 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e300 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e300 & 2147483648u))), _e299, _e302) * _e263) * select(0.00000011920929f, 1f, _e302)) * _e269);
+                    let _e317 = global_3.member[_e138].member_2;
+                    if _e291 {
+                        phi_580_ = _e317[0];
                     } else {
-                        phi_559_ = _e316[1];
+                        phi_580_ = _e317[1];
                     }
-                    let _e320 = phi_559_;
-                    if _e295 {
-                        phi_565_ = _e316[2];
+                    let _e321 = phi_580_;
+                    if _e296 {
+                        phi_586_ = _e317[2];
                     } else {
-                        phi_565_ = _e320;
+                        phi_586_ = _e321;
                     }
-                    let _e323 = phi_565_;
-                    let _e324 = bitcast<u32>(_e323);
-                    let _e326 = ((_e324 & 2139095040u) != 0u);
-                    let _e340 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e324 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e324 & 2147483648u))), _e323, _e326) * _e279) * select(0.00000011920929f, 1f, _e326)) * _e285);
-                    let _e344 = (bitcast<f32>((bitcast<u32>(_e340) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e344 {
-                        let _e348 = (bitcast<f32>((bitcast<u32>(_e315) & 2147483647u)) * 0.00000011920929f);
-                        phi_617_ = select(0.00000000000011368684f, _e348, (_e348 > 0.00000000000011368684f));
+                    let _e324 = phi_586_;
+                    let _e325 = bitcast<u32>(_e324);
+                    let _e327 = ((_e325 & 2139095040u) != 0u);
+                    let _e341 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e325 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e325 & 2147483648u))), _e324, _e327) * _e280) * select(0.00000011920929f, 1f, _e327)) * _e286);
+                    let _e345 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e348 = bitcast<f32>((bitcast<u32>(_e316) & 2147483647u));
+                    let _e349 = (_e348 * 0.00000011920929f);
+                    let _e352 = select(select(0.00000000000011368684f, _e349, (_e349 > 0.00000000000011368684f)), 0f, _e345);
+                    let _e353 = select(0f, _e341, _e345);
+                    let _e354 = (_e316 + _e352);
+                    let _e355 = (_e316 - _e352);
+                    let _e357 = select(38685626000000000000000000f, (1f / _e341), _e345);
+                    let _e358 = (_e251 == 0u);
+                    if _e358 {
+                        phi_659_ = _e290[0];
                     } else {
-                        phi_617_ = 0f;
+                        phi_659_ = _e290[1];
                     }
-                    let _e352 = phi_617_;
-                    let _e353 = (_e315 + _e352);
-                    let _e354 = (_e315 - _e352);
-                    let _e355 = select(_e340, 0f, _e344);
-                    if _e344 {
-                        phi_629_ = 38685626000000000000000000f;
+                    let _e362 = phi_659_;
+                    let _e363 = (_e251 == 2u);
+                    if _e363 {
+                        phi_665_ = _e290[2];
                     } else {
-                        phi_629_ = (1f / _e340);
+                        phi_665_ = _e362;
                     }
-                    let _e358 = phi_629_;
-                    let _e359 = (_e250 == 0u);
-                    if _e359 {
-                        phi_638_ = _e289[0];
+                    let _e366 = phi_665_;
+                    let _e367 = bitcast<u32>(_e366);
+                    let _e369 = ((_e367 & 2139095040u) != 0u);
+                    let _e383 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e367 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e367 & 2147483648u))), _e366, _e369) * _e263) * select(0.00000011920929f, 1f, _e369)) * _e269);
+                    if _e358 {
+                        phi_705_ = _e317[0];
                     } else {
-                        phi_638_ = _e289[1];
+                        phi_705_ = _e317[1];
                     }
-                    let _e363 = phi_638_;
-                    let _e364 = (_e250 == 2u);
-                    if _e364 {
-                        phi_644_ = _e289[2];
+                    let _e387 = phi_705_;
+                    if _e363 {
+                        phi_711_ = _e317[2];
                     } else {
-                        phi_644_ = _e363;
+                        phi_711_ = _e387;
                     }
-                    let _e367 = phi_644_;
-                    let _e368 = bitcast<u32>(_e367);
-                    let _e370 = ((_e368 & 2139095040u) != 0u);
-                    let _e384 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e368 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e368 & 2147483648u))), _e367, _e370) * _e262) * select(0.00000011920929f, 1f, _e370)) * _e268);
-                    if _e359 {
-                        phi_684_ = _e316[0];
+                    let _e390 = phi_711_;
+                    let _e391 = bitcast<u32>(_e390);
+                    let _e393 = ((_e391 & 2139095040u) != 0u);
+                    let _e407 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e391 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e391 & 2147483648u))), _e390, _e393) * _e280) * select(0.00000011920929f, 1f, _e393)) * _e286);
+                    let _e411 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e414 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
+                    let _e415 = (_e414 * 0.00000011920929f);
+                    let _e418 = select(select(0.00000000000011368684f, _e415, (_e415 > 0.00000000000011368684f)), 0f, _e411);
+                    let _e419 = select(0f, _e407, _e411);
+                    let _e420 = (_e383 + _e418);
+                    let _e421 = (_e383 - _e418);
+                    let _e423 = select(38685626000000000000000000f, (1f / _e407), _e411);
+                    let _e424 = (_e253 == 0u);
+                    if _e424 {
+                        phi_784_ = _e290[0];
                     } else {
-                        phi_684_ = _e316[1];
+                        phi_784_ = _e290[1];
                     }
-                    let _e388 = phi_684_;
-                    if _e364 {
-                        phi_690_ = _e316[2];
+                    let _e428 = phi_784_;
+                    let _e429 = (_e253 == 2u);
+                    if _e429 {
+                        phi_790_ = _e290[2];
                     } else {
-                        phi_690_ = _e388;
+                        phi_790_ = _e428;
                     }
-                    let _e391 = phi_690_;
-                    let _e392 = bitcast<u32>(_e391);
-                    let _e394 = ((_e392 & 2139095040u) != 0u);
-                    let _e408 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e392 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e392 & 2147483648u))), _e391, _e394) * _e279) * select(0.00000011920929f, 1f, _e394)) * _e285);
-                    let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e412 {
-                        let _e416 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) * 0.00000011920929f);
-                        phi_742_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
+                    let _e432 = phi_790_;
+                    let _e433 = bitcast<u32>(_e432);
+                    let _e435 = ((_e433 & 2139095040u) != 0u);
+                    let _e449 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e433 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e433 & 2147483648u))), _e432, _e435) * _e263) * select(0.00000011920929f, 1f, _e435)) * _e269);
+                    if _e424 {
+                        phi_830_ = _e317[0];
                     } else {
-                        phi_742_ = 0f;
+                        phi_830_ = _e317[1];
                     }
-                    let _e420 = phi_742_;
-                    let _e421 = (_e384 + _e420);
-                    let _e422 = (_e384 - _e420);
-                    let _e423 = select(_e408, 0f, _e412);
-                    if _e412 {
-                        phi_754_ = 38685626000000000000000000f;
+                    let _e453 = phi_830_;
+                    if _e429 {
+                        phi_836_ = _e317[2];
                     } else {
-                        phi_754_ = (1f / _e408);
+                        phi_836_ = _e453;
                     }
-                    let _e426 = phi_754_;
-                    let _e427 = (_e252 == 0u);
-                    if _e427 {
-                        phi_763_ = _e289[0];
-                    } else {
-                        phi_763_ = _e289[1];
-                    }
-                    let _e431 = phi_763_;
-                    let _e432 = (_e252 == 2u);
-                    if _e432 {
-                        phi_769_ = _e289[2];
-                    } else {
-                        phi_769_ = _e431;
-                    }
-                    let _e435 = phi_769_;
-                    let _e436 = bitcast<u32>(_e435);
-                    let _e438 = ((_e436 & 2139095040u) != 0u);
-                    let _e452 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e436 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e436 & 2147483648u))), _e435, _e438) * _e262) * select(0.00000011920929f, 1f, _e438)) * _e268);
-                    if _e427 {
-                        phi_809_ = _e316[0];
-                    } else {
-                        phi_809_ = _e316[1];
-                    }
-                    let _e456 = phi_809_;
-                    if _e432 {
-                        phi_815_ = _e316[2];
-                    } else {
-                        phi_815_ = _e456;
-                    }
-                    let _e459 = phi_815_;
-                    let _e460 = bitcast<u32>(_e459);
-                    let _e462 = ((_e460 & 2139095040u) != 0u);
-                    let _e476 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e460 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e460 & 2147483648u))), _e459, _e462) * _e279) * select(0.00000011920929f, 1f, _e462)) * _e285);
-                    let _e480 = (bitcast<f32>((bitcast<u32>(_e476) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e480 {
-                        let _e484 = (bitcast<f32>((bitcast<u32>(_e452) & 2147483647u)) * 0.00000011920929f);
-                        phi_867_ = select(0.00000000000011368684f, _e484, (_e484 > 0.00000000000011368684f));
-                    } else {
-                        phi_867_ = 0f;
-                    }
-                    let _e488 = phi_867_;
-                    let _e489 = (_e452 + _e488);
-                    let _e490 = (_e452 - _e488);
-                    let _e491 = select(_e476, 0f, _e480);
-                    if _e480 {
-                        phi_879_ = 38685626000000000000000000f;
-                    } else {
-                        phi_879_ = (1f / _e476);
-                    }
-                    let _e494 = phi_879_;
-                    let _e497 = bitcast<f32>((bitcast<u32>(_e315) & 2147483647u));
-                    let _e500 = bitcast<f32>((bitcast<u32>(_e384) & 2147483647u));
-                    let _e502 = select(_e500, _e497, (_e497 > _e500));
-                    let _e505 = bitcast<f32>((bitcast<u32>(_e452) & 2147483647u));
-                    let _e508 = (_e127 + _e232);
-                    if (_e213 && (select(_e505, _e502, (_e502 > _e505)) <= 1099511600000f)) {
-                        let _e518 = ((_e200 & 8388607u) | (select(0u, 1u, ((_e200 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e521 = bitcast<i32>((_e200 >> bitcast<u32>(23i)));
-                        let _e525 = (_e518 == 0u);
-                        let _e528 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e518)), 32u, _e525)) - 8i);
-                        if (_e521 == 255i) {
-                            phi_934_ = 255i;
+                    let _e456 = phi_836_;
+                    let _e457 = bitcast<u32>(_e456);
+                    let _e459 = ((_e457 & 2139095040u) != 0u);
+                    let _e473 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e457 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e457 & 2147483648u))), _e456, _e459) * _e280) * select(0.00000011920929f, 1f, _e459)) * _e286);
+                    let _e477 = (bitcast<f32>((bitcast<u32>(_e473) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e480 = bitcast<f32>((bitcast<u32>(_e449) & 2147483647u));
+                    let _e481 = (_e480 * 0.00000011920929f);
+                    let _e484 = select(select(0.00000000000011368684f, _e481, (_e481 > 0.00000000000011368684f)), 0f, _e477);
+                    let _e485 = select(0f, _e473, _e477);
+                    let _e486 = (_e449 + _e484);
+                    let _e487 = (_e449 - _e484);
+                    let _e489 = select(38685626000000000000000000f, (1f / _e473), _e477);
+                    let _e491 = select(_e414, _e348, (_e348 > _e414));
+                    let _e494 = (_e128 + _e233);
+                    if (_e214 && (select(_e480, _e491, (_e491 > _e480)) <= 1099511600000f)) {
+                        let _e504 = ((_e201 & 8388607u) | (select(0u, 1u, ((_e201 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e507 = bitcast<i32>((_e201 >> bitcast<u32>(23i)));
+                        let _e511 = (_e504 == 0u);
+                        let _e514 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e504)), 32u, _e511)) - 8i);
+                        if (_e507 == 255i) {
+                            phi_955_ = 255i;
                         } else {
-                            phi_934_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
+                            phi_955_ = (((_e507 + select(0i, 1i, (_e507 == 0i))) - _e514) + _e494);
                         }
-                        let _e536 = phi_934_;
-                        let _e546 = (_e536 <= 0i);
-                        if _e546 {
-                            phi_957_ = u32();
+                        let _e522 = phi_955_;
+                        let _e532 = (_e522 <= 0i);
+                        if _e532 {
+                            phi_978_ = u32();
                         } else {
-                            if _e525 {
-                                phi_956_ = u32();
+                            if _e511 {
+                                phi_977_ = u32();
                             } else {
-                                phi_956_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
+                                phi_977_ = select(((bitcast<u32>(_e522) << bitcast<u32>(23i)) | ((_e504 << bitcast<u32>(((_e514 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e522 >= 255i));
                             }
-                            let _e550 = phi_956_;
-                            phi_957_ = _e550;
+                            let _e536 = phi_977_;
+                            phi_978_ = _e536;
                         }
-                        let _e552 = phi_957_;
-                        let _e564 = ((_e209 & 8388607u) | (select(0u, 1u, ((_e209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e567 = bitcast<i32>((_e209 >> bitcast<u32>(23i)));
-                        let _e571 = (_e564 == 0u);
-                        let _e574 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e564)), 32u, _e571)) - 8i);
-                        if (_e567 == 255i) {
-                            phi_994_ = 255i;
+                        let _e538 = phi_978_;
+                        let _e550 = ((_e210 & 8388607u) | (select(0u, 1u, ((_e210 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e553 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
+                        let _e557 = (_e550 == 0u);
+                        let _e560 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e550)), 32u, _e557)) - 8i);
+                        if (_e553 == 255i) {
+                            phi_1015_ = 255i;
                         } else {
-                            phi_994_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
+                            phi_1015_ = (((_e553 + select(0i, 1i, (_e553 == 0i))) - _e560) + _e494);
                         }
-                        let _e582 = phi_994_;
-                        let _e592 = (_e582 <= 0i);
-                        if _e592 {
-                            phi_1017_ = u32();
+                        let _e568 = phi_1015_;
+                        let _e578 = (_e568 <= 0i);
+                        if _e578 {
+                            phi_1038_ = u32();
                         } else {
-                            if _e571 {
-                                phi_1016_ = u32();
+                            if _e557 {
+                                phi_1037_ = u32();
                             } else {
-                                phi_1016_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
+                                phi_1037_ = select(((bitcast<u32>(_e568) << bitcast<u32>(23i)) | ((_e550 << bitcast<u32>(((_e560 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e568 >= 255i));
                             }
-                            let _e596 = phi_1016_;
-                            phi_1017_ = _e596;
+                            let _e582 = phi_1037_;
+                            phi_1038_ = _e582;
                         }
-                        let _e598 = phi_1017_;
-                        phi_1025_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
-                        phi_1026_ = bitcast<f32>(((_e199 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
+                        let _e584 = phi_1038_;
+                        phi_1046_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e584, 0u, select(_e557, true, _e578))));
+                        phi_1047_ = bitcast<f32>(((_e200 & 2147483648u) | select(_e538, 0u, select(_e511, true, _e532))));
                     } else {
-                        phi_1025_ = 0f;
-                        phi_1026_ = 1f;
+                        phi_1046_ = 0f;
+                        phi_1047_ = 1f;
                     }
-                    let _e604 = phi_1025_;
-                    let _e606 = phi_1026_;
+                    let _e590 = phi_1046_;
+                    let _e592 = phi_1047_;
                     local_7 = array<type_18, 8>(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -577,1070 +541,1047 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_8 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_10 = array<f32, 3>(bitcast<f32>(_e99), bitcast<f32>(_e103), bitcast<f32>(_e107));
-                    let _e610 = (_e251 % 3u);
-                    let _e611 = (_e610 < 3u);
-                    if _e611 {
+                    local_10 = array<f32, 3>(bitcast<f32>(_e100), bitcast<f32>(_e104), bitcast<f32>(_e108));
+                    let _e596 = (_e252 % 3u);
+                    let _e597 = (_e596 < 3u);
+                    if _e597 {
                     } else {
                         break;
                     }
-                    let _e613 = local_10[_e610];
-                    let _e614 = (_e250 % 3u);
-                    let _e615 = (_e614 < 3u);
-                    if _e615 {
+                    let _e599 = local_10[_e596];
+                    let _e600 = (_e251 % 3u);
+                    let _e601 = (_e600 < 3u);
+                    if _e601 {
                     } else {
                         break;
                     }
-                    let _e617 = local_10[_e614];
-                    let _e618 = (_e252 % 3u);
-                    let _e619 = (_e618 < 3u);
-                    if _e619 {
+                    let _e603 = local_10[_e600];
+                    let _e604 = (_e253 % 3u);
+                    let _e605 = (_e604 < 3u);
+                    if _e605 {
                     } else {
                         break;
                     }
-                    let _e621 = local_10[_e618];
-                    local_9 = array<f32, 3>(bitcast<f32>(_e111), bitcast<f32>(_e115), bitcast<f32>(_e119));
-                    if _e611 {
+                    let _e607 = local_10[_e604];
+                    local_9 = array<f32, 3>(bitcast<f32>(_e112), bitcast<f32>(_e116), bitcast<f32>(_e120));
+                    if _e597 {
                     } else {
                         break;
                     }
-                    let _e625 = local_9[_e610];
-                    if _e615 {
+                    let _e611 = local_9[_e596];
+                    if _e601 {
                     } else {
                         break;
                     }
-                    let _e627 = local_9[_e614];
-                    if _e619 {
+                    let _e613 = local_9[_e600];
+                    if _e605 {
                     } else {
                         break;
                     }
-                    let _e629 = local_9[_e618];
-                    phi_4020_ = false;
-                    phi_3965_ = _e604;
-                    phi_1162_ = ((3u * _e88) + 1u);
-                    phi_1165_ = (_e606 <= _e604);
-                    phi_1167_ = 0u;
-                    phi_1169_ = type_52(type_44(array<f32, 3>(_e613, _e617, _e621), array<f32, 3>(_e625, _e627, _e629)), select(0u, 2147483648u, (_e88 == 0u)));
+                    let _e615 = local_9[_e604];
+                    phi_4122_ = false;
+                    phi_4066_ = _e590;
+                    phi_1183_ = ((3u * _e89) + 1u);
+                    phi_1186_ = (_e592 <= _e590);
+                    phi_1188_ = 0u;
+                    phi_1190_ = type_53(type_45(array<f32, 3>(_e599, _e603, _e607), array<f32, 3>(_e611, _e613, _e615)), select(0u, 2147483648u, (_e89 == 0u)));
                     loop {
-                        let _e637 = phi_4020_;
-                        let _e639 = phi_3965_;
-                        let _e641 = phi_1162_;
-                        let _e643 = phi_1165_;
-                        let _e645 = phi_1167_;
-                        let _e647 = phi_1169_;
-                        if _e643 {
-                            phi_1180_ = true;
+                        let _e623 = phi_4122_;
+                        let _e625 = phi_4066_;
+                        let _e627 = phi_1183_;
+                        let _e629 = phi_1186_;
+                        let _e631 = phi_1188_;
+                        let _e633 = phi_1190_;
+                        if _e629 {
+                            phi_1201_ = true;
                         } else {
-                            phi_1180_ = (_e645 > 0u);
+                            phi_1201_ = (_e631 > 0u);
                         }
-                        let _e650 = phi_1180_;
-                        if _e650 {
-                            let _e651 = (_e641 > 0u);
-                            if _e651 {
-                                if _e643 {
-                                    phi_1267_ = _e643;
-                                    phi_1268_ = _e645;
-                                    phi_1269_ = _e647;
+                        let _e636 = phi_1201_;
+                        if _e636 {
+                            let _e637 = (_e627 > 0u);
+                            if _e637 {
+                                if _e629 {
+                                    phi_1288_ = _e629;
+                                    phi_1289_ = _e631;
+                                    phi_1290_ = _e633;
                                 } else {
-                                    let _e652 = (_e645 - 1u);
-                                    let _e653 = (_e652 % 128u);
-                                    let _e654 = (_e653 < 128u);
-                                    if _e654 {
+                                    let _e638 = (_e631 - 1u);
+                                    let _e639 = (_e638 % 128u);
+                                    let _e640 = (_e639 < 128u);
+                                    if _e640 {
                                     } else {
-                                        phi_4291_ = true;
+                                        phi_4402_ = true;
                                         break;
                                     }
-                                    let _e656 = local_6[_e653];
-                                    if _e654 {
+                                    let _e642 = local_6[_e639];
+                                    if _e640 {
                                     } else {
-                                        phi_4291_ = true;
+                                        phi_4402_ = true;
                                         break;
                                     }
-                                    let _e658 = local_5[_e653];
-                                    if _e654 {
+                                    let _e644 = local_5[_e639];
+                                    if _e640 {
                                     } else {
-                                        phi_4291_ = true;
+                                        phi_4402_ = true;
                                         break;
                                     }
-                                    let _e660 = local_4[_e653];
-                                    if _e654 {
+                                    let _e646 = local_4[_e639];
+                                    if _e640 {
                                     } else {
-                                        phi_4291_ = true;
+                                        phi_4402_ = true;
                                         break;
                                     }
-                                    let _e662 = local_3[_e653];
-                                    if _e654 {
+                                    let _e648 = local_3[_e639];
+                                    if _e640 {
                                     } else {
-                                        phi_4291_ = true;
+                                        phi_4402_ = true;
                                         break;
                                     }
-                                    let _e665 = local_2[_e653];
-                                    if _e654 {
+                                    let _e651 = local_2[_e639];
+                                    if _e640 {
                                     } else {
-                                        phi_4291_ = true;
+                                        phi_4402_ = true;
                                         break;
                                     }
-                                    let _e667 = local_1[_e653];
-                                    if _e654 {
+                                    let _e653 = local_1[_e639];
+                                    if _e640 {
                                     } else {
-                                        phi_4291_ = true;
+                                        phi_4402_ = true;
                                         break;
                                     }
-                                    let _e669 = local[_e653];
-                                    if _e654 {
+                                    let _e655 = local[_e639];
+                                    if _e640 {
                                     } else {
-                                        phi_4291_ = true;
+                                        phi_4402_ = true;
                                         break;
                                     }
-                                    let _e674 = local_8[_e653];
-                                    phi_1267_ = (_e674 <= _e639);
-                                    phi_1268_ = _e652;
-                                    phi_1269_ = type_52(type_44(array<f32, 3>(_e658, _e660, _e662), array<f32, 3>(_e665, _e667, _e669)), _e656);
+                                    let _e660 = local_8[_e639];
+                                    phi_1288_ = (_e660 <= _e625);
+                                    phi_1289_ = _e638;
+                                    phi_1290_ = type_53(type_45(array<f32, 3>(_e644, _e646, _e648), array<f32, 3>(_e651, _e653, _e655)), _e642);
                                 }
-                                let _e677 = phi_1267_;
-                                let _e679 = phi_1268_;
-                                let _e681 = phi_1269_;
-                                if _e677 {
-                                    let _e685 = ((_e681.member_1 & 2147483648u) != 0u);
-                                    if _e685 {
-                                        phi_4017_ = _e637;
-                                        phi_3988_ = _e639;
-                                        phi_1288_ = type_4(0u, ((_e681.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e663 = phi_1288_;
+                                let _e665 = phi_1289_;
+                                let _e667 = phi_1290_;
+                                if _e663 {
+                                    let _e671 = ((_e667.member_1 & 2147483648u) != 0u);
+                                    if _e671 {
+                                        phi_4119_ = _e623;
+                                        phi_4089_ = _e625;
+                                        phi_1309_ = type_4(0u, ((_e667.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e693 = phi_4017_;
-                                            let _e695 = phi_3988_;
-                                            let _e697 = phi_1288_;
-                                            if (_e697.member < _e697.member_1) {
-                                                phi_1289_ = type_4((_e697.member + 1u), _e697.member_1);
-                                                phi_1312_ = type_4(1u, _e697.member);
+                                            let _e679 = phi_4119_;
+                                            let _e681 = phi_4089_;
+                                            let _e683 = phi_1309_;
+                                            if (_e683.member < _e683.member_1) {
+                                                phi_1310_ = type_4((_e683.member + 1u), _e683.member_1);
+                                                phi_1333_ = type_4(1u, _e683.member);
                                             } else {
-                                                phi_1289_ = _e697;
-                                                phi_1312_ = type_4(0u, type_4().member_1);
+                                                phi_1310_ = _e683;
+                                                phi_1333_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e710 = phi_1289_;
-                                            let _e712 = phi_1312_;
-                                            let _e716 = (bitcast<i32>(_e712.member) != 0i);
-                                            if _e716 {
-                                                let _e717 = ((_e681.member_1 & 268435455u) + _e712.member_1);
-                                                let _e718 = (_e717 < arrayLength((&global_6.member)));
-                                                if _e718 {
-                                                    if _e718 {
+                                            let _e696 = phi_1310_;
+                                            let _e698 = phi_1333_;
+                                            let _e702 = (bitcast<i32>(_e698.member) != 0i);
+                                            if _e702 {
+                                                let _e703 = ((_e667.member_1 & 268435455u) + _e698.member_1);
+                                                let _e704 = (_e703 < arrayLength((&global_6.member)));
+                                                if _e704 {
+                                                    if _e704 {
                                                     } else {
-                                                        phi_4199_ = _e695;
-                                                        phi_4168_ = true;
+                                                        phi_4305_ = _e681;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    let _e721 = global_6.member[_e717].member_1;
-                                                    phi_1337_ = _e721;
+                                                    let _e707 = global_6.member[_e703].member_1;
+                                                    phi_1358_ = _e707;
                                                 } else {
-                                                    phi_1337_ = 4294967295u;
+                                                    phi_1358_ = 4294967295u;
                                                 }
-                                                let _e723 = phi_1337_;
-                                                if _e718 {
-                                                    if _e718 {
+                                                let _e709 = phi_1358_;
+                                                if _e704 {
+                                                    if _e704 {
                                                     } else {
-                                                        phi_4199_ = _e695;
-                                                        phi_4168_ = true;
+                                                        phi_4305_ = _e681;
+                                                        phi_4274_ = true;
                                                         break;
                                                     }
-                                                    let _e725 = global_6.member[_e717];
-                                                    phi_1353_ = _e725;
+                                                    let _e711 = global_6.member[_e703];
+                                                    phi_1374_ = _e711;
                                                 } else {
-                                                    phi_1353_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1374_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e727 = phi_1353_;
-                                                let _e739 = ((10u * _e251) & 31u);
-                                                let _e742 = ((_e727.member[0] >> bitcast<u32>(_e739)) & 1023u);
-                                                let _e750 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e123));
-                                                let _e755 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e742)) - 8388608f) * _e750)) ^ _e123)));
-                                                let _e759 = select(select(_e681.member.member_1[0], _e755, (_e755 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e742 == 1023u));
-                                                let _e761 = ((10u * _e250) & 31u);
-                                                let _e764 = ((_e727.member[0] >> bitcast<u32>(_e761)) & 1023u);
-                                                let _e772 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e123));
-                                                let _e777 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e764)) - 8388608f) * _e772)) ^ _e123)));
-                                                let _e781 = select(select(_e681.member.member_1[1], _e777, (_e777 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e764 == 1023u));
-                                                let _e783 = ((10u * _e252) & 31u);
-                                                let _e786 = ((_e727.member[0] >> bitcast<u32>(_e783)) & 1023u);
-                                                let _e794 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e123));
-                                                let _e799 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e786)) - 8388608f) * _e794)) ^ _e123)));
-                                                let _e803 = select(select(_e681.member.member_1[2], _e799, (_e799 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e786 == 1023u));
-                                                let _e807 = ((_e727.member[1] >> bitcast<u32>(_e739)) & 1023u);
-                                                let _e815 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e750)) ^ _e123)));
-                                                let _e819 = select(select(_e681.member.member_1[0], _e815, (_e815 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e807 == 1023u));
-                                                let _e822 = ((_e727.member[1] >> bitcast<u32>(_e761)) & 1023u);
-                                                let _e830 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e822)) - 8388608f) * _e772)) ^ _e123)));
-                                                let _e834 = select(select(_e681.member.member_1[1], _e830, (_e830 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e822 == 1023u));
-                                                let _e837 = ((_e727.member[1] >> bitcast<u32>(_e783)) & 1023u);
-                                                let _e845 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e837)) - 8388608f) * _e794)) ^ _e123)));
-                                                let _e849 = select(select(_e681.member.member_1[2], _e845, (_e845 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e837 == 1023u));
-                                                let _e853 = ((_e727.member[2] >> bitcast<u32>(_e739)) & 1023u);
-                                                let _e861 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e853)) - 8388608f) * _e750)) ^ _e123)));
-                                                let _e865 = select(select(_e681.member.member_1[0], _e861, (_e861 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e853 == 1023u));
-                                                let _e868 = ((_e727.member[2] >> bitcast<u32>(_e761)) & 1023u);
-                                                let _e876 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e868)) - 8388608f) * _e772)) ^ _e123)));
-                                                let _e880 = select(select(_e681.member.member_1[1], _e876, (_e876 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e868 == 1023u));
-                                                let _e883 = ((_e727.member[2] >> bitcast<u32>(_e783)) & 1023u);
-                                                let _e891 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e883)) - 8388608f) * _e794)) ^ _e123)));
-                                                let _e895 = select(select(_e681.member.member_1[2], _e891, (_e891 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e883 == 1023u));
-                                                let _e898 = (_e803 - _e452);
-                                                let _e901 = (((_e759 - _e315) * _e491) - (_e898 * _e355));
-                                                let _e904 = (((_e781 - _e384) * _e491) - (_e898 * _e423));
-                                                let _e907 = (_e849 - _e452);
-                                                let _e910 = (((_e819 - _e315) * _e491) - (_e907 * _e355));
-                                                let _e913 = (((_e834 - _e384) * _e491) - (_e907 * _e423));
-                                                let _e916 = (_e895 - _e452);
-                                                let _e919 = (((_e865 - _e315) * _e491) - (_e916 * _e355));
-                                                let _e922 = (((_e880 - _e384) * _e491) - (_e916 * _e423));
-                                                let _e923 = (_e919 * _e913);
-                                                let _e924 = (_e922 * _e910);
-                                                let _e925 = (_e901 * _e922);
-                                                let _e926 = (_e904 * _e919);
-                                                let _e927 = (_e910 * _e904);
-                                                let _e928 = (_e913 * _e901);
-                                                let _e933 = (((_e923 >= _e924) && (_e925 >= _e926)) && (_e927 >= _e928));
-                                                if (_e933 || (((_e923 <= _e924) && (_e925 <= _e926)) && (_e927 <= _e928))) {
-                                                    let _e940 = select(-1f, 1f, _e933);
-                                                    let _e942 = ((_e923 - _e924) * _e940);
-                                                    let _e944 = select(0f, _e942, (_e942 > 0f));
-                                                    let _e946 = ((_e925 - _e926) * _e940);
-                                                    let _e948 = select(0f, _e946, (_e946 > 0f));
-                                                    let _e950 = ((_e927 - _e928) * _e940);
-                                                    let _e952 = select(0f, _e950, (_e950 > 0f));
-                                                    let _e954 = ((_e944 + _e948) + _e952);
-                                                    if (_e954 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2500_ = type_18();
-                                                        phi_2501_ = true;
-                                                        phi_2502_ = false;
+                                                let _e713 = phi_1374_;
+                                                let _e725 = ((10u * _e252) & 31u);
+                                                let _e728 = ((_e713.member[0] >> bitcast<u32>(_e725)) & 1023u);
+                                                let _e736 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[0] - _e667.member.member[0]) * 0.0009775171f)) ^ _e124));
+                                                let _e741 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e728)) - 8388608f) * _e736)) ^ _e124)));
+                                                let _e745 = select(select(_e667.member.member_1[0], _e741, (_e741 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e728 == 1023u));
+                                                let _e747 = ((10u * _e251) & 31u);
+                                                let _e750 = ((_e713.member[0] >> bitcast<u32>(_e747)) & 1023u);
+                                                let _e758 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[1] - _e667.member.member[1]) * 0.0009775171f)) ^ _e124));
+                                                let _e763 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e750)) - 8388608f) * _e758)) ^ _e124)));
+                                                let _e767 = select(select(_e667.member.member_1[1], _e763, (_e763 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e750 == 1023u));
+                                                let _e769 = ((10u * _e253) & 31u);
+                                                let _e772 = ((_e713.member[0] >> bitcast<u32>(_e769)) & 1023u);
+                                                let _e780 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[2] - _e667.member.member[2]) * 0.0009775171f)) ^ _e124));
+                                                let _e785 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e772)) - 8388608f) * _e780)) ^ _e124)));
+                                                let _e789 = select(select(_e667.member.member_1[2], _e785, (_e785 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e772 == 1023u));
+                                                let _e793 = ((_e713.member[1] >> bitcast<u32>(_e725)) & 1023u);
+                                                let _e801 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e793)) - 8388608f) * _e736)) ^ _e124)));
+                                                let _e805 = select(select(_e667.member.member_1[0], _e801, (_e801 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e793 == 1023u));
+                                                let _e808 = ((_e713.member[1] >> bitcast<u32>(_e747)) & 1023u);
+                                                let _e816 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e808)) - 8388608f) * _e758)) ^ _e124)));
+                                                let _e820 = select(select(_e667.member.member_1[1], _e816, (_e816 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e808 == 1023u));
+                                                let _e823 = ((_e713.member[1] >> bitcast<u32>(_e769)) & 1023u);
+                                                let _e831 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e823)) - 8388608f) * _e780)) ^ _e124)));
+                                                let _e835 = select(select(_e667.member.member_1[2], _e831, (_e831 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e823 == 1023u));
+                                                let _e839 = ((_e713.member[2] >> bitcast<u32>(_e725)) & 1023u);
+                                                let _e847 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e736)) ^ _e124)));
+                                                let _e851 = select(select(_e667.member.member_1[0], _e847, (_e847 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e839 == 1023u));
+                                                let _e854 = ((_e713.member[2] >> bitcast<u32>(_e747)) & 1023u);
+                                                let _e862 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e758)) ^ _e124)));
+                                                let _e866 = select(select(_e667.member.member_1[1], _e862, (_e862 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e854 == 1023u));
+                                                let _e869 = ((_e713.member[2] >> bitcast<u32>(_e769)) & 1023u);
+                                                let _e877 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e780)) ^ _e124)));
+                                                let _e881 = select(select(_e667.member.member_1[2], _e877, (_e877 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e869 == 1023u));
+                                                let _e884 = (_e789 - _e449);
+                                                let _e887 = (((_e745 - _e316) * _e485) - (_e884 * _e353));
+                                                let _e890 = (((_e767 - _e383) * _e485) - (_e884 * _e419));
+                                                let _e893 = (_e835 - _e449);
+                                                let _e896 = (((_e805 - _e316) * _e485) - (_e893 * _e353));
+                                                let _e899 = (((_e820 - _e383) * _e485) - (_e893 * _e419));
+                                                let _e902 = (_e881 - _e449);
+                                                let _e905 = (((_e851 - _e316) * _e485) - (_e902 * _e353));
+                                                let _e908 = (((_e866 - _e383) * _e485) - (_e902 * _e419));
+                                                let _e909 = (_e905 * _e899);
+                                                let _e910 = (_e908 * _e896);
+                                                let _e911 = (_e887 * _e908);
+                                                let _e912 = (_e890 * _e905);
+                                                let _e913 = (_e896 * _e890);
+                                                let _e914 = (_e899 * _e887);
+                                                let _e919 = (((_e909 >= _e910) && (_e911 >= _e912)) && (_e913 >= _e914));
+                                                let _e925 = (_e919 || (((_e909 <= _e910) && (_e911 <= _e912)) && (_e913 <= _e914)));
+                                                if _e925 {
+                                                    let _e927 = select(-1f, 1f, _e919);
+                                                    let _e929 = ((_e909 - _e910) * _e927);
+                                                    let _e931 = select(0f, _e929, (_e929 > 0f));
+                                                    let _e933 = ((_e911 - _e912) * _e927);
+                                                    let _e935 = select(0f, _e933, (_e933 > 0f));
+                                                    let _e937 = ((_e913 - _e914) * _e927);
+                                                    let _e939 = select(0f, _e937, (_e937 > 0f));
+                                                    let _e941 = ((_e931 + _e935) + _e939);
+                                                    let _e943 = select(_e805, _e745, (_e745 < _e805));
+                                                    let _e947 = select(_e805, _e745, (_e745 > _e805));
+                                                    let _e951 = select(_e820, _e767, (_e767 < _e820));
+                                                    let _e955 = select(_e820, _e767, (_e767 > _e820));
+                                                    let _e959 = select(_e835, _e789, (_e789 < _e835));
+                                                    let _e963 = select(_e835, _e789, (_e789 > _e835));
+                                                    let _e968 = ((select(_e851, _e943, (_e943 < _e851)) - _e354) * _e357);
+                                                    let _e969 = ((select(_e851, _e947, (_e947 > _e851)) - _e355) * _e357);
+                                                    let _e972 = ((select(_e866, _e951, (_e951 < _e866)) - _e420) * _e423);
+                                                    let _e973 = ((select(_e866, _e955, (_e955 > _e866)) - _e421) * _e423);
+                                                    let _e976 = ((select(_e881, _e959, (_e959 < _e881)) - _e486) * _e489);
+                                                    let _e977 = ((select(_e881, _e963, (_e963 > _e881)) - _e487) * _e489);
+                                                    let _e979 = select(_e977, _e976, (_e976 < _e977));
+                                                    let _e981 = select(_e977, _e976, (_e976 > _e977));
+                                                    let _e983 = select(_e969, _e968, (_e968 < _e969));
+                                                    let _e985 = select(_e973, _e972, (_e972 < _e973));
+                                                    let _e987 = select(_e985, _e983, (_e983 > _e985));
+                                                    let _e989 = select(_e979, _e987, (_e987 > _e979));
+                                                    let _e991 = select(_e969, _e968, (_e968 > _e969));
+                                                    let _e993 = select(_e973, _e972, (_e972 > _e973));
+                                                    let _e995 = select(_e993, _e991, (_e991 < _e993));
+                                                    let _e997 = select(_e981, _e995, (_e995 < _e981));
+                                                    let _e998 = -(_e979);
+                                                    let _e1004 = select(_e592, _e989, (_e989 > _e592));
+                                                    let _e1008 = select(_e896, _e887, (_e887 < _e896));
+                                                    let _e1013 = select(_e896, _e887, (_e887 > _e896));
+                                                    let _e1020 = select(_e899, _e890, (_e890 < _e899));
+                                                    let _e1025 = select(_e899, _e890, (_e890 > _e899));
+                                                    let _e1034 = (((((_e925 && (_e941 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e905, _e1008, (_e1008 < _e905)) <= 0f) && (select(_e905, _e1013, (_e1013 > _e905)) >= 0f))) && ((select(_e908, _e1020, (_e1020 < _e908)) <= 0f) && (select(_e908, _e1025, (_e1025 > _e908)) >= 0f))) && (_e1004 <= (_e997 + (select(_e998, _e981, (_e981 > _e998)) * 0.0000019073523f)))) && (_e1004 <= _e681));
+                                                    if _e1034 {
+                                                        let _e1039 = (_e805 - _e745);
+                                                        let _e1040 = (_e820 - _e767);
+                                                        let _e1041 = (_e835 - _e789);
+                                                        let _e1042 = vec3<f32>(_e1039, _e1040, _e1041);
+                                                        let _e1043 = (_e851 - _e805);
+                                                        let _e1044 = (_e866 - _e820);
+                                                        let _e1045 = (_e881 - _e835);
+                                                        let _e1046 = vec3<f32>(_e1043, _e1044, _e1045);
+                                                        let _e1047 = (_e745 - _e851);
+                                                        let _e1048 = (_e767 - _e866);
+                                                        let _e1049 = (_e789 - _e881);
+                                                        let _e1050 = vec3<f32>(_e1047, _e1048, _e1049);
+                                                        let _e1051 = abs(_e1039);
+                                                        let _e1052 = abs(_e1040);
+                                                        if (_e1051 != _e1051) {
+                                                            phi_3782_ = true;
+                                                        } else {
+                                                            phi_3782_ = (_e1052 >= _e1051);
+                                                        }
+                                                        let _e1056 = phi_3782_;
+                                                        let _e1057 = select(_e1051, _e1052, _e1056);
+                                                        let _e1058 = abs(_e1041);
+                                                        if (_e1057 != _e1057) {
+                                                            phi_3797_ = true;
+                                                        } else {
+                                                            phi_3797_ = (_e1058 >= _e1057);
+                                                        }
+                                                        let _e1062 = phi_3797_;
+                                                        let _e1063 = select(_e1057, _e1058, _e1062);
+                                                        let _e1064 = abs(_e1043);
+                                                        let _e1065 = abs(_e1044);
+                                                        if (_e1064 != _e1064) {
+                                                            phi_3812_ = true;
+                                                        } else {
+                                                            phi_3812_ = (_e1065 >= _e1064);
+                                                        }
+                                                        let _e1069 = phi_3812_;
+                                                        let _e1070 = select(_e1064, _e1065, _e1069);
+                                                        let _e1071 = abs(_e1045);
+                                                        if (_e1070 != _e1070) {
+                                                            phi_3827_ = true;
+                                                        } else {
+                                                            phi_3827_ = (_e1071 >= _e1070);
+                                                        }
+                                                        let _e1075 = phi_3827_;
+                                                        let _e1076 = select(_e1070, _e1071, _e1075);
+                                                        let _e1077 = abs(_e1047);
+                                                        let _e1078 = abs(_e1048);
+                                                        if (_e1077 != _e1077) {
+                                                            phi_3842_ = true;
+                                                        } else {
+                                                            phi_3842_ = (_e1078 >= _e1077);
+                                                        }
+                                                        let _e1082 = phi_3842_;
+                                                        let _e1083 = select(_e1077, _e1078, _e1082);
+                                                        let _e1084 = abs(_e1049);
+                                                        if (_e1083 != _e1083) {
+                                                            phi_3857_ = true;
+                                                        } else {
+                                                            phi_3857_ = (_e1084 >= _e1083);
+                                                        }
+                                                        let _e1088 = phi_3857_;
+                                                        let _e1089 = select(_e1083, _e1084, _e1088);
+                                                        let _e1091 = select(_e1076, _e1063, (_e1063 > _e1076));
+                                                        let _e1093 = select(_e1089, _e1091, (_e1091 > _e1089));
+                                                        if (_e1063 == _e1093) {
+                                                            phi_2182_ = _e899;
+                                                            phi_2183_ = _e896;
+                                                            phi_2184_ = _e890;
+                                                            phi_2185_ = _e887;
+                                                            phi_2186_ = vec3<f32>(_e745, _e767, _e789);
+                                                            phi_2187_ = _e1050;
+                                                            phi_2188_ = _e1046;
+                                                            phi_2189_ = _e1042;
+                                                        } else {
+                                                            let _e1095 = (_e1076 == _e1093);
+                                                            let _e1100 = vec3(_e1095);
+                                                            phi_2182_ = select(_e890, _e908, _e1095);
+                                                            phi_2183_ = select(_e887, _e905, _e1095);
+                                                            phi_2184_ = select(_e908, _e899, _e1095);
+                                                            phi_2185_ = select(_e905, _e896, _e1095);
+                                                            phi_2186_ = select(vec3<f32>(_e851, _e866, _e881), vec3<f32>(_e805, _e820, _e835), _e1100);
+                                                            phi_2187_ = select(_e1046, _e1042, _e1100);
+                                                            phi_2188_ = select(_e1042, _e1050, _e1100);
+                                                            phi_2189_ = select(_e1050, _e1046, _e1100);
+                                                        }
+                                                        let _e1106 = phi_2182_;
+                                                        let _e1108 = phi_2183_;
+                                                        let _e1110 = phi_2184_;
+                                                        let _e1112 = phi_2185_;
+                                                        let _e1114 = phi_2186_;
+                                                        let _e1116 = phi_2187_;
+                                                        let _e1118 = phi_2188_;
+                                                        let _e1120 = phi_2189_;
+                                                        let _e1127 = ((_e1118.y * _e1116.z) - (_e1116.y * _e1118.z));
+                                                        let _e1132 = ((_e1118.z * _e1116.x) - (_e1116.z * _e1118.x));
+                                                        let _e1135 = ((_e1118.x * _e1116.y) - (_e1116.x * _e1118.y));
+                                                        let _e1138 = ((_e931 >= _e935) && (_e931 >= _e939));
+                                                        let _e1139 = (_e935 >= _e939);
+                                                        let _e1153 = (((_e1127 * (select(select(_e851, _e805, _e1139), _e745, _e1138) - _e316)) + (_e1132 * (select(select(_e866, _e820, _e1139), _e767, _e1138) - _e383))) + (_e1135 * (select(select(_e881, _e835, _e1139), _e789, _e1138) - _e449)));
+                                                        let _e1158 = (((_e1127 * _e353) + (_e1132 * _e419)) + (_e1135 * _e485));
+                                                        let _e1159 = (_e1108 - _e1112);
+                                                        let _e1160 = (_e1106 - _e1110);
+                                                        let _e1163 = ((_e1159 * _e1159) + (_e1160 * _e1160));
+                                                        let _e1170 = (-(((_e1112 * _e1159) + (_e1110 * _e1160))) / select(0.000000000000000000000000000000000000011754944f, _e1163, (_e1163 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1172 = select(1f, _e1170, (_e1170 < 1f));
+                                                        let _e1174 = select(0f, _e1172, (_e1172 > 0f));
+                                                        let _e1183 = ((_e1114.x + (_e1120.x * _e1174)) - _e316);
+                                                        let _e1186 = ((_e1114.y + (_e1120.y * _e1174)) - _e383);
+                                                        let _e1189 = ((_e1114.z + (_e1120.z * _e1174)) - _e449);
+                                                        let _e1192 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
+                                                        let _e1195 = bitcast<f32>((bitcast<u32>(_e1186) & 2147483647u));
+                                                        let _e1197 = select(_e1195, _e1192, (_e1192 > _e1195));
+                                                        let _e1200 = bitcast<f32>((bitcast<u32>(_e1189) & 2147483647u));
+                                                        let _e1202 = select(_e1200, _e1197, (_e1197 > _e1200));
+                                                        let _e1206 = abs(_e1127);
+                                                        let _e1207 = abs(_e1132);
+                                                        if (_e1206 != _e1206) {
+                                                            phi_3872_ = true;
+                                                        } else {
+                                                            phi_3872_ = (_e1207 >= _e1206);
+                                                        }
+                                                        let _e1211 = phi_3872_;
+                                                        let _e1212 = select(_e1206, _e1207, _e1211);
+                                                        let _e1213 = abs(_e1135);
+                                                        if (_e1212 != _e1212) {
+                                                            phi_3887_ = true;
+                                                        } else {
+                                                            phi_3887_ = (_e1213 >= _e1212);
+                                                        }
+                                                        let _e1217 = phi_3887_;
+                                                        let _e1233 = abs(_e1118.x);
+                                                        let _e1234 = abs(_e1118.y);
+                                                        if (_e1233 != _e1233) {
+                                                            phi_3902_ = true;
+                                                        } else {
+                                                            phi_3902_ = (_e1234 >= _e1233);
+                                                        }
+                                                        let _e1238 = phi_3902_;
+                                                        let _e1239 = select(_e1233, _e1234, _e1238);
+                                                        let _e1240 = abs(_e1118.z);
+                                                        if (_e1239 != _e1239) {
+                                                            phi_3917_ = true;
+                                                        } else {
+                                                            phi_3917_ = (_e1240 >= _e1239);
+                                                        }
+                                                        let _e1244 = phi_3917_;
+                                                        let _e1247 = abs(_e1116.x);
+                                                        let _e1248 = abs(_e1116.y);
+                                                        if (_e1247 != _e1247) {
+                                                            phi_3932_ = true;
+                                                        } else {
+                                                            phi_3932_ = (_e1248 >= _e1247);
+                                                        }
+                                                        let _e1252 = phi_3932_;
+                                                        let _e1253 = select(_e1247, _e1248, _e1252);
+                                                        let _e1254 = abs(_e1116.z);
+                                                        if (_e1253 != _e1253) {
+                                                            phi_3947_ = true;
+                                                        } else {
+                                                            phi_3947_ = (_e1254 >= _e1253);
+                                                        }
+                                                        let _e1258 = phi_3947_;
+                                                        let _e1263 = ((bitcast<f32>((bitcast<u32>(((((_e1127 * _e1183) + (_e1132 * _e1186)) + (_e1135 * _e1189)) - _e1153)) & 2147483647u)) <= ((0.0000009536743f * select(_e1093, _e1202, (_e1202 > _e1093))) * select(_e1212, _e1213, _e1217))) && !((bitcast<f32>((bitcast<u32>(_e1158) & 2147483647u)) <= ((0.0000038146973f * select(_e1239, _e1240, _e1244)) * select(_e1253, _e1254, _e1258)))));
+                                                        let _e1264 = (_e1153 / _e1158);
+                                                        if (_e1034 && !(_e1263)) {
+                                                            let _e1267 = (_e1189 / _e485);
+                                                            let _e1275 = (((_e1127 * (_e1183 - (_e353 * _e1267))) + (_e1132 * (_e1186 - (_e419 * _e1267)))) / _e1158);
+                                                            phi_2397_ = select(select(_e1267, (_e1267 + _e1275), (bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u)) <= _e1093)), _e1264, _e1263);
+                                                        } else {
+                                                            phi_2397_ = _e1264;
+                                                        }
+                                                        let _e1284 = phi_2397_;
+                                                        let _e1286 = select(_e997, _e1284, (_e1284 < _e997));
+                                                        let _e1288 = select(_e989, _e1286, (_e1286 > _e989));
+                                                        let _e1289 = (1f / _e941);
+                                                        phi_2417_ = type_26(_e1288, (_e935 * _e1289), (_e939 * _e1289), ((_e1034 && (_e1288 >= _e592)) && (_e1288 <= _e681)));
+                                                        phi_2418_ = type_26();
                                                     } else {
-                                                        let _e957 = select(_e910, _e901, (_e901 < _e910));
-                                                        if (select(_e919, _e957, (_e957 < _e919)) > 0f) {
-                                                            phi_1792_ = true;
-                                                        } else {
-                                                            let _e962 = select(_e910, _e901, (_e901 > _e910));
-                                                            phi_1792_ = (select(_e919, _e962, (_e962 > _e919)) < 0f);
-                                                        }
-                                                        let _e967 = phi_1792_;
-                                                        if _e967 {
-                                                            phi_2497_ = type_18();
-                                                            phi_2498_ = true;
-                                                            phi_2499_ = false;
-                                                        } else {
-                                                            let _e969 = select(_e913, _e904, (_e904 < _e913));
-                                                            if (select(_e922, _e969, (_e969 < _e922)) > 0f) {
-                                                                phi_1821_ = true;
-                                                            } else {
-                                                                let _e974 = select(_e913, _e904, (_e904 > _e913));
-                                                                phi_1821_ = (select(_e922, _e974, (_e974 > _e922)) < 0f);
-                                                            }
-                                                            let _e979 = phi_1821_;
-                                                            if _e979 {
-                                                                phi_2495_ = type_18();
-                                                                phi_2496_ = false;
-                                                            } else {
-                                                                let _e981 = select(_e819, _e759, (_e759 < _e819));
-                                                                let _e985 = select(_e819, _e759, (_e759 > _e819));
-                                                                let _e989 = select(_e834, _e781, (_e781 < _e834));
-                                                                let _e993 = select(_e834, _e781, (_e781 > _e834));
-                                                                let _e997 = select(_e849, _e803, (_e803 < _e849));
-                                                                let _e1001 = select(_e849, _e803, (_e803 > _e849));
-                                                                let _e1006 = ((select(_e865, _e981, (_e981 < _e865)) - _e353) * _e358);
-                                                                let _e1007 = ((select(_e865, _e985, (_e985 > _e865)) - _e354) * _e358);
-                                                                let _e1010 = ((select(_e880, _e989, (_e989 < _e880)) - _e421) * _e426);
-                                                                let _e1011 = ((select(_e880, _e993, (_e993 > _e880)) - _e422) * _e426);
-                                                                let _e1014 = ((select(_e895, _e997, (_e997 < _e895)) - _e489) * _e494);
-                                                                let _e1015 = ((select(_e895, _e1001, (_e1001 > _e895)) - _e490) * _e494);
-                                                                let _e1017 = select(_e1015, _e1014, (_e1014 < _e1015));
-                                                                let _e1019 = select(_e1015, _e1014, (_e1014 > _e1015));
-                                                                let _e1021 = select(_e1007, _e1006, (_e1006 < _e1007));
-                                                                let _e1023 = select(_e1011, _e1010, (_e1010 < _e1011));
-                                                                let _e1025 = select(_e1023, _e1021, (_e1021 > _e1023));
-                                                                let _e1027 = select(_e1017, _e1025, (_e1025 > _e1017));
-                                                                let _e1029 = select(_e1007, _e1006, (_e1006 > _e1007));
-                                                                let _e1031 = select(_e1011, _e1010, (_e1010 > _e1011));
-                                                                let _e1033 = select(_e1031, _e1029, (_e1029 < _e1031));
-                                                                let _e1035 = select(_e1019, _e1033, (_e1033 < _e1019));
-                                                                let _e1036 = -(_e1017);
-                                                                let _e1042 = select(_e606, _e1027, (_e1027 > _e606));
-                                                                if (_e1042 > (_e1035 + (select(_e1036, _e1019, (_e1019 > _e1036)) * 0.0000019073523f))) {
-                                                                    phi_2490_ = type_18();
-                                                                    phi_2491_ = true;
-                                                                } else {
-                                                                    let _e1044 = (_e1042 > _e695);
-                                                                    if _e1044 {
-                                                                        phi_2489_ = type_18();
-                                                                    } else {
-                                                                        let _e1045 = vec3<f32>(_e759, _e781, _e803);
-                                                                        let _e1046 = vec3<f32>(_e819, _e834, _e849);
-                                                                        let _e1047 = vec3<f32>(_e865, _e880, _e895);
-                                                                        let _e1048 = (_e819 - _e759);
-                                                                        let _e1049 = (_e834 - _e781);
-                                                                        let _e1050 = (_e849 - _e803);
-                                                                        let _e1051 = vec3<f32>(_e1048, _e1049, _e1050);
-                                                                        let _e1052 = (_e865 - _e819);
-                                                                        let _e1053 = (_e880 - _e834);
-                                                                        let _e1054 = (_e895 - _e849);
-                                                                        let _e1055 = vec3<f32>(_e1052, _e1053, _e1054);
-                                                                        let _e1056 = (_e759 - _e865);
-                                                                        let _e1057 = (_e781 - _e880);
-                                                                        let _e1058 = (_e803 - _e895);
-                                                                        let _e1059 = vec3<f32>(_e1056, _e1057, _e1058);
-                                                                        let _e1062 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
-                                                                        let _e1065 = bitcast<f32>((bitcast<u32>(_e1049) & 2147483647u));
-                                                                        let _e1067 = select(_e1065, _e1062, (_e1062 > _e1065));
-                                                                        let _e1070 = bitcast<f32>((bitcast<u32>(_e1050) & 2147483647u));
-                                                                        let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
-                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u));
-                                                                        let _e1078 = bitcast<f32>((bitcast<u32>(_e1053) & 2147483647u));
-                                                                        let _e1080 = select(_e1078, _e1075, (_e1075 > _e1078));
-                                                                        let _e1083 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
-                                                                        let _e1085 = select(_e1083, _e1080, (_e1080 > _e1083));
-                                                                        let _e1088 = bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u));
-                                                                        let _e1091 = bitcast<f32>((bitcast<u32>(_e1057) & 2147483647u));
-                                                                        let _e1093 = select(_e1091, _e1088, (_e1088 > _e1091));
-                                                                        let _e1096 = bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u));
-                                                                        let _e1098 = select(_e1096, _e1093, (_e1093 > _e1096));
-                                                                        let _e1100 = select(_e1085, _e1072, (_e1072 > _e1085));
-                                                                        let _e1102 = select(_e1098, _e1100, (_e1100 > _e1098));
-                                                                        if (_e1072 == _e1102) {
-                                                                            phi_2216_ = _e913;
-                                                                            phi_2217_ = _e910;
-                                                                            phi_2218_ = _e904;
-                                                                            phi_2219_ = _e901;
-                                                                            phi_2220_ = _e1045;
-                                                                            phi_2221_ = _e1059;
-                                                                            phi_2222_ = _e1055;
-                                                                            phi_2223_ = _e1051;
-                                                                        } else {
-                                                                            let _e1104 = (_e1085 == _e1102);
-                                                                            let _e1109 = vec3(_e1104);
-                                                                            phi_2216_ = select(_e904, _e922, _e1104);
-                                                                            phi_2217_ = select(_e901, _e919, _e1104);
-                                                                            phi_2218_ = select(_e922, _e913, _e1104);
-                                                                            phi_2219_ = select(_e919, _e910, _e1104);
-                                                                            phi_2220_ = select(_e1047, _e1046, _e1109);
-                                                                            phi_2221_ = select(_e1055, _e1051, _e1109);
-                                                                            phi_2222_ = select(_e1051, _e1059, _e1109);
-                                                                            phi_2223_ = select(_e1059, _e1055, _e1109);
-                                                                        }
-                                                                        let _e1115 = phi_2216_;
-                                                                        let _e1117 = phi_2217_;
-                                                                        let _e1119 = phi_2218_;
-                                                                        let _e1121 = phi_2219_;
-                                                                        let _e1123 = phi_2220_;
-                                                                        let _e1125 = phi_2221_;
-                                                                        let _e1127 = phi_2222_;
-                                                                        let _e1129 = phi_2223_;
-                                                                        let _e1136 = ((_e1127.y * _e1125.z) - (_e1125.y * _e1127.z));
-                                                                        let _e1141 = ((_e1127.z * _e1125.x) - (_e1125.z * _e1127.x));
-                                                                        let _e1144 = ((_e1127.x * _e1125.y) - (_e1125.x * _e1127.y));
-                                                                        if (_e944 >= _e948) {
-                                                                            phi_2260_ = select(true, false, (_e944 >= _e952));
-                                                                        } else {
-                                                                            phi_2260_ = true;
-                                                                        }
-                                                                        let _e1149 = phi_2260_;
-                                                                        if _e1149 {
-                                                                            phi_2269_ = select(_e1047, _e1046, vec3((_e948 >= _e952)));
-                                                                        } else {
-                                                                            phi_2269_ = _e1045;
-                                                                        }
-                                                                        let _e1154 = phi_2269_;
-                                                                        let _e1165 = (((_e1136 * (_e1154.x - _e315)) + (_e1141 * (_e1154.y - _e384))) + (_e1144 * (_e1154.z - _e452)));
-                                                                        let _e1170 = (((_e1136 * _e355) + (_e1141 * _e423)) + (_e1144 * _e491));
-                                                                        let _e1171 = (_e1117 - _e1121);
-                                                                        let _e1172 = (_e1115 - _e1119);
-                                                                        let _e1180 = (-(((_e1121 * _e1171) + (_e1119 * _e1172))) / ((_e1171 * _e1171) + (_e1172 * _e1172)));
-                                                                        let _e1182 = select(1f, _e1180, (_e1180 < 1f));
-                                                                        let _e1184 = select(0f, _e1182, (_e1182 > 0f));
-                                                                        let _e1197 = ((_e1123.x + (_e1129.x * _e1184)) - _e315);
-                                                                        let _e1198 = ((_e1123.y + (_e1129.y * _e1184)) - _e384);
-                                                                        let _e1199 = ((_e1123.z + (_e1129.z * _e1184)) - _e452);
-                                                                        let _e1200 = (_e1199 / _e491);
-                                                                        let _e1212 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
-                                                                        let _e1215 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
-                                                                        let _e1217 = select(_e1215, _e1212, (_e1212 > _e1215));
-                                                                        let _e1220 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
-                                                                        let _e1222 = select(_e1220, _e1217, (_e1217 > _e1220));
-                                                                        let _e1228 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
-                                                                        let _e1231 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
-                                                                        let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
-                                                                        let _e1236 = bitcast<f32>((bitcast<u32>(_e1144) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1136 * _e1197) + (_e1141 * _e1198)) + (_e1144 * _e1199)) - _e1165)) & 2147483647u)) <= ((0.0000009536743f * select(_e1102, _e1222, (_e1222 > _e1102))) * select(_e1236, _e1233, (_e1233 > _e1236)))) {
-                                                                            let _e1246 = bitcast<f32>((bitcast<u32>(_e1127.x) & 2147483647u));
-                                                                            let _e1249 = bitcast<f32>((bitcast<u32>(_e1127.y) & 2147483647u));
-                                                                            let _e1251 = select(_e1249, _e1246, (_e1246 > _e1249));
-                                                                            let _e1254 = bitcast<f32>((bitcast<u32>(_e1127.z) & 2147483647u));
-                                                                            let _e1260 = bitcast<f32>((bitcast<u32>(_e1125.x) & 2147483647u));
-                                                                            let _e1263 = bitcast<f32>((bitcast<u32>(_e1125.y) & 2147483647u));
-                                                                            let _e1265 = select(_e1263, _e1260, (_e1260 > _e1263));
-                                                                            let _e1268 = bitcast<f32>((bitcast<u32>(_e1125.z) & 2147483647u));
-                                                                            let _e1272 = (bitcast<f32>((bitcast<u32>(_e1170) & 2147483647u)) > ((0.0000038146973f * select(_e1254, _e1251, (_e1251 > _e1254))) * select(_e1268, _e1265, (_e1265 > _e1268))));
-                                                                            if _e1272 {
-                                                                                phi_2434_ = (_e1165 / _e1170);
-                                                                            } else {
-                                                                                phi_2434_ = f32();
-                                                                            }
-                                                                            let _e1275 = phi_2434_;
-                                                                            phi_2436_ = _e1275;
-                                                                            phi_2437_ = select(true, false, _e1272);
-                                                                        } else {
-                                                                            phi_2436_ = f32();
-                                                                            phi_2437_ = true;
-                                                                        }
-                                                                        let _e1278 = phi_2436_;
-                                                                        let _e1280 = phi_2437_;
-                                                                        if _e1280 {
-                                                                            let _e1288 = (((_e1136 * (_e1197 - (_e355 * _e1200))) + (_e1141 * (_e1198 - (_e423 * _e1200)))) / _e1170);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1288) & 2147483647u)) <= _e1102) {
-                                                                                phi_2457_ = (_e1200 + _e1288);
-                                                                            } else {
-                                                                                phi_2457_ = _e1200;
-                                                                            }
-                                                                            let _e1295 = phi_2457_;
-                                                                            phi_2458_ = _e1295;
-                                                                        } else {
-                                                                            phi_2458_ = _e1278;
-                                                                        }
-                                                                        let _e1297 = phi_2458_;
-                                                                        let _e1299 = select(_e1035, _e1297, (_e1297 < _e1035));
-                                                                        let _e1301 = select(_e1027, _e1299, (_e1299 > _e1027));
-                                                                        if (_e1301 >= _e606) {
-                                                                            let _e1303 = (_e1301 <= _e695);
-                                                                            if _e1303 {
-                                                                                let _e1304 = (1f / _e954);
-                                                                                phi_2481_ = type_18(_e1301, (_e948 * _e1304), (_e952 * _e1304), _e723);
-                                                                            } else {
-                                                                                phi_2481_ = type_18();
-                                                                            }
-                                                                            let _e1309 = phi_2481_;
-                                                                            phi_2483_ = _e1309;
-                                                                            phi_2484_ = select(true, false, _e1303);
-                                                                        } else {
-                                                                            phi_2483_ = type_18();
-                                                                            phi_2484_ = true;
-                                                                        }
-                                                                        let _e1312 = phi_2483_;
-                                                                        let _e1314 = phi_2484_;
-                                                                        if _e1314 {
-                                                                            phi_2488_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2488_ = _e1312;
-                                                                        }
-                                                                        let _e1316 = phi_2488_;
-                                                                        phi_2489_ = _e1316;
-                                                                    }
-                                                                    let _e1318 = phi_2489_;
-                                                                    phi_2490_ = _e1318;
-                                                                    phi_2491_ = _e1044;
-                                                                }
-                                                                let _e1320 = phi_2490_;
-                                                                let _e1322 = phi_2491_;
-                                                                phi_2495_ = _e1320;
-                                                                phi_2496_ = _e1322;
-                                                            }
-                                                            let _e1324 = phi_2495_;
-                                                            let _e1326 = phi_2496_;
-                                                            phi_2497_ = _e1324;
-                                                            phi_2498_ = _e979;
-                                                            phi_2499_ = _e1326;
-                                                        }
-                                                        let _e1328 = phi_2497_;
-                                                        let _e1330 = phi_2498_;
-                                                        let _e1332 = phi_2499_;
-                                                        phi_2500_ = _e1328;
-                                                        phi_2501_ = _e1330;
-                                                        phi_2502_ = _e1332;
+                                                        phi_2417_ = type_26();
+                                                        phi_2418_ = type_26(0f, 0f, 0f, _e1034);
                                                     }
-                                                    let _e1334 = phi_2500_;
-                                                    let _e1336 = phi_2501_;
-                                                    let _e1338 = phi_2502_;
-                                                    phi_2510_ = _e1334;
-                                                    phi_2511_ = select(_e1338, true, _e1336);
+                                                    let _e1298 = phi_2417_;
+                                                    let _e1300 = phi_2418_;
+                                                    phi_2421_ = _e1298;
+                                                    phi_2422_ = _e1300;
+                                                    phi_2423_ = select(true, false, _e1034);
                                                 } else {
-                                                    phi_2510_ = type_18();
-                                                    phi_2511_ = true;
+                                                    phi_2421_ = type_26();
+                                                    phi_2422_ = type_26(0f, 0f, 0f, _e925);
+                                                    phi_2423_ = true;
                                                 }
-                                                let _e1341 = phi_2510_;
-                                                let _e1343 = phi_2511_;
-                                                if _e1343 {
-                                                    phi_2515_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1303 = phi_2421_;
+                                                let _e1305 = phi_2422_;
+                                                let _e1307 = phi_2423_;
+                                                if _e1307 {
+                                                    phi_2427_ = _e1305;
                                                 } else {
-                                                    phi_2515_ = _e1341;
+                                                    phi_2427_ = _e1303;
                                                 }
-                                                let _e1345 = phi_2515_;
-                                                if (_e1345.member_3 != 4294967295u) {
-                                                    if (_e723 != 4294967295u) {
-                                                        phi_2527_ = type_4(0u, 8u);
-                                                        phi_2530_ = _e1345;
+                                                let _e1309 = phi_2427_;
+                                                if _e1309.member_3 {
+                                                    phi_2436_ = type_18(_e1309.member, _e1309.member_1, _e1309.member_2, _e709);
+                                                } else {
+                                                    phi_2436_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1316 = phi_2436_;
+                                                if (_e1316.member_3 != 4294967295u) {
+                                                    if (_e709 != 4294967295u) {
+                                                        phi_2448_ = type_4(0u, 8u);
+                                                        phi_2451_ = _e1316;
                                                         loop {
-                                                            let _e1350 = phi_2527_;
-                                                            let _e1352 = phi_2530_;
-                                                            if (_e1350.member < _e1350.member_1) {
-                                                                phi_2528_ = type_4((_e1350.member + 1u), _e1350.member_1);
-                                                                phi_2553_ = type_4(1u, _e1350.member);
+                                                            let _e1321 = phi_2448_;
+                                                            let _e1323 = phi_2451_;
+                                                            if (_e1321.member < _e1321.member_1) {
+                                                                phi_2449_ = type_4((_e1321.member + 1u), _e1321.member_1);
+                                                                phi_2474_ = type_4(1u, _e1321.member);
                                                             } else {
-                                                                phi_2528_ = _e1350;
-                                                                phi_2553_ = type_4(0u, type_4().member_1);
+                                                                phi_2449_ = _e1321;
+                                                                phi_2474_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1365 = phi_2528_;
-                                                            let _e1367 = phi_2553_;
-                                                            let _e1371 = (bitcast<i32>(_e1367.member) != 0i);
-                                                            if _e1371 {
-                                                                let _e1372 = (_e1367.member_1 < 8u);
-                                                                if _e1372 {
+                                                            let _e1336 = phi_2449_;
+                                                            let _e1338 = phi_2474_;
+                                                            let _e1342 = (bitcast<i32>(_e1338.member) != 0i);
+                                                            if _e1342 {
+                                                                let _e1343 = (_e1338.member_1 < 8u);
+                                                                if _e1343 {
                                                                 } else {
-                                                                    phi_3990_ = true;
+                                                                    phi_4091_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1377 = local_7[_e1367.member_1].member;
-                                                                if (_e1352.member < _e1377) {
-                                                                    phi_2586_ = true;
+                                                                let _e1348 = local_7[_e1338.member_1].member;
+                                                                if (_e1323.member < _e1348) {
+                                                                    phi_2507_ = true;
                                                                 } else {
-                                                                    let _e1379 = local_7[_e1367.member_1].member;
-                                                                    if (_e1352.member == _e1379) {
-                                                                        let _e1384 = local_7[_e1367.member_1].member_3;
-                                                                        phi_2585_ = (_e1352.member_3 < _e1384);
+                                                                    let _e1350 = local_7[_e1338.member_1].member;
+                                                                    if (_e1323.member == _e1350) {
+                                                                        let _e1355 = local_7[_e1338.member_1].member_3;
+                                                                        phi_2506_ = (_e1323.member_3 < _e1355);
                                                                     } else {
-                                                                        phi_2585_ = false;
+                                                                        phi_2506_ = false;
                                                                     }
-                                                                    let _e1387 = phi_2585_;
-                                                                    phi_2586_ = _e1387;
+                                                                    let _e1358 = phi_2506_;
+                                                                    phi_2507_ = _e1358;
                                                                 }
-                                                                let _e1389 = phi_2586_;
-                                                                if _e1389 {
-                                                                    if _e1372 {
+                                                                let _e1360 = phi_2507_;
+                                                                if _e1360 {
+                                                                    if _e1343 {
                                                                     } else {
-                                                                        phi_3990_ = true;
+                                                                        phi_4091_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1390 = local_7[_e1367.member_1];
-                                                                    local_7[_e1367.member_1] = type_18(_e1352.member, _e1352.member_1, _e1352.member_2, _e1352.member_3);
-                                                                    phi_2607_ = type_18(_e1390.member, _e1390.member_1, _e1390.member_2, _e1390.member_3);
+                                                                    let _e1361 = local_7[_e1338.member_1];
+                                                                    local_7[_e1338.member_1] = type_18(_e1323.member, _e1323.member_1, _e1323.member_2, _e1323.member_3);
+                                                                    phi_2528_ = type_18(_e1361.member, _e1361.member_1, _e1361.member_2, _e1361.member_3);
                                                                 } else {
-                                                                    phi_2607_ = _e1352;
+                                                                    phi_2528_ = _e1323;
                                                                 }
-                                                                let _e1401 = phi_2607_;
-                                                                phi_2531_ = _e1401;
+                                                                let _e1372 = phi_2528_;
+                                                                phi_2452_ = _e1372;
                                                             } else {
-                                                                phi_2531_ = type_18();
+                                                                phi_2452_ = type_18();
                                                             }
-                                                            let _e1403 = phi_2531_;
+                                                            let _e1374 = phi_2452_;
                                                             continue;
                                                             continuing {
-                                                                phi_2527_ = _e1365;
-                                                                phi_2530_ = _e1403;
-                                                                phi_3990_ = _e693;
-                                                                break if !(_e1371);
+                                                                phi_2448_ = _e1336;
+                                                                phi_2451_ = _e1374;
+                                                                phi_4091_ = _e679;
+                                                                break if !(_e1342);
                                                             }
                                                         }
-                                                        let _e1406 = phi_3990_;
-                                                        phi_4199_ = _e695;
-                                                        phi_4168_ = _e1406;
-                                                        if _e1406 {
+                                                        let _e1377 = phi_4091_;
+                                                        phi_4305_ = _e681;
+                                                        phi_4274_ = _e1377;
+                                                        if _e1377 {
                                                             break;
                                                         }
-                                                        let _e1409 = local_7[7u].member_3;
-                                                        if (_e1409 != 4294967295u) {
-                                                            let _e1413 = local_7[7u].member;
-                                                            phi_4290_ = _e1413;
+                                                        let _e1380 = local_7[7u].member_3;
+                                                        if (_e1380 != 4294967295u) {
+                                                            let _e1384 = local_7[7u].member;
+                                                            phi_4401_ = _e1384;
                                                         } else {
-                                                            phi_4290_ = _e695;
+                                                            phi_4401_ = _e681;
                                                         }
-                                                        let _e1415 = phi_4290_;
-                                                        phi_4289_ = _e1415;
-                                                        phi_4171_ = _e1406;
+                                                        let _e1386 = phi_4401_;
+                                                        phi_4400_ = _e1386;
+                                                        phi_4277_ = _e1377;
                                                     } else {
-                                                        phi_4289_ = _e695;
-                                                        phi_4171_ = _e693;
+                                                        phi_4400_ = _e681;
+                                                        phi_4277_ = _e679;
                                                     }
-                                                    let _e1417 = phi_4289_;
-                                                    let _e1419 = phi_4171_;
-                                                    phi_4288_ = _e1417;
-                                                    phi_4170_ = _e1419;
+                                                    let _e1388 = phi_4400_;
+                                                    let _e1390 = phi_4277_;
+                                                    phi_4399_ = _e1388;
+                                                    phi_4276_ = _e1390;
                                                 } else {
-                                                    phi_4288_ = _e695;
-                                                    phi_4170_ = _e693;
+                                                    phi_4399_ = _e681;
+                                                    phi_4276_ = _e679;
                                                 }
-                                                let _e1421 = phi_4288_;
-                                                let _e1423 = phi_4170_;
-                                                phi_4287_ = _e1421;
-                                                phi_4169_ = _e1423;
+                                                let _e1392 = phi_4399_;
+                                                let _e1394 = phi_4276_;
+                                                phi_4398_ = _e1392;
+                                                phi_4275_ = _e1394;
                                             } else {
-                                                phi_4287_ = _e695;
-                                                phi_4169_ = _e693;
+                                                phi_4398_ = _e681;
+                                                phi_4275_ = _e679;
                                             }
-                                            let _e1425 = phi_4287_;
-                                            let _e1427 = phi_4169_;
+                                            let _e1396 = phi_4398_;
+                                            let _e1398 = phi_4275_;
                                             continue;
                                             continuing {
-                                                phi_4017_ = _e1427;
-                                                phi_3988_ = _e1425;
-                                                phi_1288_ = _e710;
-                                                phi_4199_ = _e1425;
-                                                phi_4168_ = _e1427;
-                                                break if !(_e716);
+                                                phi_4119_ = _e1398;
+                                                phi_4089_ = _e1396;
+                                                phi_1309_ = _e696;
+                                                phi_4305_ = _e1396;
+                                                phi_4274_ = _e1398;
+                                                break if !(_e702);
                                             }
                                         }
-                                        let _e1430 = phi_4199_;
-                                        let _e1432 = phi_4168_;
-                                        phi_4291_ = _e1432;
-                                        if _e1432 {
+                                        let _e1401 = phi_4305_;
+                                        let _e1403 = phi_4274_;
+                                        phi_4402_ = _e1403;
+                                        if _e1403 {
                                             break;
                                         }
-                                        phi_4350_ = _e1432;
-                                        phi_4198_ = _e1430;
+                                        phi_4461_ = _e1403;
+                                        phi_4304_ = _e1401;
                                     } else {
-                                        phi_4350_ = _e637;
-                                        phi_4198_ = _e639;
+                                        phi_4461_ = _e623;
+                                        phi_4304_ = _e625;
                                     }
-                                    let _e1434 = phi_4350_;
-                                    let _e1436 = phi_4198_;
-                                    if _e685 {
-                                        phi_3626_ = bool();
-                                        phi_3627_ = u32();
-                                        phi_3628_ = type_52();
+                                    let _e1405 = phi_4461_;
+                                    let _e1407 = phi_4304_;
+                                    if _e671 {
+                                        phi_3547_ = bool();
+                                        phi_3548_ = u32();
+                                        phi_3549_ = type_53();
                                     } else {
-                                        let _e1437 = (_e681.member_1 < _e88);
-                                        if _e1437 {
-                                            if _e1437 {
+                                        let _e1408 = (_e667.member_1 < _e89);
+                                        if _e1408 {
+                                            if _e1408 {
                                             } else {
-                                                phi_4291_ = true;
+                                                phi_4402_ = true;
                                                 break;
                                             }
-                                            let _e1439 = global_4.member[_e681.member_1];
-                                            phi_2639_ = _e1439;
+                                            let _e1410 = global_4.member[_e667.member_1];
+                                            phi_2560_ = _e1410;
                                         } else {
-                                            phi_2639_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2560_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1441 = phi_2639_;
-                                        let _e1456 = ((10u * _e251) & 31u);
-                                        let _e1459 = ((_e1441.member[0] >> bitcast<u32>(_e1456)) & 1023u);
-                                        let _e1467 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e123));
-                                        let _e1472 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1459)) - 8388608f) * _e1467)) ^ _e123)));
-                                        let _e1476 = select(select(_e681.member.member_1[0], _e1472, (_e1472 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1459 == 1023u));
-                                        let _e1478 = ((10u * _e250) & 31u);
-                                        let _e1481 = ((_e1441.member[0] >> bitcast<u32>(_e1478)) & 1023u);
-                                        let _e1489 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e123));
-                                        let _e1494 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1481)) - 8388608f) * _e1489)) ^ _e123)));
-                                        let _e1498 = select(select(_e681.member.member_1[1], _e1494, (_e1494 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1481 == 1023u));
-                                        let _e1500 = ((10u * _e252) & 31u);
-                                        let _e1503 = ((_e1441.member[0] >> bitcast<u32>(_e1500)) & 1023u);
-                                        let _e1511 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e123));
-                                        let _e1516 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1503)) - 8388608f) * _e1511)) ^ _e123)));
-                                        let _e1520 = select(select(_e681.member.member_1[2], _e1516, (_e1516 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1503 == 1023u));
-                                        let _e1523 = ((_e1441.member[1] >> bitcast<u32>(_e1456)) & 1023u);
-                                        let _e1531 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1523)) - 8388608f) * _e1467)) ^ _e123)));
-                                        let _e1535 = select(select(_e681.member.member_1[0], _e1531, (_e1531 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1523 == 1023u));
-                                        let _e1538 = ((_e1441.member[1] >> bitcast<u32>(_e1478)) & 1023u);
-                                        let _e1546 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1538)) - 8388608f) * _e1489)) ^ _e123)));
-                                        let _e1550 = select(select(_e681.member.member_1[1], _e1546, (_e1546 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1538 == 1023u));
-                                        let _e1553 = ((_e1441.member[1] >> bitcast<u32>(_e1500)) & 1023u);
-                                        let _e1561 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1553)) - 8388608f) * _e1511)) ^ _e123)));
-                                        let _e1565 = select(select(_e681.member.member_1[2], _e1561, (_e1561 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1553 == 1023u));
-                                        let _e1571 = ((_e1441.member_1[0] >> bitcast<u32>(_e1456)) & 1023u);
-                                        let _e1579 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1571)) - 8388608f) * _e1467)) ^ _e123)));
-                                        let _e1583 = select(select(_e681.member.member_1[0], _e1579, (_e1579 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1571 == 1023u));
-                                        let _e1586 = ((_e1441.member_1[0] >> bitcast<u32>(_e1478)) & 1023u);
-                                        let _e1594 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1586)) - 8388608f) * _e1489)) ^ _e123)));
-                                        let _e1598 = select(select(_e681.member.member_1[1], _e1594, (_e1594 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1586 == 1023u));
-                                        let _e1601 = ((_e1441.member_1[0] >> bitcast<u32>(_e1500)) & 1023u);
-                                        let _e1609 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1601)) - 8388608f) * _e1511)) ^ _e123)));
-                                        let _e1613 = select(select(_e681.member.member_1[2], _e1609, (_e1609 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1601 == 1023u));
-                                        let _e1616 = ((_e1441.member_1[1] >> bitcast<u32>(_e1456)) & 1023u);
-                                        let _e1624 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1616)) - 8388608f) * _e1467)) ^ _e123)));
-                                        let _e1628 = select(select(_e681.member.member_1[0], _e1624, (_e1624 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1616 == 1023u));
-                                        let _e1631 = ((_e1441.member_1[1] >> bitcast<u32>(_e1478)) & 1023u);
-                                        let _e1639 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1631)) - 8388608f) * _e1489)) ^ _e123)));
-                                        let _e1643 = select(select(_e681.member.member_1[1], _e1639, (_e1639 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1631 == 1023u));
-                                        let _e1646 = ((_e1441.member_1[1] >> bitcast<u32>(_e1500)) & 1023u);
-                                        let _e1654 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1646)) - 8388608f) * _e1511)) ^ _e123)));
-                                        let _e1658 = select(select(_e681.member.member_1[2], _e1654, (_e1654 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1646 == 1023u));
-                                        let _e1663 = type_52(type_44(array<f32, 3>(_e1476, _e1498, _e1520), array<f32, 3>(_e1535, _e1550, _e1565)), _e1441.member_2);
-                                        let _e1668 = type_52(type_44(array<f32, 3>(_e1583, _e1598, _e1613), array<f32, 3>(_e1628, _e1643, _e1658)), _e1441.member_3);
-                                        let _e1673 = ((_e1476 - _e353) * _e358);
-                                        let _e1674 = ((_e1583 - _e353) * _e358);
-                                        let _e1675 = ((_e1535 - _e354) * _e358);
-                                        let _e1676 = ((_e1628 - _e354) * _e358);
-                                        let _e1681 = ((_e1498 - _e421) * _e426);
-                                        let _e1682 = ((_e1598 - _e421) * _e426);
-                                        let _e1683 = ((_e1550 - _e422) * _e426);
-                                        let _e1684 = ((_e1643 - _e422) * _e426);
-                                        let _e1689 = ((_e1520 - _e489) * _e494);
-                                        let _e1690 = ((_e1613 - _e489) * _e494);
-                                        let _e1691 = ((_e1565 - _e490) * _e494);
-                                        let _e1692 = ((_e1658 - _e490) * _e494);
-                                        let _e1694 = select(_e1691, _e1689, (_e1689 < _e1691));
-                                        let _e1696 = select(_e1692, _e1690, (_e1690 < _e1692));
-                                        let _e1698 = select(_e1691, _e1689, (_e1689 > _e1691));
-                                        let _e1700 = select(_e1692, _e1690, (_e1690 > _e1692));
-                                        let _e1702 = select(_e1675, _e1673, (_e1673 < _e1675));
-                                        let _e1704 = select(_e1676, _e1674, (_e1674 < _e1676));
-                                        let _e1706 = select(_e1683, _e1681, (_e1681 < _e1683));
-                                        let _e1708 = select(_e1684, _e1682, (_e1682 < _e1684));
-                                        let _e1710 = select(_e1706, _e1702, (_e1702 > _e1706));
-                                        let _e1712 = select(_e1708, _e1704, (_e1704 > _e1708));
-                                        let _e1714 = select(_e1694, _e1710, (_e1710 > _e1694));
-                                        let _e1716 = select(_e1696, _e1712, (_e1712 > _e1696));
-                                        let _e1718 = select(_e1675, _e1673, (_e1673 > _e1675));
-                                        let _e1720 = select(_e1676, _e1674, (_e1674 > _e1676));
-                                        let _e1722 = select(_e1683, _e1681, (_e1681 > _e1683));
-                                        let _e1724 = select(_e1684, _e1682, (_e1682 > _e1684));
-                                        let _e1726 = select(_e1722, _e1718, (_e1718 < _e1722));
-                                        let _e1728 = select(_e1724, _e1720, (_e1720 < _e1724));
-                                        let _e1733 = -(_e1694);
-                                        let _e1734 = -(_e1696);
-                                        let _e1741 = (select(_e1698, _e1726, (_e1726 < _e1698)) + (select(_e1733, _e1698, (_e1698 > _e1733)) * 0.0000019073523f));
-                                        let _e1742 = (select(_e1700, _e1728, (_e1728 < _e1700)) + (select(_e1734, _e1700, (_e1700 > _e1734)) * 0.0000019073523f));
-                                        let _e1744 = select(_e606, _e1714, (_e1714 > _e606));
-                                        let _e1746 = select(_e606, _e1716, (_e1716 > _e606));
-                                        let _e1751 = (_e1744 <= select(_e1436, _e1741, (_e1741 < _e1436)));
-                                        let _e1752 = (_e1746 <= select(_e1436, _e1742, (_e1742 < _e1436)));
-                                        let _e1753 = (_e1744 <= _e1746);
-                                        if _e1751 {
-                                            if _e1752 {
-                                                if _e1753 {
-                                                    phi_3526_ = _e1668;
+                                        let _e1412 = phi_2560_;
+                                        let _e1427 = ((10u * _e252) & 31u);
+                                        let _e1430 = ((_e1412.member[0] >> bitcast<u32>(_e1427)) & 1023u);
+                                        let _e1438 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[0] - _e667.member.member[0]) * 0.0009775171f)) ^ _e124));
+                                        let _e1443 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1430)) - 8388608f) * _e1438)) ^ _e124)));
+                                        let _e1447 = select(select(_e667.member.member_1[0], _e1443, (_e1443 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e1430 == 1023u));
+                                        let _e1449 = ((10u * _e251) & 31u);
+                                        let _e1452 = ((_e1412.member[0] >> bitcast<u32>(_e1449)) & 1023u);
+                                        let _e1460 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[1] - _e667.member.member[1]) * 0.0009775171f)) ^ _e124));
+                                        let _e1465 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1452)) - 8388608f) * _e1460)) ^ _e124)));
+                                        let _e1469 = select(select(_e667.member.member_1[1], _e1465, (_e1465 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e1452 == 1023u));
+                                        let _e1471 = ((10u * _e253) & 31u);
+                                        let _e1474 = ((_e1412.member[0] >> bitcast<u32>(_e1471)) & 1023u);
+                                        let _e1482 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[2] - _e667.member.member[2]) * 0.0009775171f)) ^ _e124));
+                                        let _e1487 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1474)) - 8388608f) * _e1482)) ^ _e124)));
+                                        let _e1491 = select(select(_e667.member.member_1[2], _e1487, (_e1487 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e1474 == 1023u));
+                                        let _e1494 = ((_e1412.member[1] >> bitcast<u32>(_e1427)) & 1023u);
+                                        let _e1502 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1494)) - 8388608f) * _e1438)) ^ _e124)));
+                                        let _e1506 = select(select(_e667.member.member_1[0], _e1502, (_e1502 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e1494 == 1023u));
+                                        let _e1509 = ((_e1412.member[1] >> bitcast<u32>(_e1449)) & 1023u);
+                                        let _e1517 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1509)) - 8388608f) * _e1460)) ^ _e124)));
+                                        let _e1521 = select(select(_e667.member.member_1[1], _e1517, (_e1517 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e1509 == 1023u));
+                                        let _e1524 = ((_e1412.member[1] >> bitcast<u32>(_e1471)) & 1023u);
+                                        let _e1532 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1524)) - 8388608f) * _e1482)) ^ _e124)));
+                                        let _e1536 = select(select(_e667.member.member_1[2], _e1532, (_e1532 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e1524 == 1023u));
+                                        let _e1542 = ((_e1412.member_1[0] >> bitcast<u32>(_e1427)) & 1023u);
+                                        let _e1550 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1542)) - 8388608f) * _e1438)) ^ _e124)));
+                                        let _e1554 = select(select(_e667.member.member_1[0], _e1550, (_e1550 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e1542 == 1023u));
+                                        let _e1557 = ((_e1412.member_1[0] >> bitcast<u32>(_e1449)) & 1023u);
+                                        let _e1565 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1557)) - 8388608f) * _e1460)) ^ _e124)));
+                                        let _e1569 = select(select(_e667.member.member_1[1], _e1565, (_e1565 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e1557 == 1023u));
+                                        let _e1572 = ((_e1412.member_1[0] >> bitcast<u32>(_e1471)) & 1023u);
+                                        let _e1580 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1572)) - 8388608f) * _e1482)) ^ _e124)));
+                                        let _e1584 = select(select(_e667.member.member_1[2], _e1580, (_e1580 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e1572 == 1023u));
+                                        let _e1587 = ((_e1412.member_1[1] >> bitcast<u32>(_e1427)) & 1023u);
+                                        let _e1595 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1587)) - 8388608f) * _e1438)) ^ _e124)));
+                                        let _e1599 = select(select(_e667.member.member_1[0], _e1595, (_e1595 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e1587 == 1023u));
+                                        let _e1602 = ((_e1412.member_1[1] >> bitcast<u32>(_e1449)) & 1023u);
+                                        let _e1610 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1602)) - 8388608f) * _e1460)) ^ _e124)));
+                                        let _e1614 = select(select(_e667.member.member_1[1], _e1610, (_e1610 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e1602 == 1023u));
+                                        let _e1617 = ((_e1412.member_1[1] >> bitcast<u32>(_e1471)) & 1023u);
+                                        let _e1625 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1617)) - 8388608f) * _e1482)) ^ _e124)));
+                                        let _e1629 = select(select(_e667.member.member_1[2], _e1625, (_e1625 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e1617 == 1023u));
+                                        let _e1634 = type_53(type_45(array<f32, 3>(_e1447, _e1469, _e1491), array<f32, 3>(_e1506, _e1521, _e1536)), _e1412.member_2);
+                                        let _e1639 = type_53(type_45(array<f32, 3>(_e1554, _e1569, _e1584), array<f32, 3>(_e1599, _e1614, _e1629)), _e1412.member_3);
+                                        let _e1644 = ((_e1447 - _e354) * _e357);
+                                        let _e1645 = ((_e1554 - _e354) * _e357);
+                                        let _e1646 = ((_e1506 - _e355) * _e357);
+                                        let _e1647 = ((_e1599 - _e355) * _e357);
+                                        let _e1652 = ((_e1469 - _e420) * _e423);
+                                        let _e1653 = ((_e1569 - _e420) * _e423);
+                                        let _e1654 = ((_e1521 - _e421) * _e423);
+                                        let _e1655 = ((_e1614 - _e421) * _e423);
+                                        let _e1660 = ((_e1491 - _e486) * _e489);
+                                        let _e1661 = ((_e1584 - _e486) * _e489);
+                                        let _e1662 = ((_e1536 - _e487) * _e489);
+                                        let _e1663 = ((_e1629 - _e487) * _e489);
+                                        let _e1665 = select(_e1662, _e1660, (_e1660 < _e1662));
+                                        let _e1667 = select(_e1663, _e1661, (_e1661 < _e1663));
+                                        let _e1669 = select(_e1662, _e1660, (_e1660 > _e1662));
+                                        let _e1671 = select(_e1663, _e1661, (_e1661 > _e1663));
+                                        let _e1673 = select(_e1646, _e1644, (_e1644 < _e1646));
+                                        let _e1675 = select(_e1647, _e1645, (_e1645 < _e1647));
+                                        let _e1677 = select(_e1654, _e1652, (_e1652 < _e1654));
+                                        let _e1679 = select(_e1655, _e1653, (_e1653 < _e1655));
+                                        let _e1681 = select(_e1677, _e1673, (_e1673 > _e1677));
+                                        let _e1683 = select(_e1679, _e1675, (_e1675 > _e1679));
+                                        let _e1685 = select(_e1665, _e1681, (_e1681 > _e1665));
+                                        let _e1687 = select(_e1667, _e1683, (_e1683 > _e1667));
+                                        let _e1689 = select(_e1646, _e1644, (_e1644 > _e1646));
+                                        let _e1691 = select(_e1647, _e1645, (_e1645 > _e1647));
+                                        let _e1693 = select(_e1654, _e1652, (_e1652 > _e1654));
+                                        let _e1695 = select(_e1655, _e1653, (_e1653 > _e1655));
+                                        let _e1697 = select(_e1693, _e1689, (_e1689 < _e1693));
+                                        let _e1699 = select(_e1695, _e1691, (_e1691 < _e1695));
+                                        let _e1704 = -(_e1665);
+                                        let _e1705 = -(_e1667);
+                                        let _e1712 = (select(_e1669, _e1697, (_e1697 < _e1669)) + (select(_e1704, _e1669, (_e1669 > _e1704)) * 0.0000019073523f));
+                                        let _e1713 = (select(_e1671, _e1699, (_e1699 < _e1671)) + (select(_e1705, _e1671, (_e1671 > _e1705)) * 0.0000019073523f));
+                                        let _e1715 = select(_e592, _e1685, (_e1685 > _e592));
+                                        let _e1717 = select(_e592, _e1687, (_e1687 > _e592));
+                                        let _e1722 = (_e1715 <= select(_e1407, _e1712, (_e1712 < _e1407)));
+                                        let _e1723 = (_e1717 <= select(_e1407, _e1713, (_e1713 < _e1407)));
+                                        let _e1724 = (_e1715 <= _e1717);
+                                        if _e1722 {
+                                            if _e1723 {
+                                                if _e1724 {
+                                                    phi_3447_ = _e1639;
                                                 } else {
-                                                    phi_3526_ = _e1663;
+                                                    phi_3447_ = _e1634;
                                                 }
-                                                let _e1755 = phi_3526_;
-                                                let _e1762 = (_e679 % 128u);
-                                                let _e1763 = (_e1762 < 128u);
-                                                if _e1763 {
+                                                let _e1726 = phi_3447_;
+                                                let _e1733 = (_e665 % 128u);
+                                                let _e1734 = (_e1733 < 128u);
+                                                if _e1734 {
                                                 } else {
-                                                    phi_4291_ = true;
+                                                    phi_4402_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1762] = _e1755.member_1;
-                                                if _e1763 {
+                                                local_6[_e1733] = _e1726.member_1;
+                                                if _e1734 {
                                                 } else {
-                                                    phi_4291_ = true;
+                                                    phi_4402_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1762] = _e1755.member.member[0];
-                                                if _e1763 {
+                                                local_5[_e1733] = _e1726.member.member[0];
+                                                if _e1734 {
                                                 } else {
-                                                    phi_4291_ = true;
+                                                    phi_4402_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1762] = _e1755.member.member[1];
-                                                if _e1763 {
+                                                local_4[_e1733] = _e1726.member.member[1];
+                                                if _e1734 {
                                                 } else {
-                                                    phi_4291_ = true;
+                                                    phi_4402_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1762] = _e1755.member.member[2];
-                                                if _e1763 {
+                                                local_3[_e1733] = _e1726.member.member[2];
+                                                if _e1734 {
                                                 } else {
-                                                    phi_4291_ = true;
+                                                    phi_4402_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1762] = _e1755.member.member_1[0];
-                                                if _e1763 {
+                                                local_2[_e1733] = _e1726.member.member_1[0];
+                                                if _e1734 {
                                                 } else {
-                                                    phi_4291_ = true;
+                                                    phi_4402_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1762] = _e1755.member.member_1[1];
-                                                if _e1763 {
+                                                local_1[_e1733] = _e1726.member.member_1[1];
+                                                if _e1734 {
                                                 } else {
-                                                    phi_4291_ = true;
+                                                    phi_4402_ = true;
                                                     break;
                                                 }
-                                                local[_e1762] = _e1755.member.member_1[2];
-                                                if _e1763 {
+                                                local[_e1733] = _e1726.member.member_1[2];
+                                                if _e1734 {
                                                 } else {
-                                                    phi_4291_ = true;
+                                                    phi_4402_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1762] = select(_e1744, _e1746, _e1753);
-                                                if _e1753 {
-                                                    phi_3602_ = _e1663;
+                                                local_8[_e1733] = select(_e1715, _e1717, _e1724);
+                                                if _e1724 {
+                                                    phi_3523_ = _e1634;
                                                 } else {
-                                                    phi_3602_ = _e1668;
+                                                    phi_3523_ = _e1639;
                                                 }
-                                                let _e1780 = phi_3602_;
-                                                phi_3603_ = (_e679 + 1u);
-                                                phi_3604_ = _e1780;
+                                                let _e1751 = phi_3523_;
+                                                phi_3524_ = (_e665 + 1u);
+                                                phi_3525_ = _e1751;
                                             } else {
-                                                phi_3603_ = u32();
-                                                phi_3604_ = type_52();
+                                                phi_3524_ = u32();
+                                                phi_3525_ = type_53();
                                             }
-                                            let _e1782 = phi_3603_;
-                                            let _e1784 = phi_3604_;
-                                            phi_3606_ = _e1782;
-                                            phi_3607_ = _e1784;
-                                            phi_3608_ = select(true, false, _e1752);
+                                            let _e1753 = phi_3524_;
+                                            let _e1755 = phi_3525_;
+                                            phi_3527_ = _e1753;
+                                            phi_3528_ = _e1755;
+                                            phi_3529_ = select(true, false, _e1723);
                                         } else {
-                                            phi_3606_ = u32();
-                                            phi_3607_ = type_52();
-                                            phi_3608_ = true;
+                                            phi_3527_ = u32();
+                                            phi_3528_ = type_53();
+                                            phi_3529_ = true;
                                         }
-                                        let _e1787 = phi_3606_;
-                                        let _e1789 = phi_3607_;
-                                        let _e1791 = phi_3608_;
-                                        if _e1791 {
-                                            if _e1751 {
-                                                phi_3615_ = _e1663;
+                                        let _e1758 = phi_3527_;
+                                        let _e1760 = phi_3528_;
+                                        let _e1762 = phi_3529_;
+                                        if _e1762 {
+                                            if _e1722 {
+                                                phi_3536_ = _e1634;
                                             } else {
-                                                phi_3615_ = _e1668;
+                                                phi_3536_ = _e1639;
                                             }
-                                            let _e1793 = phi_3615_;
-                                            phi_3620_ = select(_e1752, true, _e1751);
-                                            phi_3622_ = _e1793;
+                                            let _e1764 = phi_3536_;
+                                            phi_3541_ = select(_e1723, true, _e1722);
+                                            phi_3543_ = _e1764;
                                         } else {
-                                            phi_3620_ = _e677;
-                                            phi_3622_ = _e1789;
+                                            phi_3541_ = _e663;
+                                            phi_3543_ = _e1760;
                                         }
-                                        let _e1796 = phi_3620_;
-                                        let _e1798 = phi_3622_;
-                                        phi_3626_ = _e1796;
-                                        phi_3627_ = select(_e1787, _e679, _e1791);
-                                        phi_3628_ = _e1798;
+                                        let _e1767 = phi_3541_;
+                                        let _e1769 = phi_3543_;
+                                        phi_3547_ = _e1767;
+                                        phi_3548_ = select(_e1758, _e665, _e1762);
+                                        phi_3549_ = _e1769;
                                     }
-                                    let _e1801 = phi_3626_;
-                                    let _e1803 = phi_3627_;
-                                    let _e1805 = phi_3628_;
-                                    if _e685 {
-                                        phi_3638_ = _e681;
+                                    let _e1772 = phi_3547_;
+                                    let _e1774 = phi_3548_;
+                                    let _e1776 = phi_3549_;
+                                    if _e671 {
+                                        phi_3559_ = _e667;
                                     } else {
-                                        phi_3638_ = _e1805;
+                                        phi_3559_ = _e1776;
                                     }
-                                    let _e1807 = phi_3638_;
-                                    phi_4377_ = _e1436;
-                                    phi_4294_ = _e1434;
-                                    phi_3639_ = (_e641 - 1u);
-                                    phi_3640_ = select(_e1801, false, _e685);
-                                    phi_3641_ = select(_e1803, _e679, _e685);
-                                    phi_3642_ = _e1807;
+                                    let _e1778 = phi_3559_;
+                                    phi_4488_ = _e1407;
+                                    phi_4405_ = _e1405;
+                                    phi_3560_ = (_e627 - 1u);
+                                    phi_3561_ = select(_e1772, false, _e671);
+                                    phi_3562_ = select(_e1774, _e665, _e671);
+                                    phi_3563_ = _e1778;
                                 } else {
-                                    phi_4377_ = _e639;
-                                    phi_4294_ = _e637;
-                                    phi_3639_ = _e641;
-                                    phi_3640_ = _e677;
-                                    phi_3641_ = _e679;
-                                    phi_3642_ = _e681;
+                                    phi_4488_ = _e625;
+                                    phi_4405_ = _e623;
+                                    phi_3560_ = _e627;
+                                    phi_3561_ = _e663;
+                                    phi_3562_ = _e665;
+                                    phi_3563_ = _e667;
                                 }
-                                let _e1811 = phi_4377_;
-                                let _e1813 = phi_4294_;
-                                let _e1815 = phi_3639_;
-                                let _e1817 = phi_3640_;
-                                let _e1819 = phi_3641_;
-                                let _e1821 = phi_3642_;
-                                phi_4376_ = _e1811;
-                                phi_4293_ = _e1813;
-                                phi_3643_ = _e1815;
-                                phi_3644_ = _e1817;
-                                phi_3645_ = _e1819;
-                                phi_3646_ = _e1821;
+                                let _e1782 = phi_4488_;
+                                let _e1784 = phi_4405_;
+                                let _e1786 = phi_3560_;
+                                let _e1788 = phi_3561_;
+                                let _e1790 = phi_3562_;
+                                let _e1792 = phi_3563_;
+                                phi_4487_ = _e1782;
+                                phi_4404_ = _e1784;
+                                phi_3564_ = _e1786;
+                                phi_3565_ = _e1788;
+                                phi_3566_ = _e1790;
+                                phi_3567_ = _e1792;
                             } else {
-                                phi_4376_ = _e639;
-                                phi_4293_ = _e637;
-                                phi_3643_ = u32();
-                                phi_3644_ = bool();
-                                phi_3645_ = u32();
-                                phi_3646_ = type_52();
+                                phi_4487_ = _e625;
+                                phi_4404_ = _e623;
+                                phi_3564_ = u32();
+                                phi_3565_ = bool();
+                                phi_3566_ = u32();
+                                phi_3567_ = type_53();
                             }
-                            let _e1823 = phi_4376_;
-                            let _e1825 = phi_4293_;
-                            let _e1827 = phi_3643_;
-                            let _e1829 = phi_3644_;
-                            let _e1831 = phi_3645_;
-                            let _e1833 = phi_3646_;
-                            phi_4375_ = _e1823;
-                            phi_4292_ = _e1825;
-                            phi_1163_ = _e1827;
-                            phi_1166_ = _e1829;
-                            phi_1168_ = _e1831;
-                            phi_1170_ = _e1833;
-                            phi_3647_ = _e651;
+                            let _e1794 = phi_4487_;
+                            let _e1796 = phi_4404_;
+                            let _e1798 = phi_3564_;
+                            let _e1800 = phi_3565_;
+                            let _e1802 = phi_3566_;
+                            let _e1804 = phi_3567_;
+                            phi_4486_ = _e1794;
+                            phi_4403_ = _e1796;
+                            phi_1184_ = _e1798;
+                            phi_1187_ = _e1800;
+                            phi_1189_ = _e1802;
+                            phi_1191_ = _e1804;
+                            phi_3568_ = _e637;
                         } else {
-                            phi_4375_ = _e639;
-                            phi_4292_ = _e637;
-                            phi_1163_ = u32();
-                            phi_1166_ = bool();
-                            phi_1168_ = u32();
-                            phi_1170_ = type_52();
-                            phi_3647_ = false;
+                            phi_4486_ = _e625;
+                            phi_4403_ = _e623;
+                            phi_1184_ = u32();
+                            phi_1187_ = bool();
+                            phi_1189_ = u32();
+                            phi_1191_ = type_53();
+                            phi_3568_ = false;
                         }
-                        let _e1835 = phi_4375_;
-                        let _e1837 = phi_4292_;
-                        let _e1839 = phi_1163_;
-                        let _e1841 = phi_1166_;
-                        let _e1843 = phi_1168_;
-                        let _e1845 = phi_1170_;
-                        let _e1847 = phi_3647_;
+                        let _e1806 = phi_4486_;
+                        let _e1808 = phi_4403_;
+                        let _e1810 = phi_1184_;
+                        let _e1812 = phi_1187_;
+                        let _e1814 = phi_1189_;
+                        let _e1816 = phi_1191_;
+                        let _e1818 = phi_3568_;
                         continue;
                         continuing {
-                            phi_4020_ = _e1837;
-                            phi_3965_ = _e1835;
-                            phi_1162_ = _e1839;
-                            phi_1165_ = _e1841;
-                            phi_1167_ = _e1843;
-                            phi_1169_ = _e1845;
-                            phi_4291_ = _e1837;
-                            break if !(_e1847);
+                            phi_4122_ = _e1808;
+                            phi_4066_ = _e1806;
+                            phi_1183_ = _e1810;
+                            phi_1186_ = _e1812;
+                            phi_1188_ = _e1814;
+                            phi_1190_ = _e1816;
+                            phi_4402_ = _e1808;
+                            break if !(_e1818);
                         }
                     }
-                    let _e1850 = phi_4291_;
-                    if _e1850 {
+                    let _e1821 = phi_4402_;
+                    if _e1821 {
                         break;
                     }
-                    phi_3654_ = type_4(0u, 8u);
+                    phi_3575_ = type_4(0u, 8u);
                     loop {
-                        let _e1852 = phi_3654_;
-                        if (_e1852.member < _e1852.member_1) {
-                            phi_3655_ = type_4((_e1852.member + 1u), _e1852.member_1);
-                            phi_3678_ = type_4(1u, _e1852.member);
+                        let _e1823 = phi_3575_;
+                        if (_e1823.member < _e1823.member_1) {
+                            phi_3576_ = type_4((_e1823.member + 1u), _e1823.member_1);
+                            phi_3599_ = type_4(1u, _e1823.member);
                         } else {
-                            phi_3655_ = _e1852;
-                            phi_3678_ = type_4(0u, type_4().member_1);
+                            phi_3576_ = _e1823;
+                            phi_3599_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1865 = phi_3655_;
-                        let _e1867 = phi_3678_;
-                        let _e1871 = (bitcast<i32>(_e1867.member) != 0i);
-                        if _e1871 {
-                            let _e1872 = (_e1867.member_1 < 8u);
-                            if _e1872 {
+                        let _e1836 = phi_3576_;
+                        let _e1838 = phi_3599_;
+                        let _e1842 = (bitcast<i32>(_e1838.member) != 0i);
+                        if _e1842 {
+                            let _e1843 = (_e1838.member_1 < 8u);
+                            if _e1843 {
                             } else {
-                                phi_4357_ = true;
+                                phi_4468_ = true;
                                 break;
                             }
-                            let _e1874 = local_7[_e1867.member_1];
-                            if (_e1874.member_3 != 4294967295u) {
-                                let _e1880 = -(_e508);
-                                let _e1881 = bitcast<u32>(_e1874.member);
-                                let _e1885 = (bitcast<i32>((_e1881 >> bitcast<u32>(23i))) & 255i);
-                                let _e1886 = (_e1885 + _e1880);
-                                if (_e1885 == 255i) {
-                                    phi_3751_ = _e1874.member;
+                            let _e1845 = local_7[_e1838.member_1];
+                            if (_e1845.member_3 != 4294967295u) {
+                                let _e1851 = -(_e494);
+                                let _e1852 = bitcast<u32>(_e1845.member);
+                                let _e1856 = (bitcast<i32>((_e1852 >> bitcast<u32>(23i))) & 255i);
+                                let _e1857 = (_e1856 + _e1851);
+                                if (_e1856 == 255i) {
+                                    phi_3672_ = _e1845.member;
                                 } else {
-                                    if (_e1885 > 0i) {
-                                        if (_e1886 > 0i) {
-                                            let _e1890 = (_e1886 < 255i);
-                                            if _e1890 {
-                                                phi_3730_ = bitcast<f32>((_e1881 + bitcast<u32>((_e1880 << bitcast<u32>(23i)))));
+                                    if (_e1856 > 0i) {
+                                        if (_e1857 > 0i) {
+                                            let _e1861 = (_e1857 < 255i);
+                                            if _e1861 {
+                                                phi_3651_ = bitcast<f32>((_e1852 + bitcast<u32>((_e1851 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3730_ = f32();
+                                                phi_3651_ = f32();
                                             }
-                                            let _e1897 = phi_3730_;
-                                            phi_3732_ = _e1897;
-                                            phi_3733_ = select(true, false, _e1890);
+                                            let _e1868 = phi_3651_;
+                                            phi_3653_ = _e1868;
+                                            phi_3654_ = select(true, false, _e1861);
                                         } else {
-                                            phi_3732_ = f32();
-                                            phi_3733_ = true;
+                                            phi_3653_ = f32();
+                                            phi_3654_ = true;
                                         }
-                                        let _e1900 = phi_3732_;
-                                        let _e1902 = phi_3733_;
-                                        phi_3734_ = _e1900;
-                                        phi_3735_ = _e1902;
+                                        let _e1871 = phi_3653_;
+                                        let _e1873 = phi_3654_;
+                                        phi_3655_ = _e1871;
+                                        phi_3656_ = _e1873;
                                     } else {
-                                        phi_3734_ = f32();
-                                        phi_3735_ = true;
+                                        phi_3655_ = f32();
+                                        phi_3656_ = true;
                                     }
-                                    let _e1904 = phi_3734_;
-                                    let _e1906 = phi_3735_;
-                                    if _e1906 {
-                                        let _e1907 = (_e1881 & 2147483648u);
-                                        let _e1914 = ((_e1881 & 8388607u) | (select(0u, 1u, ((_e1881 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1918 = (_e1914 == 0u);
-                                        if _e1918 {
-                                            phi_3924_ = bitcast<f32>(_e1907);
+                                    let _e1875 = phi_3655_;
+                                    let _e1877 = phi_3656_;
+                                    if _e1877 {
+                                        let _e1878 = (_e1852 & 2147483648u);
+                                        let _e1885 = ((_e1852 & 8388607u) | (select(0u, 1u, ((_e1852 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1889 = (_e1885 == 0u);
+                                        if _e1889 {
+                                            phi_4025_ = bitcast<f32>(_e1878);
                                         } else {
-                                            let _e1923 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1914)), 32u, _e1918) - 8u);
-                                            let _e1926 = (_e1914 << bitcast<u32>((_e1923 & 31u)));
-                                            let _e1928 = ((_e1886 + select(0i, 1i, (_e1885 == 0i))) - bitcast<i32>(_e1923));
-                                            if (_e1928 >= 255i) {
-                                                phi_3914_ = bitcast<f32>((_e1907 | 2139095040u));
-                                                phi_3915_ = f32();
-                                                phi_3916_ = true;
+                                            let _e1894 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1885)), 32u, _e1889) - 8u);
+                                            let _e1897 = (_e1885 << bitcast<u32>((_e1894 & 31u)));
+                                            let _e1899 = ((_e1857 + select(0i, 1i, (_e1856 == 0i))) - bitcast<i32>(_e1894));
+                                            if (_e1899 >= 255i) {
+                                                phi_4015_ = bitcast<f32>((_e1878 | 2139095040u));
+                                                phi_4016_ = f32();
+                                                phi_4017_ = true;
                                             } else {
-                                                let _e1930 = (_e1928 > 0i);
-                                                if _e1930 {
-                                                    phi_3908_ = bitcast<f32>(((_e1907 | (bitcast<u32>(_e1928) << bitcast<u32>(23i))) | (_e1926 & 8388607u)));
-                                                    phi_3909_ = f32();
+                                                let _e1901 = (_e1899 > 0i);
+                                                if _e1901 {
+                                                    phi_4009_ = bitcast<f32>(((_e1878 | (bitcast<u32>(_e1899) << bitcast<u32>(23i))) | (_e1897 & 8388607u)));
+                                                    phi_4010_ = f32();
                                                 } else {
-                                                    if (_e1928 < -24i) {
-                                                        phi_3874_ = 26u;
+                                                    if (_e1899 < -24i) {
+                                                        phi_3975_ = 26u;
                                                     } else {
-                                                        phi_3874_ = bitcast<u32>((1i - _e1928));
+                                                        phi_3975_ = bitcast<u32>((1i - _e1899));
                                                     }
-                                                    let _e1935 = phi_3874_;
-                                                    let _e1936 = (_e1935 & 31u);
-                                                    let _e1938 = (_e1926 >> bitcast<u32>(_e1936));
-                                                    let _e1942 = (_e1926 & ((1u << bitcast<u32>(_e1936)) - 1u));
-                                                    let _e1946 = (1u << bitcast<u32>(((_e1935 - 1u) & 31u)));
-                                                    if (_e1942 > _e1946) {
-                                                        phi_3895_ = true;
+                                                    let _e1906 = phi_3975_;
+                                                    let _e1907 = (_e1906 & 31u);
+                                                    let _e1909 = (_e1897 >> bitcast<u32>(_e1907));
+                                                    let _e1913 = (_e1897 & ((1u << bitcast<u32>(_e1907)) - 1u));
+                                                    let _e1917 = (1u << bitcast<u32>(((_e1906 - 1u) & 31u)));
+                                                    if (_e1913 > _e1917) {
+                                                        phi_3996_ = true;
                                                     } else {
-                                                        if (_e1942 == _e1946) {
-                                                            phi_3892_ = ((_e1938 & 1u) == 1u);
+                                                        if (_e1913 == _e1917) {
+                                                            phi_3993_ = ((_e1909 & 1u) == 1u);
                                                         } else {
-                                                            phi_3892_ = false;
+                                                            phi_3993_ = false;
                                                         }
-                                                        let _e1952 = phi_3892_;
-                                                        phi_3895_ = _e1952;
+                                                        let _e1923 = phi_3993_;
+                                                        phi_3996_ = _e1923;
                                                     }
-                                                    let _e1954 = phi_3895_;
-                                                    phi_3908_ = f32();
-                                                    phi_3909_ = bitcast<f32>((_e1907 | (_e1938 + select(0u, 1u, _e1954))));
+                                                    let _e1925 = phi_3996_;
+                                                    phi_4009_ = f32();
+                                                    phi_4010_ = bitcast<f32>((_e1878 | (_e1909 + select(0u, 1u, _e1925))));
                                                 }
-                                                let _e1967 = phi_3908_;
-                                                let _e1969 = phi_3909_;
-                                                phi_3914_ = _e1967;
-                                                phi_3915_ = _e1969;
-                                                phi_3916_ = _e1930;
+                                                let _e1938 = phi_4009_;
+                                                let _e1940 = phi_4010_;
+                                                phi_4015_ = _e1938;
+                                                phi_4016_ = _e1940;
+                                                phi_4017_ = _e1901;
                                             }
-                                            let _e1973 = phi_3914_;
-                                            let _e1975 = phi_3915_;
-                                            let _e1977 = phi_3916_;
-                                            phi_3924_ = select(_e1975, _e1973, _e1977);
+                                            let _e1944 = phi_4015_;
+                                            let _e1946 = phi_4016_;
+                                            let _e1948 = phi_4017_;
+                                            phi_4025_ = select(_e1946, _e1944, _e1948);
                                         }
-                                        let _e1981 = phi_3924_;
-                                        phi_3750_ = _e1981;
+                                        let _e1952 = phi_4025_;
+                                        phi_3671_ = _e1952;
                                     } else {
-                                        phi_3750_ = _e1904;
+                                        phi_3671_ = _e1875;
                                     }
-                                    let _e1983 = phi_3750_;
-                                    phi_3751_ = _e1983;
+                                    let _e1954 = phi_3671_;
+                                    phi_3672_ = _e1954;
                                 }
-                                let _e1985 = phi_3751_;
-                                let _e1986 = bitcast<u32>(_e1985);
-                                if ((_e1986 & 2147483647u) >= 2139095040u) {
-                                    phi_3763_ = bitcast<f32>(((_e1986 & 2147483648u) | 2139095039u));
+                                let _e1956 = phi_3672_;
+                                let _e1957 = bitcast<u32>(_e1956);
+                                if ((_e1957 & 2147483647u) >= 2139095040u) {
+                                    phi_3684_ = bitcast<f32>(((_e1957 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3763_ = _e1985;
+                                    phi_3684_ = _e1956;
                                 }
-                                let _e1993 = phi_3763_;
-                                phi_3768_ = type_18(_e1993, _e1874.member_1, _e1874.member_2, _e1874.member_3);
+                                let _e1964 = phi_3684_;
+                                phi_3689_ = type_18(_e1964, _e1845.member_1, _e1845.member_2, _e1845.member_3);
                             } else {
-                                phi_3768_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3689_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1996 = phi_3768_;
-                            if _e1872 {
+                            let _e1967 = phi_3689_;
+                            if _e1843 {
                             } else {
-                                phi_4357_ = true;
+                                phi_4468_ = true;
                                 break;
                             }
-                            local_7[_e1867.member_1] = type_18(_e1996.member, _e1996.member_1, _e1996.member_2, _e1996.member_3);
+                            local_7[_e1838.member_1] = type_18(_e1967.member, _e1967.member_1, _e1967.member_2, _e1967.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3654_ = _e1865;
-                            phi_4357_ = _e1850;
-                            break if !(_e1871);
+                            phi_3575_ = _e1836;
+                            phi_4468_ = _e1821;
+                            break if !(_e1842);
                         }
                     }
-                    let _e2004 = phi_4357_;
-                    if _e2004 {
+                    let _e1975 = phi_4468_;
+                    if _e1975 {
                         break;
                     }
-                    let _e2005 = local_7;
-                    if _e139 {
+                    let _e1976 = local_7;
+                    if _e140 {
                     } else {
                         break;
                     }
-                    global_5.member[_e137] = array<type_18, 8>(type_18(_e2005[0].member, _e2005[0].member_1, _e2005[0].member_2, _e2005[0].member_3), type_18(_e2005[1].member, _e2005[1].member_1, _e2005[1].member_2, _e2005[1].member_3), type_18(_e2005[2].member, _e2005[2].member_1, _e2005[2].member_2, _e2005[2].member_3), type_18(_e2005[3].member, _e2005[3].member_1, _e2005[3].member_2, _e2005[3].member_3), type_18(_e2005[4].member, _e2005[4].member_1, _e2005[4].member_2, _e2005[4].member_3), type_18(_e2005[5].member, _e2005[5].member_1, _e2005[5].member_2, _e2005[5].member_3), type_18(_e2005[6].member, _e2005[6].member_1, _e2005[6].member_2, _e2005[6].member_3), type_18(_e2005[7].member, _e2005[7].member_1, _e2005[7].member_2, _e2005[7].member_3));
+                    global_5.member[_e138] = array<type_18, 8>(type_18(_e1976[0].member, _e1976[0].member_1, _e1976[0].member_2, _e1976[0].member_3), type_18(_e1976[1].member, _e1976[1].member_1, _e1976[1].member_2, _e1976[1].member_3), type_18(_e1976[2].member, _e1976[2].member_1, _e1976[2].member_2, _e1976[2].member_3), type_18(_e1976[3].member, _e1976[3].member_1, _e1976[3].member_2, _e1976[3].member_3), type_18(_e1976[4].member, _e1976[4].member_1, _e1976[4].member_2, _e1976[4].member_3), type_18(_e1976[5].member, _e1976[5].member_1, _e1976[5].member_2, _e1976[5].member_3), type_18(_e1976[6].member, _e1976[6].member_1, _e1976[6].member_2, _e1976[6].member_3), type_18(_e1976[7].member, _e1976[7].member_1, _e1976[7].member_2, _e1976[7].member_3));
                 }
             }
             break;

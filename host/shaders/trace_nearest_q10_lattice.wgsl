@@ -34,42 +34,49 @@ struct type_28 {
     member_1: vec4<f32>,
 }
 
-struct type_36 {
+struct type_35 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_37 {
     member: array<type_25>,
 }
 
-struct type_40 {
+struct type_41 {
     member: array<array<type_24, 8>>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_51 {
+struct type_52 {
     member: type_28,
     member_1: u32,
 }
 
-struct type_52 {
+struct type_53 {
     member: array<vec4<f32>, 3>,
-    member_1: type_51,
-    member_2: type_51,
+    member_1: type_52,
+    member_2: type_52,
 }
 
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_16;
 @group(0) @binding(1) 
-var<uniform> global_2: type_46;
+var<uniform> global_2: type_47;
 @group(0) @binding(2) 
 var<storage> global_3: type_13;
 @group(0) @binding(4) 
-var<storage> global_4: type_36;
+var<storage> global_4: type_37;
 @group(0) @binding(3) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_40;
+var<storage, read_write> global_6: type_41;
 
 fn function_() {
     var local: array<i32, 3>;
@@ -83,530 +90,487 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_24, 8>;
     var local_10: array<f32, 128>;
-    var phi_492_: i32;
-    var phi_493_: i32;
-    var phi_503_: bool;
-    var phi_513_: u32;
-    var phi_514_: u32;
-    var phi_516_: bool;
-    var phi_521_: u32;
-    var phi_534_: i32;
-    var phi_554_: i32;
-    var phi_572_: f32;
-    var phi_578_: f32;
-    var phi_618_: f32;
-    var phi_624_: f32;
-    var phi_676_: f32;
-    var phi_688_: f32;
-    var phi_697_: f32;
-    var phi_703_: f32;
-    var phi_743_: f32;
-    var phi_749_: f32;
-    var phi_801_: f32;
-    var phi_813_: f32;
-    var phi_822_: f32;
-    var phi_828_: f32;
-    var phi_868_: f32;
-    var phi_874_: f32;
-    var phi_926_: f32;
-    var phi_938_: f32;
-    var phi_993_: i32;
-    var phi_1015_: u32;
-    var phi_1016_: u32;
-    var phi_1053_: i32;
-    var phi_1075_: u32;
-    var phi_1076_: u32;
-    var phi_1084_: f32;
-    var phi_1085_: f32;
-    var phi_4976_: bool;
-    var phi_4890_: f32;
-    var phi_1234_: u32;
-    var phi_1237_: bool;
-    var phi_1239_: u32;
-    var phi_1241_: type_51;
-    var phi_1252_: bool;
-    var phi_1339_: bool;
-    var phi_1340_: u32;
-    var phi_1341_: type_51;
-    var phi_4973_: bool;
-    var phi_4915_: f32;
-    var phi_1360_: type_8;
-    var phi_1361_: type_8;
-    var phi_1384_: type_8;
-    var phi_1425_: u32;
-    var phi_1431_: u32;
-    var phi_1441_: u32;
-    var phi_1457_: u32;
-    var phi_1490_: u32;
-    var phi_1496_: u32;
-    var phi_1962_: u32;
-    var phi_1980_: u32;
-    var phi_1998_: u32;
-    var phi_2021_: u32;
-    var phi_2039_: u32;
-    var phi_2057_: u32;
-    var phi_2080_: u32;
-    var phi_2098_: u32;
-    var phi_2116_: u32;
-    var phi_1670_: u32;
-    var phi_1685_: u32;
-    var phi_1695_: u32;
+    var phi_513_: i32;
+    var phi_514_: i32;
+    var phi_524_: bool;
+    var phi_534_: u32;
+    var phi_535_: u32;
+    var phi_537_: bool;
+    var phi_542_: u32;
+    var phi_555_: i32;
+    var phi_575_: i32;
+    var phi_593_: f32;
+    var phi_599_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_718_: f32;
+    var phi_724_: f32;
+    var phi_764_: f32;
+    var phi_770_: f32;
+    var phi_843_: f32;
+    var phi_849_: f32;
+    var phi_889_: f32;
+    var phi_895_: f32;
+    var phi_1014_: i32;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_1074_: i32;
+    var phi_1096_: u32;
+    var phi_1097_: u32;
+    var phi_1105_: f32;
+    var phi_1106_: f32;
+    var phi_5075_: bool;
+    var phi_4988_: f32;
+    var phi_1255_: u32;
+    var phi_1258_: bool;
+    var phi_1260_: u32;
+    var phi_1262_: type_52;
+    var phi_1273_: bool;
+    var phi_1360_: bool;
+    var phi_1361_: u32;
+    var phi_1362_: type_52;
+    var phi_5072_: bool;
+    var phi_5013_: f32;
+    var phi_1381_: type_8;
+    var phi_1382_: type_8;
+    var phi_1405_: type_8;
+    var phi_1446_: u32;
+    var phi_1452_: u32;
+    var phi_1462_: u32;
+    var phi_1478_: u32;
+    var phi_1511_: u32;
+    var phi_1517_: u32;
+    var phi_1983_: u32;
+    var phi_2001_: u32;
+    var phi_2019_: u32;
+    var phi_2042_: u32;
+    var phi_2060_: u32;
+    var phi_2078_: u32;
+    var phi_2101_: u32;
+    var phi_2119_: u32;
+    var phi_2137_: u32;
+    var phi_1691_: u32;
+    var phi_1706_: u32;
     var phi_1716_: u32;
     var phi_1737_: u32;
-    var phi_1767_: u32;
-    var phi_1782_: u32;
-    var phi_1792_: u32;
+    var phi_1758_: u32;
+    var phi_1788_: u32;
+    var phi_1803_: u32;
     var phi_1813_: u32;
     var phi_1834_: u32;
-    var phi_1864_: u32;
-    var phi_1879_: u32;
-    var phi_1889_: u32;
+    var phi_1855_: u32;
+    var phi_1885_: u32;
+    var phi_1900_: u32;
     var phi_1910_: u32;
     var phi_1931_: u32;
-    var phi_1523_: u32;
-    var phi_1572_: u32;
-    var phi_1621_: u32;
-    var phi_2122_: array<array<f32, 3>, 3>;
-    var phi_2275_: bool;
-    var phi_2304_: bool;
-    var phi_2723_: f32;
-    var phi_2724_: f32;
-    var phi_2725_: f32;
-    var phi_2726_: f32;
-    var phi_2727_: vec3<f32>;
-    var phi_2728_: vec3<f32>;
-    var phi_2729_: vec3<f32>;
-    var phi_2730_: vec3<f32>;
-    var phi_2767_: bool;
-    var phi_2776_: vec3<f32>;
-    var phi_2941_: f32;
-    var phi_2943_: f32;
-    var phi_2944_: bool;
-    var phi_2964_: f32;
-    var phi_2965_: f32;
-    var phi_2988_: type_24;
-    var phi_2990_: type_24;
-    var phi_2991_: bool;
-    var phi_2995_: type_24;
-    var phi_2996_: type_24;
-    var phi_2997_: type_24;
-    var phi_2998_: bool;
-    var phi_3002_: type_24;
-    var phi_3003_: bool;
-    var phi_3004_: type_24;
-    var phi_3005_: bool;
-    var phi_3006_: bool;
-    var phi_3007_: type_24;
-    var phi_3008_: bool;
-    var phi_3009_: bool;
-    var phi_3017_: type_24;
-    var phi_3018_: bool;
-    var phi_3022_: type_24;
-    var phi_3034_: type_8;
-    var phi_3037_: type_24;
-    var phi_3035_: type_8;
-    var phi_3060_: type_8;
-    var phi_3092_: bool;
-    var phi_3093_: bool;
-    var phi_3114_: type_24;
-    var phi_3038_: type_24;
-    var phi_4944_: bool;
-    var phi_5305_: f32;
-    var phi_5304_: f32;
-    var phi_5154_: bool;
-    var phi_5303_: f32;
-    var phi_5153_: bool;
-    var phi_5302_: f32;
-    var phi_5152_: bool;
-    var phi_5214_: f32;
-    var phi_5151_: bool;
-    var phi_5398_: bool;
-    var phi_5213_: f32;
-    var phi_3627_: u32;
-    var phi_3633_: u32;
-    var phi_3887_: u32;
-    var phi_3888_: u32;
-    var phi_3898_: u32;
-    var phi_3900_: u32;
-    var phi_3901_: bool;
-    var phi_3921_: u32;
-    var phi_3922_: u32;
-    var phi_3926_: type_52;
-    var phi_4289_: type_51;
-    var phi_4365_: type_51;
-    var phi_4366_: u32;
-    var phi_4367_: type_51;
-    var phi_4369_: u32;
-    var phi_4370_: type_51;
-    var phi_4371_: bool;
-    var phi_4380_: type_51;
-    var phi_4385_: bool;
-    var phi_4387_: type_51;
-    var phi_4391_: bool;
-    var phi_4392_: u32;
-    var phi_4393_: type_51;
-    var phi_4403_: type_51;
-    var phi_5426_: f32;
-    var phi_5310_: bool;
-    var phi_4404_: u32;
-    var phi_4405_: bool;
-    var phi_4406_: u32;
-    var phi_4407_: type_51;
-    var phi_5425_: f32;
-    var phi_5309_: bool;
-    var phi_4408_: u32;
-    var phi_4409_: bool;
-    var phi_4410_: u32;
-    var phi_4411_: type_51;
-    var phi_5424_: f32;
-    var phi_5308_: bool;
-    var phi_1235_: u32;
-    var phi_1238_: bool;
-    var phi_1240_: u32;
-    var phi_1242_: type_51;
-    var phi_4412_: bool;
-    var phi_5307_: bool;
-    var phi_4419_: type_8;
-    var phi_4420_: type_8;
-    var phi_4443_: type_8;
-    var phi_4495_: f32;
-    var phi_4497_: f32;
-    var phi_4498_: bool;
-    var phi_4499_: f32;
-    var phi_4500_: bool;
-    var phi_4787_: u32;
-    var phi_4805_: bool;
-    var phi_4808_: bool;
-    var phi_4821_: f32;
-    var phi_4822_: f32;
-    var phi_4827_: f32;
-    var phi_4828_: f32;
-    var phi_4829_: bool;
-    var phi_4837_: f32;
-    var phi_4515_: f32;
-    var phi_4516_: f32;
-    var phi_4528_: f32;
-    var phi_4533_: type_24;
-    var phi_5406_: bool;
+    var phi_1952_: u32;
+    var phi_1544_: u32;
+    var phi_1593_: u32;
+    var phi_1642_: u32;
+    var phi_2143_: array<array<f32, 3>, 3>;
+    var phi_4544_: bool;
+    var phi_4559_: bool;
+    var phi_4574_: bool;
+    var phi_4589_: bool;
+    var phi_4604_: bool;
+    var phi_4619_: bool;
+    var phi_2686_: f32;
+    var phi_2687_: f32;
+    var phi_2688_: f32;
+    var phi_2689_: f32;
+    var phi_2690_: vec3<f32>;
+    var phi_2691_: vec3<f32>;
+    var phi_2692_: vec3<f32>;
+    var phi_2693_: vec3<f32>;
+    var phi_4634_: bool;
+    var phi_4649_: bool;
+    var phi_4664_: bool;
+    var phi_4679_: bool;
+    var phi_4694_: bool;
+    var phi_4709_: bool;
+    var phi_2901_: f32;
+    var phi_2921_: type_35;
+    var phi_2922_: type_35;
+    var phi_2925_: type_35;
+    var phi_2926_: type_35;
+    var phi_2927_: bool;
+    var phi_2931_: type_35;
+    var phi_2940_: type_24;
+    var phi_2952_: type_8;
+    var phi_2955_: type_24;
+    var phi_2953_: type_8;
+    var phi_2978_: type_8;
+    var phi_3010_: bool;
+    var phi_3011_: bool;
+    var phi_3032_: type_24;
+    var phi_2956_: type_24;
+    var phi_5042_: bool;
+    var phi_5413_: f32;
+    var phi_5412_: f32;
+    var phi_5257_: bool;
+    var phi_5411_: f32;
+    var phi_5256_: bool;
+    var phi_5410_: f32;
+    var phi_5255_: bool;
+    var phi_5317_: f32;
+    var phi_5254_: bool;
+    var phi_5506_: bool;
+    var phi_5316_: f32;
+    var phi_3545_: u32;
+    var phi_3551_: u32;
+    var phi_3805_: u32;
+    var phi_3806_: u32;
+    var phi_3816_: u32;
+    var phi_3818_: u32;
+    var phi_3819_: bool;
+    var phi_3839_: u32;
+    var phi_3840_: u32;
+    var phi_3844_: type_53;
+    var phi_4207_: type_52;
+    var phi_4283_: type_52;
+    var phi_4284_: u32;
+    var phi_4285_: type_52;
+    var phi_4287_: u32;
+    var phi_4288_: type_52;
+    var phi_4289_: bool;
+    var phi_4298_: type_52;
+    var phi_4303_: bool;
+    var phi_4305_: type_52;
+    var phi_4309_: bool;
+    var phi_4310_: u32;
+    var phi_4311_: type_52;
+    var phi_4321_: type_52;
+    var phi_5534_: f32;
+    var phi_5418_: bool;
+    var phi_4322_: u32;
+    var phi_4323_: bool;
+    var phi_4324_: u32;
+    var phi_4325_: type_52;
+    var phi_5533_: f32;
+    var phi_5417_: bool;
+    var phi_4326_: u32;
+    var phi_4327_: bool;
+    var phi_4328_: u32;
+    var phi_4329_: type_52;
+    var phi_5532_: f32;
+    var phi_5416_: bool;
+    var phi_1256_: u32;
+    var phi_1259_: bool;
+    var phi_1261_: u32;
+    var phi_1263_: type_52;
+    var phi_4330_: bool;
+    var phi_5415_: bool;
+    var phi_4337_: type_8;
+    var phi_4338_: type_8;
+    var phi_4361_: type_8;
+    var phi_4413_: f32;
+    var phi_4415_: f32;
+    var phi_4416_: bool;
+    var phi_4417_: f32;
+    var phi_4418_: bool;
+    var phi_4885_: u32;
+    var phi_4903_: bool;
+    var phi_4906_: bool;
+    var phi_4919_: f32;
+    var phi_4920_: f32;
+    var phi_4925_: f32;
+    var phi_4926_: f32;
+    var phi_4927_: bool;
+    var phi_4935_: f32;
+    var phi_4433_: f32;
+    var phi_4434_: f32;
+    var phi_4446_: f32;
+    var phi_4451_: type_24;
+    var phi_5514_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e100 = global;
-            let _e102 = arrayLength((&global_3.member));
-            let _e105 = arrayLength((&global_5.member));
-            let _e113 = global_2.member[0u][0u];
-            let _e117 = global_2.member[0u][1u];
-            let _e121 = global_2.member[0u][2u];
-            let _e125 = global_2.member[0u][3u];
-            let _e129 = global_2.member[1u][0u];
-            let _e133 = global_2.member[1u][1u];
-            let _e137 = global_2.member[1u][2u];
-            let _e140 = global_1.member[0u];
-            let _e141 = bitcast<i32>(_e140);
-            let _e153 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e125) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e113), bitcast<i32>(_e117), bitcast<i32>(_e121));
-            local = array<i32, 3>(bitcast<i32>(_e129), bitcast<i32>(_e133), bitcast<i32>(_e137));
-            let _e159 = (_e100.x + (_e100.y * 2097152u));
-            let _e160 = (_e159 < arrayLength((&global_4.member)));
-            if _e160 {
-                let _e161 = (_e159 < arrayLength((&global_6.member)));
-                if _e161 {
-                    if _e160 {
+            let _e101 = global;
+            let _e103 = arrayLength((&global_3.member));
+            let _e106 = arrayLength((&global_5.member));
+            let _e114 = global_2.member[0u][0u];
+            let _e118 = global_2.member[0u][1u];
+            let _e122 = global_2.member[0u][2u];
+            let _e126 = global_2.member[0u][3u];
+            let _e130 = global_2.member[1u][0u];
+            let _e134 = global_2.member[1u][1u];
+            let _e138 = global_2.member[1u][2u];
+            let _e141 = global_1.member[0u];
+            let _e142 = bitcast<i32>(_e141);
+            let _e154 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e126) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e114), bitcast<i32>(_e118), bitcast<i32>(_e122));
+            local = array<i32, 3>(bitcast<i32>(_e130), bitcast<i32>(_e134), bitcast<i32>(_e138));
+            let _e160 = (_e101.x + (_e101.y * 2097152u));
+            let _e161 = (_e160 < arrayLength((&global_4.member)));
+            if _e161 {
+                let _e162 = (_e160 < arrayLength((&global_6.member)));
+                if _e162 {
+                    if _e161 {
                     } else {
                         break;
                     }
-                    let _e169 = global_4.member[_e159].member_2[0u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e176 = global_4.member[_e159].member_2[1u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e183 = global_4.member[_e159].member_2[2u];
-                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
-                    let _e190 = global_4.member[_e159].member[0u];
-                    let _e192 = (bitcast<u32>(_e190) & 2147483647u);
-                    let _e197 = global_4.member[_e159].member[1u];
-                    let _e199 = (bitcast<u32>(_e197) & 2147483647u);
-                    let _e204 = global_4.member[_e159].member[2u];
-                    let _e206 = (bitcast<u32>(_e204) & 2147483647u);
-                    let _e208 = select(_e178, _e171, (_e178 < _e171));
-                    let _e210 = select(_e185, _e208, (_e185 < _e208));
-                    let _e212 = select(_e192, _e210, (_e192 < _e210));
-                    let _e214 = select(_e199, _e212, (_e199 < _e212));
-                    let _e216 = select(_e206, _e214, (_e206 < _e214));
-                    let _e220 = global_4.member[_e159].member_1;
-                    let _e221 = bitcast<u32>(_e220);
-                    let _e222 = (_e221 & 2147483647u);
-                    let _e229 = global_4.member[_e159].member_3;
-                    let _e230 = bitcast<u32>(_e229);
-                    let _e231 = (_e230 & 2147483647u);
-                    let _e235 = (((select(_e222, _e216, (_e222 < _e216)) < 2139095040u) && (_e231 <= 2139095040u)) && (_e210 > 0u));
-                    if _e235 {
-                        let _e238 = (bitcast<u32>(bitcast<f32>(_e210)) & 2147483647u);
-                        if (_e238 >= 8388608u) {
-                            phi_492_ = (bitcast<i32>((_e238 >> bitcast<u32>(23i))) - 127i);
+                    let _e170 = global_4.member[_e160].member_2[0u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_4.member[_e160].member_2[1u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_4.member[_e160].member_2[2u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e191 = global_4.member[_e160].member[0u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e198 = global_4.member[_e160].member[1u];
+                    let _e200 = (bitcast<u32>(_e198) & 2147483647u);
+                    let _e205 = global_4.member[_e160].member[2u];
+                    let _e207 = (bitcast<u32>(_e205) & 2147483647u);
+                    let _e209 = select(_e179, _e172, (_e179 < _e172));
+                    let _e211 = select(_e186, _e209, (_e186 < _e209));
+                    let _e213 = select(_e193, _e211, (_e193 < _e211));
+                    let _e215 = select(_e200, _e213, (_e200 < _e213));
+                    let _e217 = select(_e207, _e215, (_e207 < _e215));
+                    let _e221 = global_4.member[_e160].member_1;
+                    let _e222 = bitcast<u32>(_e221);
+                    let _e223 = (_e222 & 2147483647u);
+                    let _e230 = global_4.member[_e160].member_3;
+                    let _e231 = bitcast<u32>(_e230);
+                    let _e232 = (_e231 & 2147483647u);
+                    let _e236 = (((select(_e223, _e217, (_e223 < _e217)) < 2139095040u) && (_e232 <= 2139095040u)) && (_e211 > 0u));
+                    if _e236 {
+                        let _e239 = (bitcast<u32>(bitcast<f32>(_e211)) & 2147483647u);
+                        if (_e239 >= 8388608u) {
+                            phi_513_ = (bitcast<i32>((_e239 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_492_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e238)), 32u, (_e238 == 0u))));
+                            phi_513_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e239)), 32u, (_e239 == 0u))));
                         }
-                        let _e252 = phi_492_;
-                        phi_493_ = _e252;
+                        let _e253 = phi_513_;
+                        phi_514_ = _e253;
                     } else {
-                        phi_493_ = 0i;
+                        phi_514_ = 0i;
                     }
-                    let _e254 = phi_493_;
-                    let _e255 = (_e171 == _e210);
-                    if _e255 {
-                        phi_503_ = true;
+                    let _e255 = phi_514_;
+                    let _e256 = (_e172 == _e211);
+                    if _e256 {
+                        phi_524_ = true;
                     } else {
-                        phi_503_ = (_e178 == _e210);
+                        phi_524_ = (_e179 == _e211);
                     }
-                    let _e258 = phi_503_;
-                    let _e259 = select(1u, 0u, _e255);
-                    if _e258 {
-                        let _e260 = (_e259 + 1u);
-                        phi_513_ = _e260;
-                        phi_514_ = _e260;
-                        phi_516_ = select(true, false, (_e260 == 2u));
+                    let _e259 = phi_524_;
+                    let _e260 = select(1u, 0u, _e256);
+                    if _e259 {
+                        let _e261 = (_e260 + 1u);
+                        phi_534_ = _e261;
+                        phi_535_ = _e261;
+                        phi_537_ = select(true, false, (_e261 == 2u));
                     } else {
-                        phi_513_ = u32();
-                        phi_514_ = 0u;
-                        phi_516_ = true;
+                        phi_534_ = u32();
+                        phi_535_ = 0u;
+                        phi_537_ = true;
                     }
-                    let _e264 = phi_513_;
-                    let _e266 = phi_514_;
-                    let _e268 = phi_516_;
-                    if _e268 {
-                        phi_521_ = (_e266 + 1u);
+                    let _e265 = phi_534_;
+                    let _e267 = phi_535_;
+                    let _e269 = phi_537_;
+                    if _e269 {
+                        phi_542_ = (_e267 + 1u);
                     } else {
-                        phi_521_ = 0u;
+                        phi_542_ = 0u;
                     }
-                    let _e272 = phi_521_;
-                    let _e273 = select(_e264, _e266, _e268);
-                    let _e274 = select(_e259, select(2u, _e259, _e258), _e268);
-                    if (_e141 < -126i) {
-                        phi_534_ = -126i;
+                    let _e273 = phi_542_;
+                    let _e274 = select(_e265, _e267, _e269);
+                    let _e275 = select(_e260, select(2u, _e260, _e259), _e269);
+                    if (_e142 < -126i) {
+                        phi_555_ = -126i;
                     } else {
-                        phi_534_ = select(_e141, 127i, (_e141 > 127i));
+                        phi_555_ = select(_e142, 127i, (_e142 > 127i));
                     }
-                    let _e279 = phi_534_;
-                    let _e284 = bitcast<f32>((bitcast<u32>((_e279 + 127i)) << bitcast<u32>(23i)));
-                    let _e290 = bitcast<f32>((bitcast<u32>(((_e141 - _e279) + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = -(_e254);
-                    if (_e291 < -126i) {
-                        phi_554_ = -126i;
+                    let _e280 = phi_555_;
+                    let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
+                    let _e291 = bitcast<f32>((bitcast<u32>(((_e142 - _e280) + 127i)) << bitcast<u32>(23i)));
+                    let _e292 = -(_e255);
+                    if (_e292 < -126i) {
+                        phi_575_ = -126i;
                     } else {
-                        phi_554_ = select(_e291, 127i, (_e291 > 127i));
+                        phi_575_ = select(_e292, 127i, (_e292 > 127i));
                     }
-                    let _e296 = phi_554_;
-                    let _e301 = bitcast<f32>((bitcast<u32>((_e296 + 127i)) << bitcast<u32>(23i)));
-                    let _e307 = bitcast<f32>((bitcast<u32>(((_e291 - _e296) + 127i)) << bitcast<u32>(23i)));
-                    let _e311 = global_4.member[_e159].member;
-                    let _e312 = (_e273 == 0u);
-                    if _e312 {
-                        phi_572_ = _e311[0];
+                    let _e297 = phi_575_;
+                    let _e302 = bitcast<f32>((bitcast<u32>((_e297 + 127i)) << bitcast<u32>(23i)));
+                    let _e308 = bitcast<f32>((bitcast<u32>(((_e292 - _e297) + 127i)) << bitcast<u32>(23i)));
+                    let _e312 = global_4.member[_e160].member;
+                    let _e313 = (_e274 == 0u);
+                    if _e313 {
+                        phi_593_ = _e312[0];
                     } else {
-                        phi_572_ = _e311[1];
+                        phi_593_ = _e312[1];
                     }
-                    let _e316 = phi_572_;
-                    let _e317 = (_e273 == 2u);
-                    if _e317 {
-                        phi_578_ = _e311[2];
+                    let _e317 = phi_593_;
+                    let _e318 = (_e274 == 2u);
+                    if _e318 {
+                        phi_599_ = _e312[2];
                     } else {
-                        phi_578_ = _e316;
+                        phi_599_ = _e317;
                     }
-                    let _e320 = phi_578_;
-                    let _e321 = bitcast<u32>(_e320);
-                    let _e323 = ((_e321 & 2139095040u) != 0u);
-                    let _e337 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e320, _e323) * _e284) * select(0.00000011920929f, 1f, _e323)) * _e290);
-                    let _e338 = global_4.member[_e159].member_2;
-                    if _e312 {
-                        phi_618_ = _e338[0];
+                    let _e321 = phi_599_;
+                    let _e322 = bitcast<u32>(_e321);
+                    let _e324 = ((_e322 & 2139095040u) != 0u);
+                    let _e338 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e322 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e322 & 2147483648u))), _e321, _e324) * _e285) * select(0.00000011920929f, 1f, _e324)) * _e291);
+                    let _e339 = global_4.member[_e160].member_2;
+                    if _e313 {
+                        phi_639_ = _e339[0];
                     } else {
-                        phi_618_ = _e338[1];
+                        phi_639_ = _e339[1];
                     }
-                    let _e342 = phi_618_;
-                    if _e317 {
-                        phi_624_ = _e338[2];
+                    let _e343 = phi_639_;
+                    if _e318 {
+                        phi_645_ = _e339[2];
                     } else {
-                        phi_624_ = _e342;
+                        phi_645_ = _e343;
                     }
-                    let _e345 = phi_624_;
-                    let _e346 = bitcast<u32>(_e345);
-                    let _e348 = ((_e346 & 2139095040u) != 0u);
-                    let _e362 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e346 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e346 & 2147483648u))), _e345, _e348) * _e301) * select(0.00000011920929f, 1f, _e348)) * _e307);
-                    let _e366 = (bitcast<f32>((bitcast<u32>(_e362) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e366 {
-                        let _e370 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) * 0.00000011920929f);
-                        phi_676_ = select(0.00000000000011368684f, _e370, (_e370 > 0.00000000000011368684f));
+                    let _e346 = phi_645_;
+                    let _e347 = bitcast<u32>(_e346);
+                    let _e349 = ((_e347 & 2139095040u) != 0u);
+                    let _e363 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e347 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e347 & 2147483648u))), _e346, _e349) * _e302) * select(0.00000011920929f, 1f, _e349)) * _e308);
+                    let _e367 = (bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e370 = bitcast<f32>((bitcast<u32>(_e338) & 2147483647u));
+                    let _e371 = (_e370 * 0.00000011920929f);
+                    let _e374 = select(select(0.00000000000011368684f, _e371, (_e371 > 0.00000000000011368684f)), 0f, _e367);
+                    let _e375 = select(0f, _e363, _e367);
+                    let _e376 = (_e338 + _e374);
+                    let _e377 = (_e338 - _e374);
+                    let _e379 = select(38685626000000000000000000f, (1f / _e363), _e367);
+                    let _e380 = (_e273 == 0u);
+                    if _e380 {
+                        phi_718_ = _e312[0];
                     } else {
-                        phi_676_ = 0f;
+                        phi_718_ = _e312[1];
                     }
-                    let _e374 = phi_676_;
-                    let _e375 = (_e337 + _e374);
-                    let _e376 = (_e337 - _e374);
-                    let _e377 = select(_e362, 0f, _e366);
-                    if _e366 {
-                        phi_688_ = 38685626000000000000000000f;
+                    let _e384 = phi_718_;
+                    let _e385 = (_e273 == 2u);
+                    if _e385 {
+                        phi_724_ = _e312[2];
                     } else {
-                        phi_688_ = (1f / _e362);
+                        phi_724_ = _e384;
                     }
-                    let _e380 = phi_688_;
-                    let _e381 = (_e272 == 0u);
-                    if _e381 {
-                        phi_697_ = _e311[0];
+                    let _e388 = phi_724_;
+                    let _e389 = bitcast<u32>(_e388);
+                    let _e391 = ((_e389 & 2139095040u) != 0u);
+                    let _e405 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e389 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e389 & 2147483648u))), _e388, _e391) * _e285) * select(0.00000011920929f, 1f, _e391)) * _e291);
+                    if _e380 {
+                        phi_764_ = _e339[0];
                     } else {
-                        phi_697_ = _e311[1];
+                        phi_764_ = _e339[1];
                     }
-                    let _e385 = phi_697_;
-                    let _e386 = (_e272 == 2u);
-                    if _e386 {
-                        phi_703_ = _e311[2];
+                    let _e409 = phi_764_;
+                    if _e385 {
+                        phi_770_ = _e339[2];
                     } else {
-                        phi_703_ = _e385;
+                        phi_770_ = _e409;
                     }
-                    let _e389 = phi_703_;
-                    let _e390 = bitcast<u32>(_e389);
-                    let _e392 = ((_e390 & 2139095040u) != 0u);
-                    let _e406 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e390 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e390 & 2147483648u))), _e389, _e392) * _e284) * select(0.00000011920929f, 1f, _e392)) * _e290);
-                    if _e381 {
-                        phi_743_ = _e338[0];
+                    let _e412 = phi_770_;
+                    let _e413 = bitcast<u32>(_e412);
+                    let _e415 = ((_e413 & 2139095040u) != 0u);
+                    let _e429 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e413 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e413 & 2147483648u))), _e412, _e415) * _e302) * select(0.00000011920929f, 1f, _e415)) * _e308);
+                    let _e433 = (bitcast<f32>((bitcast<u32>(_e429) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e436 = bitcast<f32>((bitcast<u32>(_e405) & 2147483647u));
+                    let _e437 = (_e436 * 0.00000011920929f);
+                    let _e440 = select(select(0.00000000000011368684f, _e437, (_e437 > 0.00000000000011368684f)), 0f, _e433);
+                    let _e441 = select(0f, _e429, _e433);
+                    let _e442 = (_e405 + _e440);
+                    let _e443 = (_e405 - _e440);
+                    let _e445 = select(38685626000000000000000000f, (1f / _e429), _e433);
+                    let _e446 = (_e275 == 0u);
+                    if _e446 {
+                        phi_843_ = _e312[0];
                     } else {
-                        phi_743_ = _e338[1];
+                        phi_843_ = _e312[1];
                     }
-                    let _e410 = phi_743_;
-                    if _e386 {
-                        phi_749_ = _e338[2];
+                    let _e450 = phi_843_;
+                    let _e451 = (_e275 == 2u);
+                    if _e451 {
+                        phi_849_ = _e312[2];
                     } else {
-                        phi_749_ = _e410;
+                        phi_849_ = _e450;
                     }
-                    let _e413 = phi_749_;
-                    let _e414 = bitcast<u32>(_e413);
-                    let _e416 = ((_e414 & 2139095040u) != 0u);
-                    let _e430 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e414 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e414 & 2147483648u))), _e413, _e416) * _e301) * select(0.00000011920929f, 1f, _e416)) * _e307);
-                    let _e434 = (bitcast<f32>((bitcast<u32>(_e430) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e434 {
-                        let _e438 = (bitcast<f32>((bitcast<u32>(_e406) & 2147483647u)) * 0.00000011920929f);
-                        phi_801_ = select(0.00000000000011368684f, _e438, (_e438 > 0.00000000000011368684f));
+                    let _e454 = phi_849_;
+                    let _e455 = bitcast<u32>(_e454);
+                    let _e457 = ((_e455 & 2139095040u) != 0u);
+                    let _e471 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e455 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e455 & 2147483648u))), _e454, _e457) * _e285) * select(0.00000011920929f, 1f, _e457)) * _e291);
+                    if _e446 {
+                        phi_889_ = _e339[0];
                     } else {
-                        phi_801_ = 0f;
+                        phi_889_ = _e339[1];
                     }
-                    let _e442 = phi_801_;
-                    let _e443 = (_e406 + _e442);
-                    let _e444 = (_e406 - _e442);
-                    let _e445 = select(_e430, 0f, _e434);
-                    if _e434 {
-                        phi_813_ = 38685626000000000000000000f;
+                    let _e475 = phi_889_;
+                    if _e451 {
+                        phi_895_ = _e339[2];
                     } else {
-                        phi_813_ = (1f / _e430);
+                        phi_895_ = _e475;
                     }
-                    let _e448 = phi_813_;
-                    let _e449 = (_e274 == 0u);
-                    if _e449 {
-                        phi_822_ = _e311[0];
-                    } else {
-                        phi_822_ = _e311[1];
-                    }
-                    let _e453 = phi_822_;
-                    let _e454 = (_e274 == 2u);
-                    if _e454 {
-                        phi_828_ = _e311[2];
-                    } else {
-                        phi_828_ = _e453;
-                    }
-                    let _e457 = phi_828_;
-                    let _e458 = bitcast<u32>(_e457);
-                    let _e460 = ((_e458 & 2139095040u) != 0u);
-                    let _e474 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e458 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e458 & 2147483648u))), _e457, _e460) * _e284) * select(0.00000011920929f, 1f, _e460)) * _e290);
-                    if _e449 {
-                        phi_868_ = _e338[0];
-                    } else {
-                        phi_868_ = _e338[1];
-                    }
-                    let _e478 = phi_868_;
-                    if _e454 {
-                        phi_874_ = _e338[2];
-                    } else {
-                        phi_874_ = _e478;
-                    }
-                    let _e481 = phi_874_;
-                    let _e482 = bitcast<u32>(_e481);
-                    let _e484 = ((_e482 & 2139095040u) != 0u);
-                    let _e498 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e482 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e482 & 2147483648u))), _e481, _e484) * _e301) * select(0.00000011920929f, 1f, _e484)) * _e307);
-                    let _e502 = (bitcast<f32>((bitcast<u32>(_e498) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e502 {
-                        let _e506 = (bitcast<f32>((bitcast<u32>(_e474) & 2147483647u)) * 0.00000011920929f);
-                        phi_926_ = select(0.00000000000011368684f, _e506, (_e506 > 0.00000000000011368684f));
-                    } else {
-                        phi_926_ = 0f;
-                    }
-                    let _e510 = phi_926_;
-                    let _e511 = (_e474 + _e510);
-                    let _e512 = (_e474 - _e510);
-                    let _e513 = select(_e498, 0f, _e502);
-                    if _e502 {
-                        phi_938_ = 38685626000000000000000000f;
-                    } else {
-                        phi_938_ = (1f / _e498);
-                    }
-                    let _e516 = phi_938_;
-                    let _e519 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
-                    let _e522 = bitcast<f32>((bitcast<u32>(_e406) & 2147483647u));
-                    let _e524 = select(_e522, _e519, (_e519 > _e522));
-                    let _e527 = bitcast<f32>((bitcast<u32>(_e474) & 2147483647u));
-                    let _e530 = (_e141 + _e254);
-                    if (_e235 && (select(_e527, _e524, (_e524 > _e527)) <= 1099511600000f)) {
-                        let _e540 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e543 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
-                        let _e547 = (_e540 == 0u);
-                        let _e550 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e540)), 32u, _e547)) - 8i);
-                        if (_e543 == 255i) {
-                            phi_993_ = 255i;
+                    let _e478 = phi_895_;
+                    let _e479 = bitcast<u32>(_e478);
+                    let _e481 = ((_e479 & 2139095040u) != 0u);
+                    let _e495 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e479 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e479 & 2147483648u))), _e478, _e481) * _e302) * select(0.00000011920929f, 1f, _e481)) * _e308);
+                    let _e499 = (bitcast<f32>((bitcast<u32>(_e495) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e502 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
+                    let _e503 = (_e502 * 0.00000011920929f);
+                    let _e506 = select(select(0.00000000000011368684f, _e503, (_e503 > 0.00000000000011368684f)), 0f, _e499);
+                    let _e507 = select(0f, _e495, _e499);
+                    let _e508 = (_e471 + _e506);
+                    let _e509 = (_e471 - _e506);
+                    let _e511 = select(38685626000000000000000000f, (1f / _e495), _e499);
+                    let _e513 = select(_e436, _e370, (_e370 > _e436));
+                    let _e516 = (_e142 + _e255);
+                    if (_e236 && (select(_e502, _e513, (_e513 > _e502)) <= 1099511600000f)) {
+                        let _e526 = ((_e223 & 8388607u) | (select(0u, 1u, ((_e223 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e529 = bitcast<i32>((_e223 >> bitcast<u32>(23i)));
+                        let _e533 = (_e526 == 0u);
+                        let _e536 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e526)), 32u, _e533)) - 8i);
+                        if (_e529 == 255i) {
+                            phi_1014_ = 255i;
                         } else {
-                            phi_993_ = (((_e543 + select(0i, 1i, (_e543 == 0i))) - _e550) + _e530);
+                            phi_1014_ = (((_e529 + select(0i, 1i, (_e529 == 0i))) - _e536) + _e516);
                         }
-                        let _e558 = phi_993_;
-                        let _e568 = (_e558 <= 0i);
-                        if _e568 {
-                            phi_1016_ = u32();
+                        let _e544 = phi_1014_;
+                        let _e554 = (_e544 <= 0i);
+                        if _e554 {
+                            phi_1037_ = u32();
                         } else {
-                            if _e547 {
-                                phi_1015_ = u32();
+                            if _e533 {
+                                phi_1036_ = u32();
                             } else {
-                                phi_1015_ = select(((bitcast<u32>(_e558) << bitcast<u32>(23i)) | ((_e540 << bitcast<u32>(((_e550 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e558 >= 255i));
+                                phi_1036_ = select(((bitcast<u32>(_e544) << bitcast<u32>(23i)) | ((_e526 << bitcast<u32>(((_e536 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e544 >= 255i));
                             }
-                            let _e572 = phi_1015_;
-                            phi_1016_ = _e572;
+                            let _e558 = phi_1036_;
+                            phi_1037_ = _e558;
                         }
-                        let _e574 = phi_1016_;
-                        let _e586 = ((_e231 & 8388607u) | (select(0u, 1u, ((_e231 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e589 = bitcast<i32>((_e231 >> bitcast<u32>(23i)));
-                        let _e593 = (_e586 == 0u);
-                        let _e596 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e586)), 32u, _e593)) - 8i);
-                        if (_e589 == 255i) {
-                            phi_1053_ = 255i;
+                        let _e560 = phi_1037_;
+                        let _e572 = ((_e232 & 8388607u) | (select(0u, 1u, ((_e232 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e575 = bitcast<i32>((_e232 >> bitcast<u32>(23i)));
+                        let _e579 = (_e572 == 0u);
+                        let _e582 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e572)), 32u, _e579)) - 8i);
+                        if (_e575 == 255i) {
+                            phi_1074_ = 255i;
                         } else {
-                            phi_1053_ = (((_e589 + select(0i, 1i, (_e589 == 0i))) - _e596) + _e530);
+                            phi_1074_ = (((_e575 + select(0i, 1i, (_e575 == 0i))) - _e582) + _e516);
                         }
-                        let _e604 = phi_1053_;
-                        let _e614 = (_e604 <= 0i);
-                        if _e614 {
-                            phi_1076_ = u32();
+                        let _e590 = phi_1074_;
+                        let _e600 = (_e590 <= 0i);
+                        if _e600 {
+                            phi_1097_ = u32();
                         } else {
-                            if _e593 {
-                                phi_1075_ = u32();
+                            if _e579 {
+                                phi_1096_ = u32();
                             } else {
-                                phi_1075_ = select(((bitcast<u32>(_e604) << bitcast<u32>(23i)) | ((_e586 << bitcast<u32>(((_e596 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e604 >= 255i));
+                                phi_1096_ = select(((bitcast<u32>(_e590) << bitcast<u32>(23i)) | ((_e572 << bitcast<u32>(((_e582 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e590 >= 255i));
                             }
-                            let _e618 = phi_1075_;
-                            phi_1076_ = _e618;
+                            let _e604 = phi_1096_;
+                            phi_1097_ = _e604;
                         }
-                        let _e620 = phi_1076_;
-                        phi_1084_ = bitcast<f32>(((_e230 & 2147483648u) | select(_e620, 0u, select(_e593, true, _e614))));
-                        phi_1085_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e574, 0u, select(_e547, true, _e568))));
+                        let _e606 = phi_1097_;
+                        phi_1105_ = bitcast<f32>(((_e231 & 2147483648u) | select(_e606, 0u, select(_e579, true, _e600))));
+                        phi_1106_ = bitcast<f32>(((_e222 & 2147483648u) | select(_e560, 0u, select(_e533, true, _e554))));
                     } else {
-                        phi_1084_ = 0f;
-                        phi_1085_ = 1f;
+                        phi_1105_ = 0f;
+                        phi_1106_ = 1f;
                     }
-                    let _e626 = phi_1084_;
-                    let _e628 = phi_1085_;
+                    let _e612 = phi_1105_;
+                    let _e614 = phi_1106_;
                     local_9 = array<type_24, 8>(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -616,1542 +580,1519 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e631 = (_e273 % 3u);
-                    let _e632 = (_e631 < 3u);
-                    if _e632 {
+                    let _e617 = (_e274 % 3u);
+                    let _e618 = (_e617 < 3u);
+                    if _e618 {
                     } else {
                         break;
                     }
-                    let _e634 = local_1[_e631];
-                    let _e637 = (_e272 % 3u);
-                    let _e638 = (_e637 < 3u);
-                    if _e638 {
+                    let _e620 = local_1[_e617];
+                    let _e623 = (_e273 % 3u);
+                    let _e624 = (_e623 < 3u);
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e640 = local_1[_e637];
-                    let _e643 = (_e274 % 3u);
-                    let _e644 = (_e643 < 3u);
-                    if _e644 {
+                    let _e626 = local_1[_e623];
+                    let _e629 = (_e275 % 3u);
+                    let _e630 = (_e629 < 3u);
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e646 = local_1[_e643];
-                    if _e632 {
+                    let _e632 = local_1[_e629];
+                    if _e618 {
                     } else {
                         break;
                     }
-                    let _e651 = local[_e631];
-                    if _e638 {
+                    let _e637 = local[_e617];
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e655 = local[_e637];
-                    if _e644 {
+                    let _e641 = local[_e623];
+                    if _e630 {
                     } else {
                         break;
                     }
-                    let _e659 = local[_e643];
-                    phi_4976_ = false;
-                    phi_4890_ = _e626;
-                    phi_1234_ = ((3u * _e102) + 1u);
-                    phi_1237_ = (_e628 <= _e626);
-                    phi_1239_ = 0u;
-                    phi_1241_ = type_51(type_28(vec4<f32>((f32(_e634) * _e153), (f32(_e640) * _e153), (f32(_e646) * _e153), 0f), vec4<f32>((f32(_e651) * _e153), (f32(_e655) * _e153), (f32(_e659) * _e153), 0f)), select(0u, 2147483648u, (_e102 == 0u)));
+                    let _e645 = local[_e629];
+                    phi_5075_ = false;
+                    phi_4988_ = _e612;
+                    phi_1255_ = ((3u * _e103) + 1u);
+                    phi_1258_ = (_e614 <= _e612);
+                    phi_1260_ = 0u;
+                    phi_1262_ = type_52(type_28(vec4<f32>((f32(_e620) * _e154), (f32(_e626) * _e154), (f32(_e632) * _e154), 0f), vec4<f32>((f32(_e637) * _e154), (f32(_e641) * _e154), (f32(_e645) * _e154), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
                     loop {
-                        let _e669 = phi_4976_;
-                        let _e671 = phi_4890_;
-                        let _e673 = phi_1234_;
-                        let _e675 = phi_1237_;
-                        let _e677 = phi_1239_;
-                        let _e679 = phi_1241_;
-                        if _e675 {
-                            phi_1252_ = true;
+                        let _e655 = phi_5075_;
+                        let _e657 = phi_4988_;
+                        let _e659 = phi_1255_;
+                        let _e661 = phi_1258_;
+                        let _e663 = phi_1260_;
+                        let _e665 = phi_1262_;
+                        if _e661 {
+                            phi_1273_ = true;
                         } else {
-                            phi_1252_ = (_e677 > 0u);
+                            phi_1273_ = (_e663 > 0u);
                         }
-                        let _e682 = phi_1252_;
-                        if _e682 {
-                            let _e683 = (_e673 > 0u);
-                            if _e683 {
-                                if _e675 {
-                                    phi_1339_ = _e675;
-                                    phi_1340_ = _e677;
-                                    phi_1341_ = _e679;
+                        let _e668 = phi_1273_;
+                        if _e668 {
+                            let _e669 = (_e659 > 0u);
+                            if _e669 {
+                                if _e661 {
+                                    phi_1360_ = _e661;
+                                    phi_1361_ = _e663;
+                                    phi_1362_ = _e665;
                                 } else {
-                                    let _e684 = (_e677 - 1u);
-                                    let _e685 = (_e684 % 128u);
-                                    let _e686 = (_e685 < 128u);
-                                    if _e686 {
+                                    let _e670 = (_e663 - 1u);
+                                    let _e671 = (_e670 % 128u);
+                                    let _e672 = (_e671 < 128u);
+                                    if _e672 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e688 = local_7[_e685];
-                                    if _e686 {
+                                    let _e674 = local_7[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e690 = local_6[_e685];
-                                    if _e686 {
+                                    let _e676 = local_6[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e692 = local_5[_e685];
-                                    if _e686 {
+                                    let _e678 = local_5[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e694 = local_4[_e685];
-                                    if _e686 {
+                                    let _e680 = local_4[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e696 = local_3[_e685];
-                                    if _e686 {
+                                    let _e682 = local_3[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e698 = local_2[_e685];
-                                    if _e686 {
+                                    let _e684 = local_2[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e703 = local_8[_e685];
-                                    if _e686 {
+                                    let _e689 = local_8[_e671];
+                                    if _e672 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e706 = local_10[_e685];
-                                    phi_1339_ = (_e706 <= _e671);
-                                    phi_1340_ = _e684;
-                                    phi_1341_ = type_51(type_28(vec4<f32>(_e688, _e690, _e692, 0f), vec4<f32>(_e694, _e696, _e698, 0f)), _e703);
+                                    let _e692 = local_10[_e671];
+                                    phi_1360_ = (_e692 <= _e657);
+                                    phi_1361_ = _e670;
+                                    phi_1362_ = type_52(type_28(vec4<f32>(_e674, _e676, _e678, 0f), vec4<f32>(_e680, _e682, _e684, 0f)), _e689);
                                 }
-                                let _e709 = phi_1339_;
-                                let _e711 = phi_1340_;
-                                let _e713 = phi_1341_;
-                                if _e709 {
-                                    let _e717 = ((_e713.member_1 & 2147483648u) != 0u);
-                                    let _e718 = (_e713.member_1 & 268435455u);
-                                    if _e717 {
-                                        phi_4973_ = _e669;
-                                        phi_4915_ = _e671;
-                                        phi_1360_ = type_8(0u, ((_e713.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e695 = phi_1360_;
+                                let _e697 = phi_1361_;
+                                let _e699 = phi_1362_;
+                                if _e695 {
+                                    let _e703 = ((_e699.member_1 & 2147483648u) != 0u);
+                                    let _e704 = (_e699.member_1 & 268435455u);
+                                    if _e703 {
+                                        phi_5072_ = _e655;
+                                        phi_5013_ = _e657;
+                                        phi_1381_ = type_8(0u, ((_e699.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e725 = phi_4973_;
-                                            let _e727 = phi_4915_;
-                                            let _e729 = phi_1360_;
-                                            if (_e729.member < _e729.member_1) {
-                                                phi_1361_ = type_8((_e729.member + 1u), _e729.member_1);
-                                                phi_1384_ = type_8(1u, _e729.member);
+                                            let _e711 = phi_5072_;
+                                            let _e713 = phi_5013_;
+                                            let _e715 = phi_1381_;
+                                            if (_e715.member < _e715.member_1) {
+                                                phi_1382_ = type_8((_e715.member + 1u), _e715.member_1);
+                                                phi_1405_ = type_8(1u, _e715.member);
                                             } else {
-                                                phi_1361_ = _e729;
-                                                phi_1384_ = type_8(0u, type_8().member_1);
+                                                phi_1382_ = _e715;
+                                                phi_1405_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e742 = phi_1361_;
-                                            let _e744 = phi_1384_;
-                                            let _e748 = (bitcast<i32>(_e744.member) != 0i);
-                                            if _e748 {
-                                                let _e753 = (_e713.member.member_1.x - _e713.member.member.x);
-                                                let _e756 = (_e713.member.member_1.y - _e713.member.member.y);
-                                                let _e759 = (_e713.member.member_1.z - _e713.member.member.z);
-                                                let _e761 = select(_e756, _e753, (_e753 > _e756));
-                                                let _e763 = select(_e759, _e761, (_e761 > _e759));
-                                                let _e765 = (_e763 < (1024f * _e153));
-                                                if _e765 {
-                                                    phi_1425_ = 0u;
+                                            let _e728 = phi_1382_;
+                                            let _e730 = phi_1405_;
+                                            let _e734 = (bitcast<i32>(_e730.member) != 0i);
+                                            if _e734 {
+                                                let _e739 = (_e699.member.member_1.x - _e699.member.member.x);
+                                                let _e742 = (_e699.member.member_1.y - _e699.member.member.y);
+                                                let _e745 = (_e699.member.member_1.z - _e699.member.member.z);
+                                                let _e747 = select(_e742, _e739, (_e739 > _e742));
+                                                let _e749 = select(_e745, _e747, (_e747 > _e745));
+                                                let _e751 = (_e749 < (1024f * _e154));
+                                                if _e751 {
+                                                    phi_1446_ = 0u;
                                                 } else {
-                                                    phi_1425_ = select(2u, 1u, (_e763 < (2097152f * _e153)));
+                                                    phi_1446_ = select(2u, 1u, (_e749 < (2097152f * _e154)));
                                                 }
-                                                let _e770 = phi_1425_;
-                                                switch bitcast<i32>(_e770) {
+                                                let _e756 = phi_1446_;
+                                                switch bitcast<i32>(_e756) {
                                                     case 0: {
-                                                        phi_1431_ = 1u;
+                                                        phi_1452_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1431_ = 2u;
+                                                        phi_1452_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1431_ = 3u;
+                                                        phi_1452_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1431_ = u32();
+                                                        phi_1452_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e773 = phi_1431_;
-                                                switch bitcast<i32>(_e770) {
+                                                let _e759 = phi_1452_;
+                                                switch bitcast<i32>(_e756) {
                                                     case 0: {
-                                                        phi_1441_ = 1u;
+                                                        phi_1462_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1441_ = 2u;
+                                                        phi_1462_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1441_ = 3u;
+                                                        phi_1462_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1441_ = u32();
+                                                        phi_1462_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e780 = phi_1441_;
-                                                let _e782 = ((_e718 + (_e744.member_1 * ((3u * _e773) + 1u))) + (3u * _e780));
-                                                let _e783 = (_e782 < _e105);
-                                                if _e783 {
-                                                    if _e783 {
+                                                let _e766 = phi_1462_;
+                                                let _e768 = ((_e704 + (_e730.member_1 * ((3u * _e759) + 1u))) + (3u * _e766));
+                                                let _e769 = (_e768 < _e106);
+                                                if _e769 {
+                                                    if _e769 {
                                                     } else {
-                                                        phi_5214_ = _e727;
-                                                        phi_5151_ = true;
+                                                        phi_5317_ = _e713;
+                                                        phi_5254_ = true;
                                                         break;
                                                     }
-                                                    let _e785 = global_5.member[_e782];
-                                                    phi_1457_ = _e785;
+                                                    let _e771 = global_5.member[_e768];
+                                                    phi_1478_ = _e771;
                                                 } else {
-                                                    phi_1457_ = 4294967295u;
+                                                    phi_1478_ = 4294967295u;
                                                 }
-                                                let _e787 = phi_1457_;
-                                                if _e765 {
-                                                    phi_1490_ = 0u;
+                                                let _e773 = phi_1478_;
+                                                if _e751 {
+                                                    phi_1511_ = 0u;
                                                 } else {
-                                                    phi_1490_ = select(2u, 1u, (_e763 < (2097152f * _e153)));
+                                                    phi_1511_ = select(2u, 1u, (_e749 < (2097152f * _e154)));
                                                 }
-                                                let _e792 = phi_1490_;
-                                                switch bitcast<i32>(_e792) {
+                                                let _e778 = phi_1511_;
+                                                switch bitcast<i32>(_e778) {
                                                     case 0: {
-                                                        phi_1496_ = 1u;
+                                                        phi_1517_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1496_ = 2u;
+                                                        phi_1517_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1496_ = 3u;
+                                                        phi_1517_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1496_ = u32();
+                                                        phi_1517_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e795 = phi_1496_;
-                                                let _e799 = (_e718 + (_e744.member_1 * ((3u * _e795) + 1u)));
-                                                switch bitcast<i32>(_e792) {
+                                                let _e781 = phi_1517_;
+                                                let _e785 = (_e704 + (_e730.member_1 * ((3u * _e781) + 1u)));
+                                                switch bitcast<i32>(_e778) {
                                                     case 0: {
-                                                        let _e1074 = (_e799 < _e105);
-                                                        if _e1074 {
-                                                            if _e1074 {
+                                                        let _e1060 = (_e785 < _e106);
+                                                        if _e1060 {
+                                                            if _e1060 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1076 = global_5.member[_e799];
-                                                            phi_1523_ = _e1076;
+                                                            let _e1062 = global_5.member[_e785];
+                                                            phi_1544_ = _e1062;
                                                         } else {
-                                                            phi_1523_ = 0u;
+                                                            phi_1544_ = 0u;
                                                         }
-                                                        let _e1078 = phi_1523_;
-                                                        let _e1080 = ((10u * _e273) & 31u);
-                                                        let _e1090 = ((10u * _e272) & 31u);
-                                                        let _e1100 = ((10u * _e274) & 31u);
-                                                        let _e1110 = (_e799 + 1u);
-                                                        let _e1111 = (_e1110 < _e105);
-                                                        if _e1111 {
-                                                            if _e1111 {
+                                                        let _e1064 = phi_1544_;
+                                                        let _e1066 = ((10u * _e274) & 31u);
+                                                        let _e1076 = ((10u * _e273) & 31u);
+                                                        let _e1086 = ((10u * _e275) & 31u);
+                                                        let _e1096 = (_e785 + 1u);
+                                                        let _e1097 = (_e1096 < _e106);
+                                                        if _e1097 {
+                                                            if _e1097 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1113 = global_5.member[_e1110];
-                                                            phi_1572_ = _e1113;
+                                                            let _e1099 = global_5.member[_e1096];
+                                                            phi_1593_ = _e1099;
                                                         } else {
-                                                            phi_1572_ = 0u;
+                                                            phi_1593_ = 0u;
                                                         }
-                                                        let _e1115 = phi_1572_;
-                                                        let _e1141 = (_e799 + 2u);
-                                                        let _e1142 = (_e1141 < _e105);
-                                                        if _e1142 {
-                                                            if _e1142 {
+                                                        let _e1101 = phi_1593_;
+                                                        let _e1127 = (_e785 + 2u);
+                                                        let _e1128 = (_e1127 < _e106);
+                                                        if _e1128 {
+                                                            if _e1128 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1144 = global_5.member[_e1141];
-                                                            phi_1621_ = _e1144;
+                                                            let _e1130 = global_5.member[_e1127];
+                                                            phi_1642_ = _e1130;
                                                         } else {
-                                                            phi_1621_ = 0u;
+                                                            phi_1642_ = 0u;
                                                         }
-                                                        let _e1146 = phi_1621_;
-                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1078 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1078 >> bitcast<u32>(_e1090)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1078 >> bitcast<u32>(_e1100)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1115 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1115 >> bitcast<u32>(_e1090)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1115 >> bitcast<u32>(_e1100)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | ((_e1146 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | ((_e1146 >> bitcast<u32>(_e1090)) & 1023u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | ((_e1146 >> bitcast<u32>(_e1100)) & 1023u))) - 8388608f) * _e153))));
+                                                        let _e1132 = phi_1642_;
+                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((_e699.member.member.x + ((bitcast<f32>((1258291200u | ((_e1064 >> bitcast<u32>(_e1066)) & 1023u))) - 8388608f) * _e154)), (_e699.member.member.y + ((bitcast<f32>((1258291200u | ((_e1064 >> bitcast<u32>(_e1076)) & 1023u))) - 8388608f) * _e154)), (_e699.member.member.z + ((bitcast<f32>((1258291200u | ((_e1064 >> bitcast<u32>(_e1086)) & 1023u))) - 8388608f) * _e154))), array<f32, 3>((_e699.member.member.x + ((bitcast<f32>((1258291200u | ((_e1101 >> bitcast<u32>(_e1066)) & 1023u))) - 8388608f) * _e154)), (_e699.member.member.y + ((bitcast<f32>((1258291200u | ((_e1101 >> bitcast<u32>(_e1076)) & 1023u))) - 8388608f) * _e154)), (_e699.member.member.z + ((bitcast<f32>((1258291200u | ((_e1101 >> bitcast<u32>(_e1086)) & 1023u))) - 8388608f) * _e154))), array<f32, 3>((_e699.member.member.x + ((bitcast<f32>((1258291200u | ((_e1132 >> bitcast<u32>(_e1066)) & 1023u))) - 8388608f) * _e154)), (_e699.member.member.y + ((bitcast<f32>((1258291200u | ((_e1132 >> bitcast<u32>(_e1076)) & 1023u))) - 8388608f) * _e154)), (_e699.member.member.z + ((bitcast<f32>((1258291200u | ((_e1132 >> bitcast<u32>(_e1086)) & 1023u))) - 8388608f) * _e154))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e888 = (_e799 < _e105);
-                                                        if _e888 {
-                                                            if _e888 {
+                                                        let _e874 = (_e785 < _e106);
+                                                        if _e874 {
+                                                            if _e874 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e890 = global_5.member[_e799];
-                                                            phi_1670_ = _e890;
+                                                            let _e876 = global_5.member[_e785];
+                                                            phi_1691_ = _e876;
                                                         } else {
-                                                            phi_1670_ = 0u;
+                                                            phi_1691_ = 0u;
                                                         }
-                                                        let _e892 = phi_1670_;
-                                                        let _e893 = (_e799 + 1u);
-                                                        let _e894 = (_e893 < _e105);
-                                                        if _e894 {
-                                                            if _e894 {
+                                                        let _e878 = phi_1691_;
+                                                        let _e879 = (_e785 + 1u);
+                                                        let _e880 = (_e879 < _e106);
+                                                        if _e880 {
+                                                            if _e880 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e896 = global_5.member[_e893];
-                                                            phi_1685_ = _e896;
+                                                            let _e882 = global_5.member[_e879];
+                                                            phi_1706_ = _e882;
                                                         } else {
-                                                            phi_1685_ = 0u;
+                                                            phi_1706_ = 0u;
                                                         }
-                                                        let _e898 = phi_1685_;
-                                                        let _e899 = (_e273 == 1u);
-                                                        if _e899 {
-                                                            phi_1695_ = ((_e892 >> bitcast<u32>(21i)) | (_e898 << bitcast<u32>(11i)));
+                                                        let _e884 = phi_1706_;
+                                                        let _e885 = (_e274 == 1u);
+                                                        if _e885 {
+                                                            phi_1716_ = ((_e878 >> bitcast<u32>(21i)) | (_e884 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1695_ = (_e898 >> bitcast<u32>(10i));
+                                                            phi_1716_ = (_e884 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e908 = phi_1695_;
-                                                        let _e916 = (_e272 == 1u);
-                                                        if _e916 {
-                                                            phi_1716_ = ((_e892 >> bitcast<u32>(21i)) | (_e898 << bitcast<u32>(11i)));
+                                                        let _e894 = phi_1716_;
+                                                        let _e902 = (_e273 == 1u);
+                                                        if _e902 {
+                                                            phi_1737_ = ((_e878 >> bitcast<u32>(21i)) | (_e884 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1716_ = (_e898 >> bitcast<u32>(10i));
+                                                            phi_1737_ = (_e884 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e925 = phi_1716_;
-                                                        let _e933 = (_e274 == 1u);
-                                                        if _e933 {
-                                                            phi_1737_ = ((_e892 >> bitcast<u32>(21i)) | (_e898 << bitcast<u32>(11i)));
+                                                        let _e911 = phi_1737_;
+                                                        let _e919 = (_e275 == 1u);
+                                                        if _e919 {
+                                                            phi_1758_ = ((_e878 >> bitcast<u32>(21i)) | (_e884 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1737_ = (_e898 >> bitcast<u32>(10i));
+                                                            phi_1758_ = (_e884 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e942 = phi_1737_;
-                                                        let _e951 = (_e799 + 2u);
-                                                        let _e952 = (_e951 < _e105);
-                                                        if _e952 {
-                                                            if _e952 {
+                                                        let _e928 = phi_1758_;
+                                                        let _e937 = (_e785 + 2u);
+                                                        let _e938 = (_e937 < _e106);
+                                                        if _e938 {
+                                                            if _e938 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e954 = global_5.member[_e951];
-                                                            phi_1767_ = _e954;
+                                                            let _e940 = global_5.member[_e937];
+                                                            phi_1788_ = _e940;
                                                         } else {
-                                                            phi_1767_ = 0u;
+                                                            phi_1788_ = 0u;
                                                         }
-                                                        let _e956 = phi_1767_;
-                                                        let _e957 = (_e799 + 3u);
-                                                        let _e958 = (_e957 < _e105);
-                                                        if _e958 {
-                                                            if _e958 {
+                                                        let _e942 = phi_1788_;
+                                                        let _e943 = (_e785 + 3u);
+                                                        let _e944 = (_e943 < _e106);
+                                                        if _e944 {
+                                                            if _e944 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e960 = global_5.member[_e957];
-                                                            phi_1782_ = _e960;
+                                                            let _e946 = global_5.member[_e943];
+                                                            phi_1803_ = _e946;
                                                         } else {
-                                                            phi_1782_ = 0u;
+                                                            phi_1803_ = 0u;
                                                         }
-                                                        let _e962 = phi_1782_;
-                                                        if _e899 {
-                                                            phi_1792_ = ((_e956 >> bitcast<u32>(21i)) | (_e962 << bitcast<u32>(11i)));
+                                                        let _e948 = phi_1803_;
+                                                        if _e885 {
+                                                            phi_1813_ = ((_e942 >> bitcast<u32>(21i)) | (_e948 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1792_ = (_e962 >> bitcast<u32>(10i));
+                                                            phi_1813_ = (_e948 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e971 = phi_1792_;
-                                                        if _e916 {
-                                                            phi_1813_ = ((_e956 >> bitcast<u32>(21i)) | (_e962 << bitcast<u32>(11i)));
+                                                        let _e957 = phi_1813_;
+                                                        if _e902 {
+                                                            phi_1834_ = ((_e942 >> bitcast<u32>(21i)) | (_e948 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1813_ = (_e962 >> bitcast<u32>(10i));
+                                                            phi_1834_ = (_e948 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e987 = phi_1813_;
-                                                        if _e933 {
-                                                            phi_1834_ = ((_e956 >> bitcast<u32>(21i)) | (_e962 << bitcast<u32>(11i)));
+                                                        let _e973 = phi_1834_;
+                                                        if _e919 {
+                                                            phi_1855_ = ((_e942 >> bitcast<u32>(21i)) | (_e948 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1834_ = (_e962 >> bitcast<u32>(10i));
+                                                            phi_1855_ = (_e948 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1003 = phi_1834_;
-                                                        let _e1012 = (_e799 + 4u);
-                                                        let _e1013 = (_e1012 < _e105);
-                                                        if _e1013 {
-                                                            if _e1013 {
+                                                        let _e989 = phi_1855_;
+                                                        let _e998 = (_e785 + 4u);
+                                                        let _e999 = (_e998 < _e106);
+                                                        if _e999 {
+                                                            if _e999 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1015 = global_5.member[_e1012];
-                                                            phi_1864_ = _e1015;
+                                                            let _e1001 = global_5.member[_e998];
+                                                            phi_1885_ = _e1001;
                                                         } else {
-                                                            phi_1864_ = 0u;
+                                                            phi_1885_ = 0u;
                                                         }
-                                                        let _e1017 = phi_1864_;
-                                                        let _e1018 = (_e799 + 5u);
-                                                        let _e1019 = (_e1018 < _e105);
-                                                        if _e1019 {
-                                                            if _e1019 {
+                                                        let _e1003 = phi_1885_;
+                                                        let _e1004 = (_e785 + 5u);
+                                                        let _e1005 = (_e1004 < _e106);
+                                                        if _e1005 {
+                                                            if _e1005 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1021 = global_5.member[_e1018];
-                                                            phi_1879_ = _e1021;
+                                                            let _e1007 = global_5.member[_e1004];
+                                                            phi_1900_ = _e1007;
                                                         } else {
-                                                            phi_1879_ = 0u;
+                                                            phi_1900_ = 0u;
                                                         }
-                                                        let _e1023 = phi_1879_;
-                                                        if _e899 {
-                                                            phi_1889_ = ((_e1017 >> bitcast<u32>(21i)) | (_e1023 << bitcast<u32>(11i)));
+                                                        let _e1009 = phi_1900_;
+                                                        if _e885 {
+                                                            phi_1910_ = ((_e1003 >> bitcast<u32>(21i)) | (_e1009 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1889_ = (_e1023 >> bitcast<u32>(10i));
+                                                            phi_1910_ = (_e1009 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1032 = phi_1889_;
-                                                        if _e916 {
-                                                            phi_1910_ = ((_e1017 >> bitcast<u32>(21i)) | (_e1023 << bitcast<u32>(11i)));
+                                                        let _e1018 = phi_1910_;
+                                                        if _e902 {
+                                                            phi_1931_ = ((_e1003 >> bitcast<u32>(21i)) | (_e1009 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1910_ = (_e1023 >> bitcast<u32>(10i));
+                                                            phi_1931_ = (_e1009 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1048 = phi_1910_;
-                                                        if _e933 {
-                                                            phi_1931_ = ((_e1017 >> bitcast<u32>(21i)) | (_e1023 << bitcast<u32>(11i)));
+                                                        let _e1034 = phi_1931_;
+                                                        if _e919 {
+                                                            phi_1952_ = ((_e1003 >> bitcast<u32>(21i)) | (_e1009 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1931_ = (_e1023 >> bitcast<u32>(10i));
+                                                            phi_1952_ = (_e1009 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1064 = phi_1931_;
-                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e908, _e892, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e925, _e892, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e942, _e892, _e449) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e971, _e956, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e987, _e956, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1003, _e956, _e449) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e713.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1032, _e1017, _e312) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1048, _e1017, _e381) & 2097151u))) - 8388608f) * _e153)), (_e713.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1064, _e1017, _e449) & 2097151u))) - 8388608f) * _e153))));
+                                                        let _e1050 = phi_1952_;
+                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((_e699.member.member.x + ((bitcast<f32>((1258291200u | (select(_e894, _e878, _e313) & 2097151u))) - 8388608f) * _e154)), (_e699.member.member.y + ((bitcast<f32>((1258291200u | (select(_e911, _e878, _e380) & 2097151u))) - 8388608f) * _e154)), (_e699.member.member.z + ((bitcast<f32>((1258291200u | (select(_e928, _e878, _e446) & 2097151u))) - 8388608f) * _e154))), array<f32, 3>((_e699.member.member.x + ((bitcast<f32>((1258291200u | (select(_e957, _e942, _e313) & 2097151u))) - 8388608f) * _e154)), (_e699.member.member.y + ((bitcast<f32>((1258291200u | (select(_e973, _e942, _e380) & 2097151u))) - 8388608f) * _e154)), (_e699.member.member.z + ((bitcast<f32>((1258291200u | (select(_e989, _e942, _e446) & 2097151u))) - 8388608f) * _e154))), array<f32, 3>((_e699.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1018, _e1003, _e313) & 2097151u))) - 8388608f) * _e154)), (_e699.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1034, _e1003, _e380) & 2097151u))) - 8388608f) * _e154)), (_e699.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1050, _e1003, _e446) & 2097151u))) - 8388608f) * _e154))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e801 = (_e799 + _e273);
-                                                        let _e802 = (_e801 < _e105);
-                                                        if _e802 {
-                                                            if _e802 {
+                                                        let _e787 = (_e785 + _e274);
+                                                        let _e788 = (_e787 < _e106);
+                                                        if _e788 {
+                                                            if _e788 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e804 = global_5.member[_e801];
-                                                            phi_1962_ = _e804;
+                                                            let _e790 = global_5.member[_e787];
+                                                            phi_1983_ = _e790;
                                                         } else {
-                                                            phi_1962_ = 0u;
+                                                            phi_1983_ = 0u;
                                                         }
-                                                        let _e806 = phi_1962_;
-                                                        let _e810 = (_e799 + _e272);
-                                                        let _e811 = (_e810 < _e105);
-                                                        if _e811 {
-                                                            if _e811 {
+                                                        let _e792 = phi_1983_;
+                                                        let _e796 = (_e785 + _e273);
+                                                        let _e797 = (_e796 < _e106);
+                                                        if _e797 {
+                                                            if _e797 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e813 = global_5.member[_e810];
-                                                            phi_1980_ = _e813;
+                                                            let _e799 = global_5.member[_e796];
+                                                            phi_2001_ = _e799;
                                                         } else {
-                                                            phi_1980_ = 0u;
+                                                            phi_2001_ = 0u;
                                                         }
-                                                        let _e815 = phi_1980_;
-                                                        let _e819 = (_e799 + _e274);
-                                                        let _e820 = (_e819 < _e105);
-                                                        if _e820 {
-                                                            if _e820 {
+                                                        let _e801 = phi_2001_;
+                                                        let _e805 = (_e785 + _e275);
+                                                        let _e806 = (_e805 < _e106);
+                                                        if _e806 {
+                                                            if _e806 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e822 = global_5.member[_e819];
-                                                            phi_1998_ = _e822;
+                                                            let _e808 = global_5.member[_e805];
+                                                            phi_2019_ = _e808;
                                                         } else {
-                                                            phi_1998_ = 0u;
+                                                            phi_2019_ = 0u;
                                                         }
-                                                        let _e824 = phi_1998_;
-                                                        let _e829 = (_e799 + 3u);
-                                                        let _e830 = (_e829 + _e273);
-                                                        let _e831 = (_e830 < _e105);
-                                                        if _e831 {
-                                                            if _e831 {
+                                                        let _e810 = phi_2019_;
+                                                        let _e815 = (_e785 + 3u);
+                                                        let _e816 = (_e815 + _e274);
+                                                        let _e817 = (_e816 < _e106);
+                                                        if _e817 {
+                                                            if _e817 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e833 = global_5.member[_e830];
-                                                            phi_2021_ = _e833;
+                                                            let _e819 = global_5.member[_e816];
+                                                            phi_2042_ = _e819;
                                                         } else {
-                                                            phi_2021_ = 0u;
+                                                            phi_2042_ = 0u;
                                                         }
-                                                        let _e835 = phi_2021_;
-                                                        let _e839 = (_e829 + _e272);
-                                                        let _e840 = (_e839 < _e105);
-                                                        if _e840 {
-                                                            if _e840 {
+                                                        let _e821 = phi_2042_;
+                                                        let _e825 = (_e815 + _e273);
+                                                        let _e826 = (_e825 < _e106);
+                                                        if _e826 {
+                                                            if _e826 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e842 = global_5.member[_e839];
-                                                            phi_2039_ = _e842;
+                                                            let _e828 = global_5.member[_e825];
+                                                            phi_2060_ = _e828;
                                                         } else {
-                                                            phi_2039_ = 0u;
+                                                            phi_2060_ = 0u;
                                                         }
-                                                        let _e844 = phi_2039_;
-                                                        let _e848 = (_e829 + _e274);
-                                                        let _e849 = (_e848 < _e105);
-                                                        if _e849 {
-                                                            if _e849 {
+                                                        let _e830 = phi_2060_;
+                                                        let _e834 = (_e815 + _e275);
+                                                        let _e835 = (_e834 < _e106);
+                                                        if _e835 {
+                                                            if _e835 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e851 = global_5.member[_e848];
-                                                            phi_2057_ = _e851;
+                                                            let _e837 = global_5.member[_e834];
+                                                            phi_2078_ = _e837;
                                                         } else {
-                                                            phi_2057_ = 0u;
+                                                            phi_2078_ = 0u;
                                                         }
-                                                        let _e853 = phi_2057_;
-                                                        let _e858 = (_e799 + 6u);
-                                                        let _e859 = (_e858 + _e273);
-                                                        let _e860 = (_e859 < _e105);
-                                                        if _e860 {
-                                                            if _e860 {
+                                                        let _e839 = phi_2078_;
+                                                        let _e844 = (_e785 + 6u);
+                                                        let _e845 = (_e844 + _e274);
+                                                        let _e846 = (_e845 < _e106);
+                                                        if _e846 {
+                                                            if _e846 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e862 = global_5.member[_e859];
-                                                            phi_2080_ = _e862;
+                                                            let _e848 = global_5.member[_e845];
+                                                            phi_2101_ = _e848;
                                                         } else {
-                                                            phi_2080_ = 0u;
+                                                            phi_2101_ = 0u;
                                                         }
-                                                        let _e864 = phi_2080_;
-                                                        let _e868 = (_e858 + _e272);
-                                                        let _e869 = (_e868 < _e105);
-                                                        if _e869 {
-                                                            if _e869 {
+                                                        let _e850 = phi_2101_;
+                                                        let _e854 = (_e844 + _e273);
+                                                        let _e855 = (_e854 < _e106);
+                                                        if _e855 {
+                                                            if _e855 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e871 = global_5.member[_e868];
-                                                            phi_2098_ = _e871;
+                                                            let _e857 = global_5.member[_e854];
+                                                            phi_2119_ = _e857;
                                                         } else {
-                                                            phi_2098_ = 0u;
+                                                            phi_2119_ = 0u;
                                                         }
-                                                        let _e873 = phi_2098_;
-                                                        let _e877 = (_e858 + _e274);
-                                                        let _e878 = (_e877 < _e105);
-                                                        if _e878 {
-                                                            if _e878 {
+                                                        let _e859 = phi_2119_;
+                                                        let _e863 = (_e844 + _e275);
+                                                        let _e864 = (_e863 < _e106);
+                                                        if _e864 {
+                                                            if _e864 {
                                                             } else {
-                                                                phi_5214_ = _e727;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e713;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e880 = global_5.member[_e877];
-                                                            phi_2116_ = _e880;
+                                                            let _e866 = global_5.member[_e863];
+                                                            phi_2137_ = _e866;
                                                         } else {
-                                                            phi_2116_ = 0u;
+                                                            phi_2137_ = 0u;
                                                         }
-                                                        let _e882 = phi_2116_;
-                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e806)) * _e153), (f32(bitcast<i32>(_e815)) * _e153), (f32(bitcast<i32>(_e824)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e835)) * _e153), (f32(bitcast<i32>(_e844)) * _e153), (f32(bitcast<i32>(_e853)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e864)) * _e153), (f32(bitcast<i32>(_e873)) * _e153), (f32(bitcast<i32>(_e882)) * _e153)));
+                                                        let _e868 = phi_2137_;
+                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e792)) * _e154), (f32(bitcast<i32>(_e801)) * _e154), (f32(bitcast<i32>(_e810)) * _e154)), array<f32, 3>((f32(bitcast<i32>(_e821)) * _e154), (f32(bitcast<i32>(_e830)) * _e154), (f32(bitcast<i32>(_e839)) * _e154)), array<f32, 3>((f32(bitcast<i32>(_e850)) * _e154), (f32(bitcast<i32>(_e859)) * _e154), (f32(bitcast<i32>(_e868)) * _e154)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2122_ = array<array<f32, 3>, 3>();
+                                                        phi_2143_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1174 = phi_2122_;
-                                                let _e1181 = (_e1174[0][2] - _e474);
-                                                let _e1184 = (((_e1174[0][0] - _e337) * _e513) - (_e1181 * _e377));
-                                                let _e1187 = (((_e1174[0][1] - _e406) * _e513) - (_e1181 * _e445));
-                                                let _e1194 = (_e1174[1][2] - _e474);
-                                                let _e1197 = (((_e1174[1][0] - _e337) * _e513) - (_e1194 * _e377));
-                                                let _e1200 = (((_e1174[1][1] - _e406) * _e513) - (_e1194 * _e445));
-                                                let _e1207 = (_e1174[2][2] - _e474);
-                                                let _e1210 = (((_e1174[2][0] - _e337) * _e513) - (_e1207 * _e377));
-                                                let _e1213 = (((_e1174[2][1] - _e406) * _e513) - (_e1207 * _e445));
-                                                let _e1214 = (_e1210 * _e1200);
-                                                let _e1215 = (_e1213 * _e1197);
-                                                let _e1216 = (_e1184 * _e1213);
-                                                let _e1217 = (_e1187 * _e1210);
-                                                let _e1218 = (_e1197 * _e1187);
-                                                let _e1219 = (_e1200 * _e1184);
-                                                let _e1224 = (((_e1214 >= _e1215) && (_e1216 >= _e1217)) && (_e1218 >= _e1219));
-                                                if (_e1224 || (((_e1214 <= _e1215) && (_e1216 <= _e1217)) && (_e1218 <= _e1219))) {
-                                                    let _e1231 = select(-1f, 1f, _e1224);
-                                                    let _e1233 = ((_e1214 - _e1215) * _e1231);
-                                                    let _e1235 = select(0f, _e1233, (_e1233 > 0f));
-                                                    let _e1237 = ((_e1216 - _e1217) * _e1231);
-                                                    let _e1239 = select(0f, _e1237, (_e1237 > 0f));
-                                                    let _e1241 = ((_e1218 - _e1219) * _e1231);
-                                                    let _e1243 = select(0f, _e1241, (_e1241 > 0f));
-                                                    let _e1245 = ((_e1235 + _e1239) + _e1243);
-                                                    if (_e1245 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3007_ = type_24();
-                                                        phi_3008_ = true;
-                                                        phi_3009_ = false;
+                                                let _e1160 = phi_2143_;
+                                                let _e1175 = (_e1160[0][2] - _e471);
+                                                let _e1178 = (((_e1160[0][0] - _e338) * _e507) - (_e1175 * _e375));
+                                                let _e1181 = (((_e1160[0][1] - _e405) * _e507) - (_e1175 * _e441));
+                                                let _e1184 = (_e1160[1][2] - _e471);
+                                                let _e1187 = (((_e1160[1][0] - _e338) * _e507) - (_e1184 * _e375));
+                                                let _e1190 = (((_e1160[1][1] - _e405) * _e507) - (_e1184 * _e441));
+                                                let _e1193 = (_e1160[2][2] - _e471);
+                                                let _e1196 = (((_e1160[2][0] - _e338) * _e507) - (_e1193 * _e375));
+                                                let _e1199 = (((_e1160[2][1] - _e405) * _e507) - (_e1193 * _e441));
+                                                let _e1200 = (_e1196 * _e1190);
+                                                let _e1201 = (_e1199 * _e1187);
+                                                let _e1202 = (_e1178 * _e1199);
+                                                let _e1203 = (_e1181 * _e1196);
+                                                let _e1204 = (_e1187 * _e1181);
+                                                let _e1205 = (_e1190 * _e1178);
+                                                let _e1210 = (((_e1200 >= _e1201) && (_e1202 >= _e1203)) && (_e1204 >= _e1205));
+                                                let _e1216 = (_e1210 || (((_e1200 <= _e1201) && (_e1202 <= _e1203)) && (_e1204 <= _e1205)));
+                                                if _e1216 {
+                                                    let _e1218 = select(-1f, 1f, _e1210);
+                                                    let _e1220 = ((_e1200 - _e1201) * _e1218);
+                                                    let _e1222 = select(0f, _e1220, (_e1220 > 0f));
+                                                    let _e1224 = ((_e1202 - _e1203) * _e1218);
+                                                    let _e1226 = select(0f, _e1224, (_e1224 > 0f));
+                                                    let _e1228 = ((_e1204 - _e1205) * _e1218);
+                                                    let _e1230 = select(0f, _e1228, (_e1228 > 0f));
+                                                    let _e1232 = ((_e1222 + _e1226) + _e1230);
+                                                    let _e1234 = select(_e1160[1][0], _e1160[0][0], (_e1160[0][0] < _e1160[1][0]));
+                                                    let _e1238 = select(_e1160[1][0], _e1160[0][0], (_e1160[0][0] > _e1160[1][0]));
+                                                    let _e1242 = select(_e1160[1][1], _e1160[0][1], (_e1160[0][1] < _e1160[1][1]));
+                                                    let _e1246 = select(_e1160[1][1], _e1160[0][1], (_e1160[0][1] > _e1160[1][1]));
+                                                    let _e1250 = select(_e1160[1][2], _e1160[0][2], (_e1160[0][2] < _e1160[1][2]));
+                                                    let _e1254 = select(_e1160[1][2], _e1160[0][2], (_e1160[0][2] > _e1160[1][2]));
+                                                    let _e1259 = ((select(_e1160[2][0], _e1234, (_e1234 < _e1160[2][0])) - _e376) * _e379);
+                                                    let _e1260 = ((select(_e1160[2][0], _e1238, (_e1238 > _e1160[2][0])) - _e377) * _e379);
+                                                    let _e1263 = ((select(_e1160[2][1], _e1242, (_e1242 < _e1160[2][1])) - _e442) * _e445);
+                                                    let _e1264 = ((select(_e1160[2][1], _e1246, (_e1246 > _e1160[2][1])) - _e443) * _e445);
+                                                    let _e1267 = ((select(_e1160[2][2], _e1250, (_e1250 < _e1160[2][2])) - _e508) * _e511);
+                                                    let _e1268 = ((select(_e1160[2][2], _e1254, (_e1254 > _e1160[2][2])) - _e509) * _e511);
+                                                    let _e1270 = select(_e1268, _e1267, (_e1267 < _e1268));
+                                                    let _e1272 = select(_e1268, _e1267, (_e1267 > _e1268));
+                                                    let _e1274 = select(_e1260, _e1259, (_e1259 < _e1260));
+                                                    let _e1276 = select(_e1264, _e1263, (_e1263 < _e1264));
+                                                    let _e1278 = select(_e1276, _e1274, (_e1274 > _e1276));
+                                                    let _e1280 = select(_e1270, _e1278, (_e1278 > _e1270));
+                                                    let _e1282 = select(_e1260, _e1259, (_e1259 > _e1260));
+                                                    let _e1284 = select(_e1264, _e1263, (_e1263 > _e1264));
+                                                    let _e1286 = select(_e1284, _e1282, (_e1282 < _e1284));
+                                                    let _e1288 = select(_e1272, _e1286, (_e1286 < _e1272));
+                                                    let _e1289 = -(_e1270);
+                                                    let _e1295 = select(_e614, _e1280, (_e1280 > _e614));
+                                                    let _e1299 = select(_e1187, _e1178, (_e1178 < _e1187));
+                                                    let _e1304 = select(_e1187, _e1178, (_e1178 > _e1187));
+                                                    let _e1311 = select(_e1190, _e1181, (_e1181 < _e1190));
+                                                    let _e1316 = select(_e1190, _e1181, (_e1181 > _e1190));
+                                                    let _e1325 = (((((_e1216 && (_e1232 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1196, _e1299, (_e1299 < _e1196)) <= 0f) && (select(_e1196, _e1304, (_e1304 > _e1196)) >= 0f))) && ((select(_e1199, _e1311, (_e1311 < _e1199)) <= 0f) && (select(_e1199, _e1316, (_e1316 > _e1199)) >= 0f))) && (_e1295 <= (_e1288 + (select(_e1289, _e1272, (_e1272 > _e1289)) * 0.0000019073523f)))) && (_e1295 <= _e713));
+                                                    if _e1325 {
+                                                        let _e1330 = (_e1160[1][0] - _e1160[0][0]);
+                                                        let _e1331 = (_e1160[1][1] - _e1160[0][1]);
+                                                        let _e1332 = (_e1160[1][2] - _e1160[0][2]);
+                                                        let _e1333 = vec3<f32>(_e1330, _e1331, _e1332);
+                                                        let _e1334 = (_e1160[2][0] - _e1160[1][0]);
+                                                        let _e1335 = (_e1160[2][1] - _e1160[1][1]);
+                                                        let _e1336 = (_e1160[2][2] - _e1160[1][2]);
+                                                        let _e1337 = vec3<f32>(_e1334, _e1335, _e1336);
+                                                        let _e1338 = (_e1160[0][0] - _e1160[2][0]);
+                                                        let _e1339 = (_e1160[0][1] - _e1160[2][1]);
+                                                        let _e1340 = (_e1160[0][2] - _e1160[2][2]);
+                                                        let _e1341 = vec3<f32>(_e1338, _e1339, _e1340);
+                                                        let _e1342 = abs(_e1330);
+                                                        let _e1343 = abs(_e1331);
+                                                        if (_e1342 != _e1342) {
+                                                            phi_4544_ = true;
+                                                        } else {
+                                                            phi_4544_ = (_e1343 >= _e1342);
+                                                        }
+                                                        let _e1347 = phi_4544_;
+                                                        let _e1348 = select(_e1342, _e1343, _e1347);
+                                                        let _e1349 = abs(_e1332);
+                                                        if (_e1348 != _e1348) {
+                                                            phi_4559_ = true;
+                                                        } else {
+                                                            phi_4559_ = (_e1349 >= _e1348);
+                                                        }
+                                                        let _e1353 = phi_4559_;
+                                                        let _e1354 = select(_e1348, _e1349, _e1353);
+                                                        let _e1355 = abs(_e1334);
+                                                        let _e1356 = abs(_e1335);
+                                                        if (_e1355 != _e1355) {
+                                                            phi_4574_ = true;
+                                                        } else {
+                                                            phi_4574_ = (_e1356 >= _e1355);
+                                                        }
+                                                        let _e1360 = phi_4574_;
+                                                        let _e1361 = select(_e1355, _e1356, _e1360);
+                                                        let _e1362 = abs(_e1336);
+                                                        if (_e1361 != _e1361) {
+                                                            phi_4589_ = true;
+                                                        } else {
+                                                            phi_4589_ = (_e1362 >= _e1361);
+                                                        }
+                                                        let _e1366 = phi_4589_;
+                                                        let _e1367 = select(_e1361, _e1362, _e1366);
+                                                        let _e1368 = abs(_e1338);
+                                                        let _e1369 = abs(_e1339);
+                                                        if (_e1368 != _e1368) {
+                                                            phi_4604_ = true;
+                                                        } else {
+                                                            phi_4604_ = (_e1369 >= _e1368);
+                                                        }
+                                                        let _e1373 = phi_4604_;
+                                                        let _e1374 = select(_e1368, _e1369, _e1373);
+                                                        let _e1375 = abs(_e1340);
+                                                        if (_e1374 != _e1374) {
+                                                            phi_4619_ = true;
+                                                        } else {
+                                                            phi_4619_ = (_e1375 >= _e1374);
+                                                        }
+                                                        let _e1379 = phi_4619_;
+                                                        let _e1380 = select(_e1374, _e1375, _e1379);
+                                                        let _e1382 = select(_e1367, _e1354, (_e1354 > _e1367));
+                                                        let _e1384 = select(_e1380, _e1382, (_e1382 > _e1380));
+                                                        if (_e1354 == _e1384) {
+                                                            phi_2686_ = _e1190;
+                                                            phi_2687_ = _e1187;
+                                                            phi_2688_ = _e1181;
+                                                            phi_2689_ = _e1178;
+                                                            phi_2690_ = vec3<f32>(_e1160[0][0], _e1160[0][1], _e1160[0][2]);
+                                                            phi_2691_ = _e1341;
+                                                            phi_2692_ = _e1337;
+                                                            phi_2693_ = _e1333;
+                                                        } else {
+                                                            let _e1386 = (_e1367 == _e1384);
+                                                            let _e1391 = vec3(_e1386);
+                                                            phi_2686_ = select(_e1181, _e1199, _e1386);
+                                                            phi_2687_ = select(_e1178, _e1196, _e1386);
+                                                            phi_2688_ = select(_e1199, _e1190, _e1386);
+                                                            phi_2689_ = select(_e1196, _e1187, _e1386);
+                                                            phi_2690_ = select(vec3<f32>(_e1160[2][0], _e1160[2][1], _e1160[2][2]), vec3<f32>(_e1160[1][0], _e1160[1][1], _e1160[1][2]), _e1391);
+                                                            phi_2691_ = select(_e1337, _e1333, _e1391);
+                                                            phi_2692_ = select(_e1333, _e1341, _e1391);
+                                                            phi_2693_ = select(_e1341, _e1337, _e1391);
+                                                        }
+                                                        let _e1397 = phi_2686_;
+                                                        let _e1399 = phi_2687_;
+                                                        let _e1401 = phi_2688_;
+                                                        let _e1403 = phi_2689_;
+                                                        let _e1405 = phi_2690_;
+                                                        let _e1407 = phi_2691_;
+                                                        let _e1409 = phi_2692_;
+                                                        let _e1411 = phi_2693_;
+                                                        let _e1418 = ((_e1409.y * _e1407.z) - (_e1407.y * _e1409.z));
+                                                        let _e1423 = ((_e1409.z * _e1407.x) - (_e1407.z * _e1409.x));
+                                                        let _e1426 = ((_e1409.x * _e1407.y) - (_e1407.x * _e1409.y));
+                                                        let _e1429 = ((_e1222 >= _e1226) && (_e1222 >= _e1230));
+                                                        let _e1430 = (_e1226 >= _e1230);
+                                                        let _e1444 = (((_e1418 * (select(select(_e1160[2][0], _e1160[1][0], _e1430), _e1160[0][0], _e1429) - _e338)) + (_e1423 * (select(select(_e1160[2][1], _e1160[1][1], _e1430), _e1160[0][1], _e1429) - _e405))) + (_e1426 * (select(select(_e1160[2][2], _e1160[1][2], _e1430), _e1160[0][2], _e1429) - _e471)));
+                                                        let _e1449 = (((_e1418 * _e375) + (_e1423 * _e441)) + (_e1426 * _e507));
+                                                        let _e1450 = (_e1399 - _e1403);
+                                                        let _e1451 = (_e1397 - _e1401);
+                                                        let _e1454 = ((_e1450 * _e1450) + (_e1451 * _e1451));
+                                                        let _e1461 = (-(((_e1403 * _e1450) + (_e1401 * _e1451))) / select(0.000000000000000000000000000000000000011754944f, _e1454, (_e1454 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1463 = select(1f, _e1461, (_e1461 < 1f));
+                                                        let _e1465 = select(0f, _e1463, (_e1463 > 0f));
+                                                        let _e1474 = ((_e1405.x + (_e1411.x * _e1465)) - _e338);
+                                                        let _e1477 = ((_e1405.y + (_e1411.y * _e1465)) - _e405);
+                                                        let _e1480 = ((_e1405.z + (_e1411.z * _e1465)) - _e471);
+                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u));
+                                                        let _e1486 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
+                                                        let _e1488 = select(_e1486, _e1483, (_e1483 > _e1486));
+                                                        let _e1491 = bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u));
+                                                        let _e1493 = select(_e1491, _e1488, (_e1488 > _e1491));
+                                                        let _e1497 = abs(_e1418);
+                                                        let _e1498 = abs(_e1423);
+                                                        if (_e1497 != _e1497) {
+                                                            phi_4634_ = true;
+                                                        } else {
+                                                            phi_4634_ = (_e1498 >= _e1497);
+                                                        }
+                                                        let _e1502 = phi_4634_;
+                                                        let _e1503 = select(_e1497, _e1498, _e1502);
+                                                        let _e1504 = abs(_e1426);
+                                                        if (_e1503 != _e1503) {
+                                                            phi_4649_ = true;
+                                                        } else {
+                                                            phi_4649_ = (_e1504 >= _e1503);
+                                                        }
+                                                        let _e1508 = phi_4649_;
+                                                        let _e1524 = abs(_e1409.x);
+                                                        let _e1525 = abs(_e1409.y);
+                                                        if (_e1524 != _e1524) {
+                                                            phi_4664_ = true;
+                                                        } else {
+                                                            phi_4664_ = (_e1525 >= _e1524);
+                                                        }
+                                                        let _e1529 = phi_4664_;
+                                                        let _e1530 = select(_e1524, _e1525, _e1529);
+                                                        let _e1531 = abs(_e1409.z);
+                                                        if (_e1530 != _e1530) {
+                                                            phi_4679_ = true;
+                                                        } else {
+                                                            phi_4679_ = (_e1531 >= _e1530);
+                                                        }
+                                                        let _e1535 = phi_4679_;
+                                                        let _e1538 = abs(_e1407.x);
+                                                        let _e1539 = abs(_e1407.y);
+                                                        if (_e1538 != _e1538) {
+                                                            phi_4694_ = true;
+                                                        } else {
+                                                            phi_4694_ = (_e1539 >= _e1538);
+                                                        }
+                                                        let _e1543 = phi_4694_;
+                                                        let _e1544 = select(_e1538, _e1539, _e1543);
+                                                        let _e1545 = abs(_e1407.z);
+                                                        if (_e1544 != _e1544) {
+                                                            phi_4709_ = true;
+                                                        } else {
+                                                            phi_4709_ = (_e1545 >= _e1544);
+                                                        }
+                                                        let _e1549 = phi_4709_;
+                                                        let _e1554 = ((bitcast<f32>((bitcast<u32>(((((_e1418 * _e1474) + (_e1423 * _e1477)) + (_e1426 * _e1480)) - _e1444)) & 2147483647u)) <= ((0.0000009536743f * select(_e1384, _e1493, (_e1493 > _e1384))) * select(_e1503, _e1504, _e1508))) && !((bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u)) <= ((0.0000038146973f * select(_e1530, _e1531, _e1535)) * select(_e1544, _e1545, _e1549)))));
+                                                        let _e1555 = (_e1444 / _e1449);
+                                                        if (_e1325 && !(_e1554)) {
+                                                            let _e1558 = (_e1480 / _e507);
+                                                            let _e1566 = (((_e1418 * (_e1474 - (_e375 * _e1558))) + (_e1423 * (_e1477 - (_e441 * _e1558)))) / _e1449);
+                                                            phi_2901_ = select(select(_e1558, (_e1558 + _e1566), (bitcast<f32>((bitcast<u32>(_e1566) & 2147483647u)) <= _e1384)), _e1555, _e1554);
+                                                        } else {
+                                                            phi_2901_ = _e1555;
+                                                        }
+                                                        let _e1575 = phi_2901_;
+                                                        let _e1577 = select(_e1288, _e1575, (_e1575 < _e1288));
+                                                        let _e1579 = select(_e1280, _e1577, (_e1577 > _e1280));
+                                                        let _e1580 = (1f / _e1232);
+                                                        phi_2921_ = type_35(_e1579, (_e1226 * _e1580), (_e1230 * _e1580), ((_e1325 && (_e1579 >= _e614)) && (_e1579 <= _e713)));
+                                                        phi_2922_ = type_35();
                                                     } else {
-                                                        let _e1248 = select(_e1197, _e1184, (_e1184 < _e1197));
-                                                        if (select(_e1210, _e1248, (_e1248 < _e1210)) > 0f) {
-                                                            phi_2275_ = true;
-                                                        } else {
-                                                            let _e1253 = select(_e1197, _e1184, (_e1184 > _e1197));
-                                                            phi_2275_ = (select(_e1210, _e1253, (_e1253 > _e1210)) < 0f);
-                                                        }
-                                                        let _e1258 = phi_2275_;
-                                                        if _e1258 {
-                                                            phi_3004_ = type_24();
-                                                            phi_3005_ = true;
-                                                            phi_3006_ = false;
-                                                        } else {
-                                                            let _e1260 = select(_e1200, _e1187, (_e1187 < _e1200));
-                                                            if (select(_e1213, _e1260, (_e1260 < _e1213)) > 0f) {
-                                                                phi_2304_ = true;
-                                                            } else {
-                                                                let _e1265 = select(_e1200, _e1187, (_e1187 > _e1200));
-                                                                phi_2304_ = (select(_e1213, _e1265, (_e1265 > _e1213)) < 0f);
-                                                            }
-                                                            let _e1270 = phi_2304_;
-                                                            if _e1270 {
-                                                                phi_3002_ = type_24();
-                                                                phi_3003_ = false;
-                                                            } else {
-                                                                let _e1272 = select(_e1174[1][0], _e1174[0][0], (_e1174[0][0] < _e1174[1][0]));
-                                                                let _e1276 = select(_e1174[1][0], _e1174[0][0], (_e1174[0][0] > _e1174[1][0]));
-                                                                let _e1280 = select(_e1174[1][1], _e1174[0][1], (_e1174[0][1] < _e1174[1][1]));
-                                                                let _e1284 = select(_e1174[1][1], _e1174[0][1], (_e1174[0][1] > _e1174[1][1]));
-                                                                let _e1288 = select(_e1174[1][2], _e1174[0][2], (_e1174[0][2] < _e1174[1][2]));
-                                                                let _e1292 = select(_e1174[1][2], _e1174[0][2], (_e1174[0][2] > _e1174[1][2]));
-                                                                let _e1297 = ((select(_e1174[2][0], _e1272, (_e1272 < _e1174[2][0])) - _e375) * _e380);
-                                                                let _e1298 = ((select(_e1174[2][0], _e1276, (_e1276 > _e1174[2][0])) - _e376) * _e380);
-                                                                let _e1301 = ((select(_e1174[2][1], _e1280, (_e1280 < _e1174[2][1])) - _e443) * _e448);
-                                                                let _e1302 = ((select(_e1174[2][1], _e1284, (_e1284 > _e1174[2][1])) - _e444) * _e448);
-                                                                let _e1305 = ((select(_e1174[2][2], _e1288, (_e1288 < _e1174[2][2])) - _e511) * _e516);
-                                                                let _e1306 = ((select(_e1174[2][2], _e1292, (_e1292 > _e1174[2][2])) - _e512) * _e516);
-                                                                let _e1308 = select(_e1306, _e1305, (_e1305 < _e1306));
-                                                                let _e1310 = select(_e1306, _e1305, (_e1305 > _e1306));
-                                                                let _e1312 = select(_e1298, _e1297, (_e1297 < _e1298));
-                                                                let _e1314 = select(_e1302, _e1301, (_e1301 < _e1302));
-                                                                let _e1316 = select(_e1314, _e1312, (_e1312 > _e1314));
-                                                                let _e1318 = select(_e1308, _e1316, (_e1316 > _e1308));
-                                                                let _e1320 = select(_e1298, _e1297, (_e1297 > _e1298));
-                                                                let _e1322 = select(_e1302, _e1301, (_e1301 > _e1302));
-                                                                let _e1324 = select(_e1322, _e1320, (_e1320 < _e1322));
-                                                                let _e1326 = select(_e1310, _e1324, (_e1324 < _e1310));
-                                                                let _e1327 = -(_e1308);
-                                                                let _e1333 = select(_e628, _e1318, (_e1318 > _e628));
-                                                                if (_e1333 > (_e1326 + (select(_e1327, _e1310, (_e1310 > _e1327)) * 0.0000019073523f))) {
-                                                                    phi_2997_ = type_24();
-                                                                    phi_2998_ = true;
-                                                                } else {
-                                                                    let _e1335 = (_e1333 > _e727);
-                                                                    if _e1335 {
-                                                                        phi_2996_ = type_24();
-                                                                    } else {
-                                                                        let _e1336 = vec3<f32>(_e1174[0][0], _e1174[0][1], _e1174[0][2]);
-                                                                        let _e1337 = vec3<f32>(_e1174[1][0], _e1174[1][1], _e1174[1][2]);
-                                                                        let _e1338 = vec3<f32>(_e1174[2][0], _e1174[2][1], _e1174[2][2]);
-                                                                        let _e1339 = (_e1174[1][0] - _e1174[0][0]);
-                                                                        let _e1340 = (_e1174[1][1] - _e1174[0][1]);
-                                                                        let _e1341 = (_e1174[1][2] - _e1174[0][2]);
-                                                                        let _e1342 = vec3<f32>(_e1339, _e1340, _e1341);
-                                                                        let _e1343 = (_e1174[2][0] - _e1174[1][0]);
-                                                                        let _e1344 = (_e1174[2][1] - _e1174[1][1]);
-                                                                        let _e1345 = (_e1174[2][2] - _e1174[1][2]);
-                                                                        let _e1346 = vec3<f32>(_e1343, _e1344, _e1345);
-                                                                        let _e1347 = (_e1174[0][0] - _e1174[2][0]);
-                                                                        let _e1348 = (_e1174[0][1] - _e1174[2][1]);
-                                                                        let _e1349 = (_e1174[0][2] - _e1174[2][2]);
-                                                                        let _e1350 = vec3<f32>(_e1347, _e1348, _e1349);
-                                                                        let _e1353 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
-                                                                        let _e1356 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
-                                                                        let _e1358 = select(_e1356, _e1353, (_e1353 > _e1356));
-                                                                        let _e1361 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
-                                                                        let _e1363 = select(_e1361, _e1358, (_e1358 > _e1361));
-                                                                        let _e1366 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
-                                                                        let _e1369 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
-                                                                        let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
-                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
-                                                                        let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
-                                                                        let _e1379 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
-                                                                        let _e1382 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
-                                                                        let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
-                                                                        let _e1387 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
-                                                                        let _e1389 = select(_e1387, _e1384, (_e1384 > _e1387));
-                                                                        let _e1391 = select(_e1376, _e1363, (_e1363 > _e1376));
-                                                                        let _e1393 = select(_e1389, _e1391, (_e1391 > _e1389));
-                                                                        if (_e1363 == _e1393) {
-                                                                            phi_2723_ = _e1200;
-                                                                            phi_2724_ = _e1197;
-                                                                            phi_2725_ = _e1187;
-                                                                            phi_2726_ = _e1184;
-                                                                            phi_2727_ = _e1336;
-                                                                            phi_2728_ = _e1350;
-                                                                            phi_2729_ = _e1346;
-                                                                            phi_2730_ = _e1342;
-                                                                        } else {
-                                                                            let _e1395 = (_e1376 == _e1393);
-                                                                            let _e1400 = vec3(_e1395);
-                                                                            phi_2723_ = select(_e1187, _e1213, _e1395);
-                                                                            phi_2724_ = select(_e1184, _e1210, _e1395);
-                                                                            phi_2725_ = select(_e1213, _e1200, _e1395);
-                                                                            phi_2726_ = select(_e1210, _e1197, _e1395);
-                                                                            phi_2727_ = select(_e1338, _e1337, _e1400);
-                                                                            phi_2728_ = select(_e1346, _e1342, _e1400);
-                                                                            phi_2729_ = select(_e1342, _e1350, _e1400);
-                                                                            phi_2730_ = select(_e1350, _e1346, _e1400);
-                                                                        }
-                                                                        let _e1406 = phi_2723_;
-                                                                        let _e1408 = phi_2724_;
-                                                                        let _e1410 = phi_2725_;
-                                                                        let _e1412 = phi_2726_;
-                                                                        let _e1414 = phi_2727_;
-                                                                        let _e1416 = phi_2728_;
-                                                                        let _e1418 = phi_2729_;
-                                                                        let _e1420 = phi_2730_;
-                                                                        let _e1427 = ((_e1418.y * _e1416.z) - (_e1416.y * _e1418.z));
-                                                                        let _e1432 = ((_e1418.z * _e1416.x) - (_e1416.z * _e1418.x));
-                                                                        let _e1435 = ((_e1418.x * _e1416.y) - (_e1416.x * _e1418.y));
-                                                                        if (_e1235 >= _e1239) {
-                                                                            phi_2767_ = select(true, false, (_e1235 >= _e1243));
-                                                                        } else {
-                                                                            phi_2767_ = true;
-                                                                        }
-                                                                        let _e1440 = phi_2767_;
-                                                                        if _e1440 {
-                                                                            phi_2776_ = select(_e1338, _e1337, vec3((_e1239 >= _e1243)));
-                                                                        } else {
-                                                                            phi_2776_ = _e1336;
-                                                                        }
-                                                                        let _e1445 = phi_2776_;
-                                                                        let _e1456 = (((_e1427 * (_e1445.x - _e337)) + (_e1432 * (_e1445.y - _e406))) + (_e1435 * (_e1445.z - _e474)));
-                                                                        let _e1461 = (((_e1427 * _e377) + (_e1432 * _e445)) + (_e1435 * _e513));
-                                                                        let _e1462 = (_e1408 - _e1412);
-                                                                        let _e1463 = (_e1406 - _e1410);
-                                                                        let _e1471 = (-(((_e1412 * _e1462) + (_e1410 * _e1463))) / ((_e1462 * _e1462) + (_e1463 * _e1463)));
-                                                                        let _e1473 = select(1f, _e1471, (_e1471 < 1f));
-                                                                        let _e1475 = select(0f, _e1473, (_e1473 > 0f));
-                                                                        let _e1488 = ((_e1414.x + (_e1420.x * _e1475)) - _e337);
-                                                                        let _e1489 = ((_e1414.y + (_e1420.y * _e1475)) - _e406);
-                                                                        let _e1490 = ((_e1414.z + (_e1420.z * _e1475)) - _e474);
-                                                                        let _e1491 = (_e1490 / _e513);
-                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
-                                                                        let _e1506 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
-                                                                        let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
-                                                                        let _e1511 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
-                                                                        let _e1513 = select(_e1511, _e1508, (_e1508 > _e1511));
-                                                                        let _e1519 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
-                                                                        let _e1522 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                        let _e1524 = select(_e1522, _e1519, (_e1519 > _e1522));
-                                                                        let _e1527 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1427 * _e1488) + (_e1432 * _e1489)) + (_e1435 * _e1490)) - _e1456)) & 2147483647u)) <= ((0.0000009536743f * select(_e1393, _e1513, (_e1513 > _e1393))) * select(_e1527, _e1524, (_e1524 > _e1527)))) {
-                                                                            let _e1537 = bitcast<f32>((bitcast<u32>(_e1418.x) & 2147483647u));
-                                                                            let _e1540 = bitcast<f32>((bitcast<u32>(_e1418.y) & 2147483647u));
-                                                                            let _e1542 = select(_e1540, _e1537, (_e1537 > _e1540));
-                                                                            let _e1545 = bitcast<f32>((bitcast<u32>(_e1418.z) & 2147483647u));
-                                                                            let _e1551 = bitcast<f32>((bitcast<u32>(_e1416.x) & 2147483647u));
-                                                                            let _e1554 = bitcast<f32>((bitcast<u32>(_e1416.y) & 2147483647u));
-                                                                            let _e1556 = select(_e1554, _e1551, (_e1551 > _e1554));
-                                                                            let _e1559 = bitcast<f32>((bitcast<u32>(_e1416.z) & 2147483647u));
-                                                                            let _e1563 = (bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u)) > ((0.0000038146973f * select(_e1545, _e1542, (_e1542 > _e1545))) * select(_e1559, _e1556, (_e1556 > _e1559))));
-                                                                            if _e1563 {
-                                                                                phi_2941_ = (_e1456 / _e1461);
-                                                                            } else {
-                                                                                phi_2941_ = f32();
-                                                                            }
-                                                                            let _e1566 = phi_2941_;
-                                                                            phi_2943_ = _e1566;
-                                                                            phi_2944_ = select(true, false, _e1563);
-                                                                        } else {
-                                                                            phi_2943_ = f32();
-                                                                            phi_2944_ = true;
-                                                                        }
-                                                                        let _e1569 = phi_2943_;
-                                                                        let _e1571 = phi_2944_;
-                                                                        if _e1571 {
-                                                                            let _e1579 = (((_e1427 * (_e1488 - (_e377 * _e1491))) + (_e1432 * (_e1489 - (_e445 * _e1491)))) / _e1461);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u)) <= _e1393) {
-                                                                                phi_2964_ = (_e1491 + _e1579);
-                                                                            } else {
-                                                                                phi_2964_ = _e1491;
-                                                                            }
-                                                                            let _e1586 = phi_2964_;
-                                                                            phi_2965_ = _e1586;
-                                                                        } else {
-                                                                            phi_2965_ = _e1569;
-                                                                        }
-                                                                        let _e1588 = phi_2965_;
-                                                                        let _e1590 = select(_e1326, _e1588, (_e1588 < _e1326));
-                                                                        let _e1592 = select(_e1318, _e1590, (_e1590 > _e1318));
-                                                                        if (_e1592 >= _e628) {
-                                                                            let _e1594 = (_e1592 <= _e727);
-                                                                            if _e1594 {
-                                                                                let _e1595 = (1f / _e1245);
-                                                                                phi_2988_ = type_24(_e1592, (_e1239 * _e1595), (_e1243 * _e1595), _e787);
-                                                                            } else {
-                                                                                phi_2988_ = type_24();
-                                                                            }
-                                                                            let _e1600 = phi_2988_;
-                                                                            phi_2990_ = _e1600;
-                                                                            phi_2991_ = select(true, false, _e1594);
-                                                                        } else {
-                                                                            phi_2990_ = type_24();
-                                                                            phi_2991_ = true;
-                                                                        }
-                                                                        let _e1603 = phi_2990_;
-                                                                        let _e1605 = phi_2991_;
-                                                                        if _e1605 {
-                                                                            phi_2995_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2995_ = _e1603;
-                                                                        }
-                                                                        let _e1607 = phi_2995_;
-                                                                        phi_2996_ = _e1607;
-                                                                    }
-                                                                    let _e1609 = phi_2996_;
-                                                                    phi_2997_ = _e1609;
-                                                                    phi_2998_ = _e1335;
-                                                                }
-                                                                let _e1611 = phi_2997_;
-                                                                let _e1613 = phi_2998_;
-                                                                phi_3002_ = _e1611;
-                                                                phi_3003_ = _e1613;
-                                                            }
-                                                            let _e1615 = phi_3002_;
-                                                            let _e1617 = phi_3003_;
-                                                            phi_3004_ = _e1615;
-                                                            phi_3005_ = _e1270;
-                                                            phi_3006_ = _e1617;
-                                                        }
-                                                        let _e1619 = phi_3004_;
-                                                        let _e1621 = phi_3005_;
-                                                        let _e1623 = phi_3006_;
-                                                        phi_3007_ = _e1619;
-                                                        phi_3008_ = _e1621;
-                                                        phi_3009_ = _e1623;
+                                                        phi_2921_ = type_35();
+                                                        phi_2922_ = type_35(0f, 0f, 0f, _e1325);
                                                     }
-                                                    let _e1625 = phi_3007_;
-                                                    let _e1627 = phi_3008_;
-                                                    let _e1629 = phi_3009_;
-                                                    phi_3017_ = _e1625;
-                                                    phi_3018_ = select(_e1629, true, _e1627);
+                                                    let _e1589 = phi_2921_;
+                                                    let _e1591 = phi_2922_;
+                                                    phi_2925_ = _e1589;
+                                                    phi_2926_ = _e1591;
+                                                    phi_2927_ = select(true, false, _e1325);
                                                 } else {
-                                                    phi_3017_ = type_24();
-                                                    phi_3018_ = true;
+                                                    phi_2925_ = type_35();
+                                                    phi_2926_ = type_35(0f, 0f, 0f, _e1216);
+                                                    phi_2927_ = true;
                                                 }
-                                                let _e1632 = phi_3017_;
-                                                let _e1634 = phi_3018_;
-                                                if _e1634 {
-                                                    phi_3022_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1594 = phi_2925_;
+                                                let _e1596 = phi_2926_;
+                                                let _e1598 = phi_2927_;
+                                                if _e1598 {
+                                                    phi_2931_ = _e1596;
                                                 } else {
-                                                    phi_3022_ = _e1632;
+                                                    phi_2931_ = _e1594;
                                                 }
-                                                let _e1636 = phi_3022_;
-                                                if (_e1636.member_3 != 4294967295u) {
-                                                    if (_e787 != 4294967295u) {
-                                                        phi_3034_ = type_8(0u, 8u);
-                                                        phi_3037_ = _e1636;
+                                                let _e1600 = phi_2931_;
+                                                if _e1600.member_3 {
+                                                    phi_2940_ = type_24(_e1600.member, _e1600.member_1, _e1600.member_2, _e773);
+                                                } else {
+                                                    phi_2940_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1607 = phi_2940_;
+                                                if (_e1607.member_3 != 4294967295u) {
+                                                    if (_e773 != 4294967295u) {
+                                                        phi_2952_ = type_8(0u, 8u);
+                                                        phi_2955_ = _e1607;
                                                         loop {
-                                                            let _e1641 = phi_3034_;
-                                                            let _e1643 = phi_3037_;
-                                                            if (_e1641.member < _e1641.member_1) {
-                                                                phi_3035_ = type_8((_e1641.member + 1u), _e1641.member_1);
-                                                                phi_3060_ = type_8(1u, _e1641.member);
+                                                            let _e1612 = phi_2952_;
+                                                            let _e1614 = phi_2955_;
+                                                            if (_e1612.member < _e1612.member_1) {
+                                                                phi_2953_ = type_8((_e1612.member + 1u), _e1612.member_1);
+                                                                phi_2978_ = type_8(1u, _e1612.member);
                                                             } else {
-                                                                phi_3035_ = _e1641;
-                                                                phi_3060_ = type_8(0u, type_8().member_1);
+                                                                phi_2953_ = _e1612;
+                                                                phi_2978_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1656 = phi_3035_;
-                                                            let _e1658 = phi_3060_;
-                                                            let _e1662 = (bitcast<i32>(_e1658.member) != 0i);
-                                                            if _e1662 {
-                                                                let _e1663 = (_e1658.member_1 < 8u);
-                                                                if _e1663 {
+                                                            let _e1627 = phi_2953_;
+                                                            let _e1629 = phi_2978_;
+                                                            let _e1633 = (bitcast<i32>(_e1629.member) != 0i);
+                                                            if _e1633 {
+                                                                let _e1634 = (_e1629.member_1 < 8u);
+                                                                if _e1634 {
                                                                 } else {
-                                                                    phi_4944_ = true;
+                                                                    phi_5042_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1668 = local_9[_e1658.member_1].member;
-                                                                if (_e1643.member < _e1668) {
-                                                                    phi_3093_ = true;
+                                                                let _e1639 = local_9[_e1629.member_1].member;
+                                                                if (_e1614.member < _e1639) {
+                                                                    phi_3011_ = true;
                                                                 } else {
-                                                                    let _e1670 = local_9[_e1658.member_1].member;
-                                                                    if (_e1643.member == _e1670) {
-                                                                        let _e1675 = local_9[_e1658.member_1].member_3;
-                                                                        phi_3092_ = (_e1643.member_3 < _e1675);
+                                                                    let _e1641 = local_9[_e1629.member_1].member;
+                                                                    if (_e1614.member == _e1641) {
+                                                                        let _e1646 = local_9[_e1629.member_1].member_3;
+                                                                        phi_3010_ = (_e1614.member_3 < _e1646);
                                                                     } else {
-                                                                        phi_3092_ = false;
+                                                                        phi_3010_ = false;
                                                                     }
-                                                                    let _e1678 = phi_3092_;
-                                                                    phi_3093_ = _e1678;
+                                                                    let _e1649 = phi_3010_;
+                                                                    phi_3011_ = _e1649;
                                                                 }
-                                                                let _e1680 = phi_3093_;
-                                                                if _e1680 {
-                                                                    if _e1663 {
+                                                                let _e1651 = phi_3011_;
+                                                                if _e1651 {
+                                                                    if _e1634 {
                                                                     } else {
-                                                                        phi_4944_ = true;
+                                                                        phi_5042_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1681 = local_9[_e1658.member_1];
-                                                                    local_9[_e1658.member_1] = type_24(_e1643.member, _e1643.member_1, _e1643.member_2, _e1643.member_3);
-                                                                    phi_3114_ = type_24(_e1681.member, _e1681.member_1, _e1681.member_2, _e1681.member_3);
+                                                                    let _e1652 = local_9[_e1629.member_1];
+                                                                    local_9[_e1629.member_1] = type_24(_e1614.member, _e1614.member_1, _e1614.member_2, _e1614.member_3);
+                                                                    phi_3032_ = type_24(_e1652.member, _e1652.member_1, _e1652.member_2, _e1652.member_3);
                                                                 } else {
-                                                                    phi_3114_ = _e1643;
+                                                                    phi_3032_ = _e1614;
                                                                 }
-                                                                let _e1692 = phi_3114_;
-                                                                phi_3038_ = _e1692;
+                                                                let _e1663 = phi_3032_;
+                                                                phi_2956_ = _e1663;
                                                             } else {
-                                                                phi_3038_ = type_24();
+                                                                phi_2956_ = type_24();
                                                             }
-                                                            let _e1694 = phi_3038_;
+                                                            let _e1665 = phi_2956_;
                                                             continue;
                                                             continuing {
-                                                                phi_3034_ = _e1656;
-                                                                phi_3037_ = _e1694;
-                                                                phi_4944_ = _e725;
-                                                                break if !(_e1662);
+                                                                phi_2952_ = _e1627;
+                                                                phi_2955_ = _e1665;
+                                                                phi_5042_ = _e711;
+                                                                break if !(_e1633);
                                                             }
                                                         }
-                                                        let _e1697 = phi_4944_;
-                                                        phi_5214_ = _e727;
-                                                        phi_5151_ = _e1697;
-                                                        if _e1697 {
+                                                        let _e1668 = phi_5042_;
+                                                        phi_5317_ = _e713;
+                                                        phi_5254_ = _e1668;
+                                                        if _e1668 {
                                                             break;
                                                         }
-                                                        let _e1700 = local_9[7u].member_3;
-                                                        if (_e1700 != 4294967295u) {
-                                                            let _e1704 = local_9[7u].member;
-                                                            phi_5305_ = _e1704;
+                                                        let _e1671 = local_9[7u].member_3;
+                                                        if (_e1671 != 4294967295u) {
+                                                            let _e1675 = local_9[7u].member;
+                                                            phi_5413_ = _e1675;
                                                         } else {
-                                                            phi_5305_ = _e727;
+                                                            phi_5413_ = _e713;
                                                         }
-                                                        let _e1706 = phi_5305_;
-                                                        phi_5304_ = _e1706;
-                                                        phi_5154_ = _e1697;
+                                                        let _e1677 = phi_5413_;
+                                                        phi_5412_ = _e1677;
+                                                        phi_5257_ = _e1668;
                                                     } else {
-                                                        phi_5304_ = _e727;
-                                                        phi_5154_ = _e725;
+                                                        phi_5412_ = _e713;
+                                                        phi_5257_ = _e711;
                                                     }
-                                                    let _e1708 = phi_5304_;
-                                                    let _e1710 = phi_5154_;
-                                                    phi_5303_ = _e1708;
-                                                    phi_5153_ = _e1710;
+                                                    let _e1679 = phi_5412_;
+                                                    let _e1681 = phi_5257_;
+                                                    phi_5411_ = _e1679;
+                                                    phi_5256_ = _e1681;
                                                 } else {
-                                                    phi_5303_ = _e727;
-                                                    phi_5153_ = _e725;
+                                                    phi_5411_ = _e713;
+                                                    phi_5256_ = _e711;
                                                 }
-                                                let _e1712 = phi_5303_;
-                                                let _e1714 = phi_5153_;
-                                                phi_5302_ = _e1712;
-                                                phi_5152_ = _e1714;
+                                                let _e1683 = phi_5411_;
+                                                let _e1685 = phi_5256_;
+                                                phi_5410_ = _e1683;
+                                                phi_5255_ = _e1685;
                                             } else {
-                                                phi_5302_ = _e727;
-                                                phi_5152_ = _e725;
+                                                phi_5410_ = _e713;
+                                                phi_5255_ = _e711;
                                             }
-                                            let _e1716 = phi_5302_;
-                                            let _e1718 = phi_5152_;
+                                            let _e1687 = phi_5410_;
+                                            let _e1689 = phi_5255_;
                                             continue;
                                             continuing {
-                                                phi_4973_ = _e1718;
-                                                phi_4915_ = _e1716;
-                                                phi_1360_ = _e742;
-                                                phi_5214_ = _e1716;
-                                                phi_5151_ = _e1718;
-                                                break if !(_e748);
+                                                phi_5072_ = _e1689;
+                                                phi_5013_ = _e1687;
+                                                phi_1381_ = _e728;
+                                                phi_5317_ = _e1687;
+                                                phi_5254_ = _e1689;
+                                                break if !(_e734);
                                             }
                                         }
-                                        let _e1721 = phi_5214_;
-                                        let _e1723 = phi_5151_;
-                                        phi_5307_ = _e1723;
-                                        if _e1723 {
+                                        let _e1692 = phi_5317_;
+                                        let _e1694 = phi_5254_;
+                                        phi_5415_ = _e1694;
+                                        if _e1694 {
                                             break;
                                         }
-                                        phi_5398_ = _e1723;
-                                        phi_5213_ = _e1721;
+                                        phi_5506_ = _e1694;
+                                        phi_5316_ = _e1692;
                                     } else {
-                                        phi_5398_ = _e669;
-                                        phi_5213_ = _e671;
+                                        phi_5506_ = _e655;
+                                        phi_5316_ = _e657;
                                     }
-                                    let _e1725 = phi_5398_;
-                                    let _e1727 = phi_5213_;
-                                    if _e717 {
-                                        phi_4391_ = bool();
-                                        phi_4392_ = u32();
-                                        phi_4393_ = type_51();
+                                    let _e1696 = phi_5506_;
+                                    let _e1698 = phi_5316_;
+                                    if _e703 {
+                                        phi_4309_ = bool();
+                                        phi_4310_ = u32();
+                                        phi_4311_ = type_52();
                                     } else {
-                                        if (_e713.member_1 >= _e102) {
-                                            phi_3926_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e699.member_1 >= _e103) {
+                                            phi_3844_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e713.member_1 < _e102) {
+                                            if (_e699.member_1 < _e103) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1731 = ((1u + _e273) % 4u);
-                                            if (_e1731 < 4u) {
+                                            let _e1702 = ((1u + _e274) % 4u);
+                                            if (_e1702 < 4u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1736 = global_3.member[_e713.member_1][_e1731];
-                                            let _e1738 = (_e1736 >> bitcast<u32>(11u));
-                                            let _e1740 = ((1u + _e272) % 4u);
-                                            if (_e1740 < 4u) {
+                                            let _e1707 = global_3.member[_e699.member_1][_e1702];
+                                            let _e1709 = (_e1707 >> bitcast<u32>(11u));
+                                            let _e1711 = ((1u + _e273) % 4u);
+                                            if (_e1711 < 4u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1745 = global_3.member[_e713.member_1][_e1740];
-                                            let _e1747 = (_e1745 >> bitcast<u32>(11u));
-                                            let _e1749 = ((1u + _e274) % 4u);
-                                            if (_e1749 < 4u) {
+                                            let _e1716 = global_3.member[_e699.member_1][_e1711];
+                                            let _e1718 = (_e1716 >> bitcast<u32>(11u));
+                                            let _e1720 = ((1u + _e275) % 4u);
+                                            if (_e1720 < 4u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1754 = global_3.member[_e713.member_1][_e1749];
-                                            let _e1756 = (_e1754 >> bitcast<u32>(11u));
-                                            let _e1779 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.x - _e713.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e1780 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.y - _e713.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e1781 = (bitcast<f32>((bitcast<u32>((_e713.member.member_1.z - _e713.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e1783 = select(_e153, _e1779, (_e1779 > _e153));
-                                            let _e1785 = select(_e153, _e1780, (_e1780 > _e153));
-                                            let _e1787 = select(_e153, _e1781, (_e1781 > _e153));
-                                            let _e1818 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1736 & 1023u))) - 8388608f) * _e1783));
-                                            let _e1823 = (bitcast<i32>((_e1736 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1826 = bitcast<f32>((_e1818 & bitcast<u32>(_e1823)));
-                                            let _e1827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1745 & 1023u))) - 8388608f) * _e1785));
-                                            let _e1832 = (bitcast<i32>((_e1745 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1835 = bitcast<f32>((_e1827 & bitcast<u32>(_e1832)));
-                                            let _e1836 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1754 & 1023u))) - 8388608f) * _e1787));
-                                            let _e1841 = (bitcast<i32>((_e1754 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1844 = bitcast<f32>((_e1836 & bitcast<u32>(_e1841)));
-                                            let _e1848 = bitcast<f32>((_e1818 & bitcast<u32>(~(_e1823))));
-                                            let _e1852 = bitcast<f32>((_e1827 & bitcast<u32>(~(_e1832))));
-                                            let _e1856 = bitcast<f32>((_e1836 & bitcast<u32>(~(_e1841))));
-                                            let _e1857 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1738 & 1023u))) - 8388608f) * _e1783));
-                                            let _e1862 = (bitcast<i32>((_e1738 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1865 = bitcast<f32>((_e1857 & bitcast<u32>(_e1862)));
-                                            let _e1866 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1747 & 1023u))) - 8388608f) * _e1785));
-                                            let _e1871 = (bitcast<i32>((_e1747 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1874 = bitcast<f32>((_e1866 & bitcast<u32>(_e1871)));
-                                            let _e1875 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1756 & 1023u))) - 8388608f) * _e1787));
-                                            let _e1880 = (bitcast<i32>((_e1756 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1883 = bitcast<f32>((_e1875 & bitcast<u32>(_e1880)));
-                                            let _e1887 = bitcast<f32>((_e1857 & bitcast<u32>(~(_e1862))));
-                                            let _e1891 = bitcast<f32>((_e1866 & bitcast<u32>(~(_e1871))));
-                                            let _e1895 = bitcast<f32>((_e1875 & bitcast<u32>(~(_e1880))));
-                                            let _e1896 = (_e713.member.member.x + _e1826);
-                                            let _e1897 = (_e713.member.member.y + _e1835);
-                                            let _e1898 = (_e713.member.member.z + _e1844);
-                                            let _e1901 = (_e713.member.member_1.x - _e1865);
-                                            let _e1902 = (_e713.member.member_1.y - _e1874);
-                                            let _e1903 = (_e713.member.member_1.z - _e1883);
-                                            let _e1922 = (_e1901 - _e1896);
-                                            let _e1923 = (_e1902 - _e1897);
-                                            let _e1924 = (_e1903 - _e1898);
-                                            let _e1926 = select(_e1923, _e1922, (_e1922 > _e1923));
-                                            let _e1928 = select(_e1924, _e1926, (_e1926 > _e1924));
-                                            if (_e1928 < (1024f * _e153)) {
-                                                phi_3627_ = 0u;
+                                            let _e1725 = global_3.member[_e699.member_1][_e1720];
+                                            let _e1727 = (_e1725 >> bitcast<u32>(11u));
+                                            let _e1750 = (bitcast<f32>((bitcast<u32>((_e699.member.member_1.x - _e699.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e1751 = (bitcast<f32>((bitcast<u32>((_e699.member.member_1.y - _e699.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e1752 = (bitcast<f32>((bitcast<u32>((_e699.member.member_1.z - _e699.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e1754 = select(_e154, _e1750, (_e1750 > _e154));
+                                            let _e1756 = select(_e154, _e1751, (_e1751 > _e154));
+                                            let _e1758 = select(_e154, _e1752, (_e1752 > _e154));
+                                            let _e1789 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1707 & 1023u))) - 8388608f) * _e1754));
+                                            let _e1794 = (bitcast<i32>((_e1707 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1797 = bitcast<f32>((_e1789 & bitcast<u32>(_e1794)));
+                                            let _e1798 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1716 & 1023u))) - 8388608f) * _e1756));
+                                            let _e1803 = (bitcast<i32>((_e1716 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1806 = bitcast<f32>((_e1798 & bitcast<u32>(_e1803)));
+                                            let _e1807 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1725 & 1023u))) - 8388608f) * _e1758));
+                                            let _e1812 = (bitcast<i32>((_e1725 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1815 = bitcast<f32>((_e1807 & bitcast<u32>(_e1812)));
+                                            let _e1819 = bitcast<f32>((_e1789 & bitcast<u32>(~(_e1794))));
+                                            let _e1823 = bitcast<f32>((_e1798 & bitcast<u32>(~(_e1803))));
+                                            let _e1827 = bitcast<f32>((_e1807 & bitcast<u32>(~(_e1812))));
+                                            let _e1828 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1709 & 1023u))) - 8388608f) * _e1754));
+                                            let _e1833 = (bitcast<i32>((_e1709 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1836 = bitcast<f32>((_e1828 & bitcast<u32>(_e1833)));
+                                            let _e1837 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1718 & 1023u))) - 8388608f) * _e1756));
+                                            let _e1842 = (bitcast<i32>((_e1718 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1845 = bitcast<f32>((_e1837 & bitcast<u32>(_e1842)));
+                                            let _e1846 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1727 & 1023u))) - 8388608f) * _e1758));
+                                            let _e1851 = (bitcast<i32>((_e1727 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e1854 = bitcast<f32>((_e1846 & bitcast<u32>(_e1851)));
+                                            let _e1858 = bitcast<f32>((_e1828 & bitcast<u32>(~(_e1833))));
+                                            let _e1862 = bitcast<f32>((_e1837 & bitcast<u32>(~(_e1842))));
+                                            let _e1866 = bitcast<f32>((_e1846 & bitcast<u32>(~(_e1851))));
+                                            let _e1867 = (_e699.member.member.x + _e1797);
+                                            let _e1868 = (_e699.member.member.y + _e1806);
+                                            let _e1869 = (_e699.member.member.z + _e1815);
+                                            let _e1872 = (_e699.member.member_1.x - _e1836);
+                                            let _e1873 = (_e699.member.member_1.y - _e1845);
+                                            let _e1874 = (_e699.member.member_1.z - _e1854);
+                                            let _e1893 = (_e1872 - _e1867);
+                                            let _e1894 = (_e1873 - _e1868);
+                                            let _e1895 = (_e1874 - _e1869);
+                                            let _e1897 = select(_e1894, _e1893, (_e1893 > _e1894));
+                                            let _e1899 = select(_e1895, _e1897, (_e1897 > _e1895));
+                                            if (_e1899 < (1024f * _e154)) {
+                                                phi_3545_ = 0u;
                                             } else {
-                                                phi_3627_ = select(2u, 1u, (_e1928 < (2097152f * _e153)));
+                                                phi_3545_ = select(2u, 1u, (_e1899 < (2097152f * _e154)));
                                             }
-                                            let _e1935 = phi_3627_;
-                                            switch bitcast<i32>(_e1935) {
+                                            let _e1906 = phi_3545_;
+                                            switch bitcast<i32>(_e1906) {
                                                 case 0: {
-                                                    phi_3633_ = 1u;
+                                                    phi_3551_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3633_ = 2u;
+                                                    phi_3551_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3633_ = 3u;
+                                                    phi_3551_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3633_ = u32();
+                                                    phi_3551_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1938 = phi_3633_;
-                                            let _e1944 = global_3.member[_e713.member_1][0u];
-                                            let _e1948 = global_3.member[_e713.member_1][1u];
-                                            let _e1952 = global_3.member[_e713.member_1][2u];
-                                            let _e1956 = global_3.member[_e713.member_1][3u];
-                                            let _e1968 = (((_e1948 >> bitcast<u32>(22i)) | ((_e1952 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1956 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1969 = (_e1944 & 268435455u);
-                                            let _e1970 = (_e1968 & 268435455u);
-                                            let _e1973 = ((_e1944 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1981 = ((_e1944 >> bitcast<u32>(31i)) | (((_e1968 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1982 = (_e1973 != 0u);
-                                            if (_e1973 == 0u) {
-                                                phi_3888_ = _e1969;
+                                            let _e1909 = phi_3551_;
+                                            let _e1915 = global_3.member[_e699.member_1][0u];
+                                            let _e1919 = global_3.member[_e699.member_1][1u];
+                                            let _e1923 = global_3.member[_e699.member_1][2u];
+                                            let _e1927 = global_3.member[_e699.member_1][3u];
+                                            let _e1939 = (((_e1919 >> bitcast<u32>(22i)) | ((_e1923 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1927 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1940 = (_e1915 & 268435455u);
+                                            let _e1941 = (_e1939 & 268435455u);
+                                            let _e1944 = ((_e1915 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1952 = ((_e1915 >> bitcast<u32>(31i)) | (((_e1939 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1953 = (_e1944 != 0u);
+                                            if (_e1944 == 0u) {
+                                                phi_3806_ = _e1940;
                                             } else {
-                                                if (_e1973 == 7u) {
-                                                    phi_3887_ = 2147483648u;
+                                                if (_e1944 == 7u) {
+                                                    phi_3805_ = 2147483648u;
                                                 } else {
-                                                    phi_3887_ = ((2147483648u | (_e1973 << bitcast<u32>(28u))) | (_e1970 & 268435455u));
+                                                    phi_3805_ = ((2147483648u | (_e1944 << bitcast<u32>(28u))) | (_e1941 & 268435455u));
                                                 }
-                                                let _e1991 = phi_3887_;
-                                                phi_3888_ = _e1991;
+                                                let _e1962 = phi_3805_;
+                                                phi_3806_ = _e1962;
                                             }
-                                            let _e1993 = phi_3888_;
-                                            if _e1982 {
-                                                let _e1994 = (_e1973 != 7u);
-                                                if _e1994 {
-                                                    phi_3898_ = (_e1970 + (_e1973 * ((3u * _e1938) + 1u)));
+                                            let _e1964 = phi_3806_;
+                                            if _e1953 {
+                                                let _e1965 = (_e1944 != 7u);
+                                                if _e1965 {
+                                                    phi_3816_ = (_e1941 + (_e1944 * ((3u * _e1909) + 1u)));
                                                 } else {
-                                                    phi_3898_ = u32();
+                                                    phi_3816_ = u32();
                                                 }
-                                                let _e1998 = phi_3898_;
-                                                phi_3900_ = _e1998;
-                                                phi_3901_ = select(true, false, _e1994);
+                                                let _e1969 = phi_3816_;
+                                                phi_3818_ = _e1969;
+                                                phi_3819_ = select(true, false, _e1965);
                                             } else {
-                                                phi_3900_ = u32();
-                                                phi_3901_ = true;
+                                                phi_3818_ = u32();
+                                                phi_3819_ = true;
                                             }
-                                            let _e2001 = phi_3900_;
-                                            let _e2003 = phi_3901_;
-                                            if (_e1981 == 0u) {
-                                                phi_3922_ = (_e1969 + select(0u, 1u, !(_e1982)));
+                                            let _e1972 = phi_3818_;
+                                            let _e1974 = phi_3819_;
+                                            if (_e1952 == 0u) {
+                                                phi_3840_ = (_e1940 + select(0u, 1u, !(_e1953)));
                                             } else {
-                                                if (_e1981 == 7u) {
-                                                    phi_3921_ = 2147483648u;
+                                                if (_e1952 == 7u) {
+                                                    phi_3839_ = 2147483648u;
                                                 } else {
-                                                    phi_3921_ = ((2147483648u | (_e1981 << bitcast<u32>(28u))) | (select(_e2001, _e1970, _e2003) & 268435455u));
+                                                    phi_3839_ = ((2147483648u | (_e1952 << bitcast<u32>(28u))) | (select(_e1972, _e1941, _e1974) & 268435455u));
                                                 }
-                                                let _e2016 = phi_3921_;
-                                                phi_3922_ = _e2016;
+                                                let _e1987 = phi_3839_;
+                                                phi_3840_ = _e1987;
                                             }
-                                            let _e2018 = phi_3922_;
-                                            phi_3926_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e1896, (_e713.member.member.x + _e1848), _e1901, (_e713.member.member_1.x - _e1887)), vec4<f32>(_e1897, (_e713.member.member.y + _e1852), _e1902, (_e713.member.member_1.y - _e1891)), vec4<f32>(_e1898, (_e713.member.member.z + _e1856), _e1903, (_e713.member.member_1.z - _e1895))), type_51(type_28((_e713.member.member + vec4<f32>(_e1826, _e1835, _e1844, 0f)), (_e713.member.member_1 - vec4<f32>(_e1865, _e1874, _e1883, 0f))), _e1993), type_51(type_28((_e713.member.member + vec4<f32>(_e1848, _e1852, _e1856, 0f)), (_e713.member.member_1 - vec4<f32>(_e1887, _e1891, _e1895, 0f))), _e2018));
+                                            let _e1989 = phi_3840_;
+                                            phi_3844_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e1867, (_e699.member.member.x + _e1819), _e1872, (_e699.member.member_1.x - _e1858)), vec4<f32>(_e1868, (_e699.member.member.y + _e1823), _e1873, (_e699.member.member_1.y - _e1862)), vec4<f32>(_e1869, (_e699.member.member.z + _e1827), _e1874, (_e699.member.member_1.z - _e1866))), type_52(type_28((_e699.member.member + vec4<f32>(_e1797, _e1806, _e1815, 0f)), (_e699.member.member_1 - vec4<f32>(_e1836, _e1845, _e1854, 0f))), _e1964), type_52(type_28((_e699.member.member + vec4<f32>(_e1819, _e1823, _e1827, 0f)), (_e699.member.member_1 - vec4<f32>(_e1858, _e1862, _e1866, 0f))), _e1989));
                                         }
-                                        let _e2023 = phi_3926_;
-                                        let _e2034 = ((_e2023.member[0].x - _e375) * _e380);
-                                        let _e2035 = ((_e2023.member[0].y - _e375) * _e380);
-                                        let _e2036 = ((_e2023.member[0].z - _e376) * _e380);
-                                        let _e2037 = ((_e2023.member[0].w - _e376) * _e380);
-                                        let _e2047 = ((_e2023.member[1].x - _e443) * _e448);
-                                        let _e2048 = ((_e2023.member[1].y - _e443) * _e448);
-                                        let _e2049 = ((_e2023.member[1].z - _e444) * _e448);
-                                        let _e2050 = ((_e2023.member[1].w - _e444) * _e448);
-                                        let _e2060 = ((_e2023.member[2].x - _e511) * _e516);
-                                        let _e2061 = ((_e2023.member[2].y - _e511) * _e516);
-                                        let _e2062 = ((_e2023.member[2].z - _e512) * _e516);
-                                        let _e2063 = ((_e2023.member[2].w - _e512) * _e516);
-                                        let _e2065 = select(_e2062, _e2060, (_e2060 < _e2062));
-                                        let _e2067 = select(_e2063, _e2061, (_e2061 < _e2063));
-                                        let _e2069 = select(_e2062, _e2060, (_e2060 > _e2062));
-                                        let _e2071 = select(_e2063, _e2061, (_e2061 > _e2063));
-                                        let _e2073 = select(_e2036, _e2034, (_e2034 < _e2036));
-                                        let _e2075 = select(_e2037, _e2035, (_e2035 < _e2037));
-                                        let _e2077 = select(_e2049, _e2047, (_e2047 < _e2049));
-                                        let _e2079 = select(_e2050, _e2048, (_e2048 < _e2050));
-                                        let _e2081 = select(_e2077, _e2073, (_e2073 > _e2077));
-                                        let _e2083 = select(_e2079, _e2075, (_e2075 > _e2079));
-                                        let _e2085 = select(_e2065, _e2081, (_e2081 > _e2065));
-                                        let _e2087 = select(_e2067, _e2083, (_e2083 > _e2067));
-                                        let _e2089 = select(_e2036, _e2034, (_e2034 > _e2036));
-                                        let _e2091 = select(_e2037, _e2035, (_e2035 > _e2037));
-                                        let _e2093 = select(_e2049, _e2047, (_e2047 > _e2049));
-                                        let _e2095 = select(_e2050, _e2048, (_e2048 > _e2050));
-                                        let _e2097 = select(_e2093, _e2089, (_e2089 < _e2093));
-                                        let _e2099 = select(_e2095, _e2091, (_e2091 < _e2095));
-                                        let _e2104 = -(_e2065);
-                                        let _e2105 = -(_e2067);
-                                        let _e2112 = (select(_e2069, _e2097, (_e2097 < _e2069)) + (select(_e2104, _e2069, (_e2069 > _e2104)) * 0.0000019073523f));
-                                        let _e2113 = (select(_e2071, _e2099, (_e2099 < _e2071)) + (select(_e2105, _e2071, (_e2071 > _e2105)) * 0.0000019073523f));
-                                        let _e2115 = select(_e628, _e2085, (_e2085 > _e628));
-                                        let _e2117 = select(_e628, _e2087, (_e2087 > _e628));
-                                        let _e2122 = (_e2115 <= select(_e1727, _e2112, (_e2112 < _e1727)));
-                                        let _e2123 = (_e2117 <= select(_e1727, _e2113, (_e2113 < _e1727)));
-                                        let _e2124 = (_e2115 <= _e2117);
-                                        if _e2122 {
-                                            if _e2123 {
-                                                if _e2124 {
-                                                    phi_4289_ = _e2023.member_2;
+                                        let _e1994 = phi_3844_;
+                                        let _e2005 = ((_e1994.member[0].x - _e376) * _e379);
+                                        let _e2006 = ((_e1994.member[0].y - _e376) * _e379);
+                                        let _e2007 = ((_e1994.member[0].z - _e377) * _e379);
+                                        let _e2008 = ((_e1994.member[0].w - _e377) * _e379);
+                                        let _e2018 = ((_e1994.member[1].x - _e442) * _e445);
+                                        let _e2019 = ((_e1994.member[1].y - _e442) * _e445);
+                                        let _e2020 = ((_e1994.member[1].z - _e443) * _e445);
+                                        let _e2021 = ((_e1994.member[1].w - _e443) * _e445);
+                                        let _e2031 = ((_e1994.member[2].x - _e508) * _e511);
+                                        let _e2032 = ((_e1994.member[2].y - _e508) * _e511);
+                                        let _e2033 = ((_e1994.member[2].z - _e509) * _e511);
+                                        let _e2034 = ((_e1994.member[2].w - _e509) * _e511);
+                                        let _e2036 = select(_e2033, _e2031, (_e2031 < _e2033));
+                                        let _e2038 = select(_e2034, _e2032, (_e2032 < _e2034));
+                                        let _e2040 = select(_e2033, _e2031, (_e2031 > _e2033));
+                                        let _e2042 = select(_e2034, _e2032, (_e2032 > _e2034));
+                                        let _e2044 = select(_e2007, _e2005, (_e2005 < _e2007));
+                                        let _e2046 = select(_e2008, _e2006, (_e2006 < _e2008));
+                                        let _e2048 = select(_e2020, _e2018, (_e2018 < _e2020));
+                                        let _e2050 = select(_e2021, _e2019, (_e2019 < _e2021));
+                                        let _e2052 = select(_e2048, _e2044, (_e2044 > _e2048));
+                                        let _e2054 = select(_e2050, _e2046, (_e2046 > _e2050));
+                                        let _e2056 = select(_e2036, _e2052, (_e2052 > _e2036));
+                                        let _e2058 = select(_e2038, _e2054, (_e2054 > _e2038));
+                                        let _e2060 = select(_e2007, _e2005, (_e2005 > _e2007));
+                                        let _e2062 = select(_e2008, _e2006, (_e2006 > _e2008));
+                                        let _e2064 = select(_e2020, _e2018, (_e2018 > _e2020));
+                                        let _e2066 = select(_e2021, _e2019, (_e2019 > _e2021));
+                                        let _e2068 = select(_e2064, _e2060, (_e2060 < _e2064));
+                                        let _e2070 = select(_e2066, _e2062, (_e2062 < _e2066));
+                                        let _e2075 = -(_e2036);
+                                        let _e2076 = -(_e2038);
+                                        let _e2083 = (select(_e2040, _e2068, (_e2068 < _e2040)) + (select(_e2075, _e2040, (_e2040 > _e2075)) * 0.0000019073523f));
+                                        let _e2084 = (select(_e2042, _e2070, (_e2070 < _e2042)) + (select(_e2076, _e2042, (_e2042 > _e2076)) * 0.0000019073523f));
+                                        let _e2086 = select(_e614, _e2056, (_e2056 > _e614));
+                                        let _e2088 = select(_e614, _e2058, (_e2058 > _e614));
+                                        let _e2093 = (_e2086 <= select(_e1698, _e2083, (_e2083 < _e1698)));
+                                        let _e2094 = (_e2088 <= select(_e1698, _e2084, (_e2084 < _e1698)));
+                                        let _e2095 = (_e2086 <= _e2088);
+                                        if _e2093 {
+                                            if _e2094 {
+                                                if _e2095 {
+                                                    phi_4207_ = _e1994.member_2;
                                                 } else {
-                                                    phi_4289_ = _e2023.member_1;
+                                                    phi_4207_ = _e1994.member_1;
                                                 }
-                                                let _e2128 = phi_4289_;
-                                                let _e2149 = (_e711 % 128u);
-                                                let _e2150 = (_e2149 < 128u);
-                                                if _e2150 {
+                                                let _e2099 = phi_4207_;
+                                                let _e2120 = (_e697 % 128u);
+                                                let _e2121 = (_e2120 < 128u);
+                                                if _e2121 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_8[_e2149] = _e2128.member_1;
-                                                if _e2150 {
+                                                local_8[_e2120] = _e2099.member_1;
+                                                if _e2121 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_7[_e2149] = _e2128.member.member.x;
-                                                if _e2150 {
+                                                local_7[_e2120] = _e2099.member.member.x;
+                                                if _e2121 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_6[_e2149] = _e2128.member.member.y;
-                                                if _e2150 {
+                                                local_6[_e2120] = _e2099.member.member.y;
+                                                if _e2121 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_5[_e2149] = _e2128.member.member.z;
-                                                if _e2150 {
+                                                local_5[_e2120] = _e2099.member.member.z;
+                                                if _e2121 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_4[_e2149] = _e2128.member.member_1.x;
-                                                if _e2150 {
+                                                local_4[_e2120] = _e2099.member.member_1.x;
+                                                if _e2121 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_3[_e2149] = _e2128.member.member_1.y;
-                                                if _e2150 {
+                                                local_3[_e2120] = _e2099.member.member_1.y;
+                                                if _e2121 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2149] = _e2128.member.member_1.z;
-                                                if _e2150 {
+                                                local_2[_e2120] = _e2099.member.member_1.z;
+                                                if _e2121 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_10[_e2149] = select(_e2115, _e2117, _e2124);
-                                                if _e2124 {
-                                                    phi_4365_ = _e2023.member_1;
+                                                local_10[_e2120] = select(_e2086, _e2088, _e2095);
+                                                if _e2095 {
+                                                    phi_4283_ = _e1994.member_1;
                                                 } else {
-                                                    phi_4365_ = _e2023.member_2;
+                                                    phi_4283_ = _e1994.member_2;
                                                 }
-                                                let _e2163 = phi_4365_;
-                                                phi_4366_ = (_e711 + 1u);
-                                                phi_4367_ = _e2163;
+                                                let _e2134 = phi_4283_;
+                                                phi_4284_ = (_e697 + 1u);
+                                                phi_4285_ = _e2134;
                                             } else {
-                                                phi_4366_ = u32();
-                                                phi_4367_ = type_51();
+                                                phi_4284_ = u32();
+                                                phi_4285_ = type_52();
                                             }
-                                            let _e2165 = phi_4366_;
-                                            let _e2167 = phi_4367_;
-                                            phi_4369_ = _e2165;
-                                            phi_4370_ = _e2167;
-                                            phi_4371_ = select(true, false, _e2123);
+                                            let _e2136 = phi_4284_;
+                                            let _e2138 = phi_4285_;
+                                            phi_4287_ = _e2136;
+                                            phi_4288_ = _e2138;
+                                            phi_4289_ = select(true, false, _e2094);
                                         } else {
-                                            phi_4369_ = u32();
-                                            phi_4370_ = type_51();
-                                            phi_4371_ = true;
+                                            phi_4287_ = u32();
+                                            phi_4288_ = type_52();
+                                            phi_4289_ = true;
                                         }
-                                        let _e2170 = phi_4369_;
-                                        let _e2172 = phi_4370_;
-                                        let _e2174 = phi_4371_;
-                                        if _e2174 {
-                                            if _e2122 {
-                                                phi_4380_ = _e2023.member_1;
+                                        let _e2141 = phi_4287_;
+                                        let _e2143 = phi_4288_;
+                                        let _e2145 = phi_4289_;
+                                        if _e2145 {
+                                            if _e2093 {
+                                                phi_4298_ = _e1994.member_1;
                                             } else {
-                                                phi_4380_ = _e2023.member_2;
+                                                phi_4298_ = _e1994.member_2;
                                             }
-                                            let _e2178 = phi_4380_;
-                                            phi_4385_ = select(_e2123, true, _e2122);
-                                            phi_4387_ = _e2178;
+                                            let _e2149 = phi_4298_;
+                                            phi_4303_ = select(_e2094, true, _e2093);
+                                            phi_4305_ = _e2149;
                                         } else {
-                                            phi_4385_ = _e709;
-                                            phi_4387_ = _e2172;
+                                            phi_4303_ = _e695;
+                                            phi_4305_ = _e2143;
                                         }
-                                        let _e2181 = phi_4385_;
-                                        let _e2183 = phi_4387_;
-                                        phi_4391_ = _e2181;
-                                        phi_4392_ = select(_e2170, _e711, _e2174);
-                                        phi_4393_ = _e2183;
+                                        let _e2152 = phi_4303_;
+                                        let _e2154 = phi_4305_;
+                                        phi_4309_ = _e2152;
+                                        phi_4310_ = select(_e2141, _e697, _e2145);
+                                        phi_4311_ = _e2154;
                                     }
-                                    let _e2186 = phi_4391_;
-                                    let _e2188 = phi_4392_;
-                                    let _e2190 = phi_4393_;
-                                    if _e717 {
-                                        phi_4403_ = _e713;
+                                    let _e2157 = phi_4309_;
+                                    let _e2159 = phi_4310_;
+                                    let _e2161 = phi_4311_;
+                                    if _e703 {
+                                        phi_4321_ = _e699;
                                     } else {
-                                        phi_4403_ = _e2190;
+                                        phi_4321_ = _e2161;
                                     }
-                                    let _e2192 = phi_4403_;
-                                    phi_5426_ = _e1727;
-                                    phi_5310_ = _e1725;
-                                    phi_4404_ = (_e673 - 1u);
-                                    phi_4405_ = select(_e2186, false, _e717);
-                                    phi_4406_ = select(_e2188, _e711, _e717);
-                                    phi_4407_ = _e2192;
+                                    let _e2163 = phi_4321_;
+                                    phi_5534_ = _e1698;
+                                    phi_5418_ = _e1696;
+                                    phi_4322_ = (_e659 - 1u);
+                                    phi_4323_ = select(_e2157, false, _e703);
+                                    phi_4324_ = select(_e2159, _e697, _e703);
+                                    phi_4325_ = _e2163;
                                 } else {
-                                    phi_5426_ = _e671;
-                                    phi_5310_ = _e669;
-                                    phi_4404_ = _e673;
-                                    phi_4405_ = _e709;
-                                    phi_4406_ = _e711;
-                                    phi_4407_ = _e713;
+                                    phi_5534_ = _e657;
+                                    phi_5418_ = _e655;
+                                    phi_4322_ = _e659;
+                                    phi_4323_ = _e695;
+                                    phi_4324_ = _e697;
+                                    phi_4325_ = _e699;
                                 }
-                                let _e2196 = phi_5426_;
-                                let _e2198 = phi_5310_;
-                                let _e2200 = phi_4404_;
-                                let _e2202 = phi_4405_;
-                                let _e2204 = phi_4406_;
-                                let _e2206 = phi_4407_;
-                                phi_5425_ = _e2196;
-                                phi_5309_ = _e2198;
-                                phi_4408_ = _e2200;
-                                phi_4409_ = _e2202;
-                                phi_4410_ = _e2204;
-                                phi_4411_ = _e2206;
+                                let _e2167 = phi_5534_;
+                                let _e2169 = phi_5418_;
+                                let _e2171 = phi_4322_;
+                                let _e2173 = phi_4323_;
+                                let _e2175 = phi_4324_;
+                                let _e2177 = phi_4325_;
+                                phi_5533_ = _e2167;
+                                phi_5417_ = _e2169;
+                                phi_4326_ = _e2171;
+                                phi_4327_ = _e2173;
+                                phi_4328_ = _e2175;
+                                phi_4329_ = _e2177;
                             } else {
-                                phi_5425_ = _e671;
-                                phi_5309_ = _e669;
-                                phi_4408_ = u32();
-                                phi_4409_ = bool();
-                                phi_4410_ = u32();
-                                phi_4411_ = type_51();
+                                phi_5533_ = _e657;
+                                phi_5417_ = _e655;
+                                phi_4326_ = u32();
+                                phi_4327_ = bool();
+                                phi_4328_ = u32();
+                                phi_4329_ = type_52();
                             }
-                            let _e2208 = phi_5425_;
-                            let _e2210 = phi_5309_;
-                            let _e2212 = phi_4408_;
-                            let _e2214 = phi_4409_;
-                            let _e2216 = phi_4410_;
-                            let _e2218 = phi_4411_;
-                            phi_5424_ = _e2208;
-                            phi_5308_ = _e2210;
-                            phi_1235_ = _e2212;
-                            phi_1238_ = _e2214;
-                            phi_1240_ = _e2216;
-                            phi_1242_ = _e2218;
-                            phi_4412_ = _e683;
+                            let _e2179 = phi_5533_;
+                            let _e2181 = phi_5417_;
+                            let _e2183 = phi_4326_;
+                            let _e2185 = phi_4327_;
+                            let _e2187 = phi_4328_;
+                            let _e2189 = phi_4329_;
+                            phi_5532_ = _e2179;
+                            phi_5416_ = _e2181;
+                            phi_1256_ = _e2183;
+                            phi_1259_ = _e2185;
+                            phi_1261_ = _e2187;
+                            phi_1263_ = _e2189;
+                            phi_4330_ = _e669;
                         } else {
-                            phi_5424_ = _e671;
-                            phi_5308_ = _e669;
-                            phi_1235_ = u32();
-                            phi_1238_ = bool();
-                            phi_1240_ = u32();
-                            phi_1242_ = type_51();
-                            phi_4412_ = false;
+                            phi_5532_ = _e657;
+                            phi_5416_ = _e655;
+                            phi_1256_ = u32();
+                            phi_1259_ = bool();
+                            phi_1261_ = u32();
+                            phi_1263_ = type_52();
+                            phi_4330_ = false;
                         }
-                        let _e2220 = phi_5424_;
-                        let _e2222 = phi_5308_;
-                        let _e2224 = phi_1235_;
-                        let _e2226 = phi_1238_;
-                        let _e2228 = phi_1240_;
-                        let _e2230 = phi_1242_;
-                        let _e2232 = phi_4412_;
+                        let _e2191 = phi_5532_;
+                        let _e2193 = phi_5416_;
+                        let _e2195 = phi_1256_;
+                        let _e2197 = phi_1259_;
+                        let _e2199 = phi_1261_;
+                        let _e2201 = phi_1263_;
+                        let _e2203 = phi_4330_;
                         continue;
                         continuing {
-                            phi_4976_ = _e2222;
-                            phi_4890_ = _e2220;
-                            phi_1234_ = _e2224;
-                            phi_1237_ = _e2226;
-                            phi_1239_ = _e2228;
-                            phi_1241_ = _e2230;
-                            phi_5307_ = _e2222;
-                            break if !(_e2232);
+                            phi_5075_ = _e2193;
+                            phi_4988_ = _e2191;
+                            phi_1255_ = _e2195;
+                            phi_1258_ = _e2197;
+                            phi_1260_ = _e2199;
+                            phi_1262_ = _e2201;
+                            phi_5415_ = _e2193;
+                            break if !(_e2203);
                         }
                     }
-                    let _e2235 = phi_5307_;
-                    if _e2235 {
+                    let _e2206 = phi_5415_;
+                    if _e2206 {
                         break;
                     }
-                    phi_4419_ = type_8(0u, 8u);
+                    phi_4337_ = type_8(0u, 8u);
                     loop {
-                        let _e2237 = phi_4419_;
-                        if (_e2237.member < _e2237.member_1) {
-                            phi_4420_ = type_8((_e2237.member + 1u), _e2237.member_1);
-                            phi_4443_ = type_8(1u, _e2237.member);
+                        let _e2208 = phi_4337_;
+                        if (_e2208.member < _e2208.member_1) {
+                            phi_4338_ = type_8((_e2208.member + 1u), _e2208.member_1);
+                            phi_4361_ = type_8(1u, _e2208.member);
                         } else {
-                            phi_4420_ = _e2237;
-                            phi_4443_ = type_8(0u, type_8().member_1);
+                            phi_4338_ = _e2208;
+                            phi_4361_ = type_8(0u, type_8().member_1);
                         }
-                        let _e2250 = phi_4420_;
-                        let _e2252 = phi_4443_;
-                        let _e2256 = (bitcast<i32>(_e2252.member) != 0i);
-                        if _e2256 {
-                            let _e2257 = (_e2252.member_1 < 8u);
-                            if _e2257 {
+                        let _e2221 = phi_4338_;
+                        let _e2223 = phi_4361_;
+                        let _e2227 = (bitcast<i32>(_e2223.member) != 0i);
+                        if _e2227 {
+                            let _e2228 = (_e2223.member_1 < 8u);
+                            if _e2228 {
                             } else {
-                                phi_5406_ = true;
+                                phi_5514_ = true;
                                 break;
                             }
-                            let _e2259 = local_9[_e2252.member_1];
-                            if (_e2259.member_3 != 4294967295u) {
-                                let _e2265 = -(_e530);
-                                let _e2266 = bitcast<u32>(_e2259.member);
-                                let _e2270 = (bitcast<i32>((_e2266 >> bitcast<u32>(23i))) & 255i);
-                                let _e2271 = (_e2270 + _e2265);
-                                if (_e2270 == 255i) {
-                                    phi_4516_ = _e2259.member;
+                            let _e2230 = local_9[_e2223.member_1];
+                            if (_e2230.member_3 != 4294967295u) {
+                                let _e2236 = -(_e516);
+                                let _e2237 = bitcast<u32>(_e2230.member);
+                                let _e2241 = (bitcast<i32>((_e2237 >> bitcast<u32>(23i))) & 255i);
+                                let _e2242 = (_e2241 + _e2236);
+                                if (_e2241 == 255i) {
+                                    phi_4434_ = _e2230.member;
                                 } else {
-                                    if (_e2270 > 0i) {
-                                        if (_e2271 > 0i) {
-                                            let _e2275 = (_e2271 < 255i);
-                                            if _e2275 {
-                                                phi_4495_ = bitcast<f32>((_e2266 + bitcast<u32>((_e2265 << bitcast<u32>(23i)))));
+                                    if (_e2241 > 0i) {
+                                        if (_e2242 > 0i) {
+                                            let _e2246 = (_e2242 < 255i);
+                                            if _e2246 {
+                                                phi_4413_ = bitcast<f32>((_e2237 + bitcast<u32>((_e2236 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_4495_ = f32();
+                                                phi_4413_ = f32();
                                             }
-                                            let _e2282 = phi_4495_;
-                                            phi_4497_ = _e2282;
-                                            phi_4498_ = select(true, false, _e2275);
+                                            let _e2253 = phi_4413_;
+                                            phi_4415_ = _e2253;
+                                            phi_4416_ = select(true, false, _e2246);
                                         } else {
-                                            phi_4497_ = f32();
-                                            phi_4498_ = true;
+                                            phi_4415_ = f32();
+                                            phi_4416_ = true;
                                         }
-                                        let _e2285 = phi_4497_;
-                                        let _e2287 = phi_4498_;
-                                        phi_4499_ = _e2285;
-                                        phi_4500_ = _e2287;
+                                        let _e2256 = phi_4415_;
+                                        let _e2258 = phi_4416_;
+                                        phi_4417_ = _e2256;
+                                        phi_4418_ = _e2258;
                                     } else {
-                                        phi_4499_ = f32();
-                                        phi_4500_ = true;
+                                        phi_4417_ = f32();
+                                        phi_4418_ = true;
                                     }
-                                    let _e2289 = phi_4499_;
-                                    let _e2291 = phi_4500_;
-                                    if _e2291 {
-                                        let _e2292 = (_e2266 & 2147483648u);
-                                        let _e2299 = ((_e2266 & 8388607u) | (select(0u, 1u, ((_e2266 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e2303 = (_e2299 == 0u);
-                                        if _e2303 {
-                                            phi_4837_ = bitcast<f32>(_e2292);
+                                    let _e2260 = phi_4417_;
+                                    let _e2262 = phi_4418_;
+                                    if _e2262 {
+                                        let _e2263 = (_e2237 & 2147483648u);
+                                        let _e2270 = ((_e2237 & 8388607u) | (select(0u, 1u, ((_e2237 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e2274 = (_e2270 == 0u);
+                                        if _e2274 {
+                                            phi_4935_ = bitcast<f32>(_e2263);
                                         } else {
-                                            let _e2308 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2299)), 32u, _e2303) - 8u);
-                                            let _e2311 = (_e2299 << bitcast<u32>((_e2308 & 31u)));
-                                            let _e2313 = ((_e2271 + select(0i, 1i, (_e2270 == 0i))) - bitcast<i32>(_e2308));
-                                            if (_e2313 >= 255i) {
-                                                phi_4827_ = bitcast<f32>((_e2292 | 2139095040u));
-                                                phi_4828_ = f32();
-                                                phi_4829_ = true;
+                                            let _e2279 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2270)), 32u, _e2274) - 8u);
+                                            let _e2282 = (_e2270 << bitcast<u32>((_e2279 & 31u)));
+                                            let _e2284 = ((_e2242 + select(0i, 1i, (_e2241 == 0i))) - bitcast<i32>(_e2279));
+                                            if (_e2284 >= 255i) {
+                                                phi_4925_ = bitcast<f32>((_e2263 | 2139095040u));
+                                                phi_4926_ = f32();
+                                                phi_4927_ = true;
                                             } else {
-                                                let _e2315 = (_e2313 > 0i);
-                                                if _e2315 {
-                                                    phi_4821_ = bitcast<f32>(((_e2292 | (bitcast<u32>(_e2313) << bitcast<u32>(23i))) | (_e2311 & 8388607u)));
-                                                    phi_4822_ = f32();
+                                                let _e2286 = (_e2284 > 0i);
+                                                if _e2286 {
+                                                    phi_4919_ = bitcast<f32>(((_e2263 | (bitcast<u32>(_e2284) << bitcast<u32>(23i))) | (_e2282 & 8388607u)));
+                                                    phi_4920_ = f32();
                                                 } else {
-                                                    if (_e2313 < -24i) {
-                                                        phi_4787_ = 26u;
+                                                    if (_e2284 < -24i) {
+                                                        phi_4885_ = 26u;
                                                     } else {
-                                                        phi_4787_ = bitcast<u32>((1i - _e2313));
+                                                        phi_4885_ = bitcast<u32>((1i - _e2284));
                                                     }
-                                                    let _e2320 = phi_4787_;
-                                                    let _e2321 = (_e2320 & 31u);
-                                                    let _e2323 = (_e2311 >> bitcast<u32>(_e2321));
-                                                    let _e2327 = (_e2311 & ((1u << bitcast<u32>(_e2321)) - 1u));
-                                                    let _e2331 = (1u << bitcast<u32>(((_e2320 - 1u) & 31u)));
-                                                    if (_e2327 > _e2331) {
-                                                        phi_4808_ = true;
+                                                    let _e2291 = phi_4885_;
+                                                    let _e2292 = (_e2291 & 31u);
+                                                    let _e2294 = (_e2282 >> bitcast<u32>(_e2292));
+                                                    let _e2298 = (_e2282 & ((1u << bitcast<u32>(_e2292)) - 1u));
+                                                    let _e2302 = (1u << bitcast<u32>(((_e2291 - 1u) & 31u)));
+                                                    if (_e2298 > _e2302) {
+                                                        phi_4906_ = true;
                                                     } else {
-                                                        if (_e2327 == _e2331) {
-                                                            phi_4805_ = ((_e2323 & 1u) == 1u);
+                                                        if (_e2298 == _e2302) {
+                                                            phi_4903_ = ((_e2294 & 1u) == 1u);
                                                         } else {
-                                                            phi_4805_ = false;
+                                                            phi_4903_ = false;
                                                         }
-                                                        let _e2337 = phi_4805_;
-                                                        phi_4808_ = _e2337;
+                                                        let _e2308 = phi_4903_;
+                                                        phi_4906_ = _e2308;
                                                     }
-                                                    let _e2339 = phi_4808_;
-                                                    phi_4821_ = f32();
-                                                    phi_4822_ = bitcast<f32>((_e2292 | (_e2323 + select(0u, 1u, _e2339))));
+                                                    let _e2310 = phi_4906_;
+                                                    phi_4919_ = f32();
+                                                    phi_4920_ = bitcast<f32>((_e2263 | (_e2294 + select(0u, 1u, _e2310))));
                                                 }
-                                                let _e2352 = phi_4821_;
-                                                let _e2354 = phi_4822_;
-                                                phi_4827_ = _e2352;
-                                                phi_4828_ = _e2354;
-                                                phi_4829_ = _e2315;
+                                                let _e2323 = phi_4919_;
+                                                let _e2325 = phi_4920_;
+                                                phi_4925_ = _e2323;
+                                                phi_4926_ = _e2325;
+                                                phi_4927_ = _e2286;
                                             }
-                                            let _e2358 = phi_4827_;
-                                            let _e2360 = phi_4828_;
-                                            let _e2362 = phi_4829_;
-                                            phi_4837_ = select(_e2360, _e2358, _e2362);
+                                            let _e2329 = phi_4925_;
+                                            let _e2331 = phi_4926_;
+                                            let _e2333 = phi_4927_;
+                                            phi_4935_ = select(_e2331, _e2329, _e2333);
                                         }
-                                        let _e2366 = phi_4837_;
-                                        phi_4515_ = _e2366;
+                                        let _e2337 = phi_4935_;
+                                        phi_4433_ = _e2337;
                                     } else {
-                                        phi_4515_ = _e2289;
+                                        phi_4433_ = _e2260;
                                     }
-                                    let _e2368 = phi_4515_;
-                                    phi_4516_ = _e2368;
+                                    let _e2339 = phi_4433_;
+                                    phi_4434_ = _e2339;
                                 }
-                                let _e2370 = phi_4516_;
-                                let _e2371 = bitcast<u32>(_e2370);
-                                if ((_e2371 & 2147483647u) >= 2139095040u) {
-                                    phi_4528_ = bitcast<f32>(((_e2371 & 2147483648u) | 2139095039u));
+                                let _e2341 = phi_4434_;
+                                let _e2342 = bitcast<u32>(_e2341);
+                                if ((_e2342 & 2147483647u) >= 2139095040u) {
+                                    phi_4446_ = bitcast<f32>(((_e2342 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_4528_ = _e2370;
+                                    phi_4446_ = _e2341;
                                 }
-                                let _e2378 = phi_4528_;
-                                phi_4533_ = type_24(_e2378, _e2259.member_1, _e2259.member_2, _e2259.member_3);
+                                let _e2349 = phi_4446_;
+                                phi_4451_ = type_24(_e2349, _e2230.member_1, _e2230.member_2, _e2230.member_3);
                             } else {
-                                phi_4533_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_4451_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2381 = phi_4533_;
-                            if _e2257 {
+                            let _e2352 = phi_4451_;
+                            if _e2228 {
                             } else {
-                                phi_5406_ = true;
+                                phi_5514_ = true;
                                 break;
                             }
-                            local_9[_e2252.member_1] = type_24(_e2381.member, _e2381.member_1, _e2381.member_2, _e2381.member_3);
+                            local_9[_e2223.member_1] = type_24(_e2352.member, _e2352.member_1, _e2352.member_2, _e2352.member_3);
                         }
                         continue;
                         continuing {
-                            phi_4419_ = _e2250;
-                            phi_5406_ = _e2235;
-                            break if !(_e2256);
+                            phi_4337_ = _e2221;
+                            phi_5514_ = _e2206;
+                            break if !(_e2227);
                         }
                     }
-                    let _e2389 = phi_5406_;
-                    if _e2389 {
+                    let _e2360 = phi_5514_;
+                    if _e2360 {
                         break;
                     }
-                    let _e2390 = local_9;
-                    if _e161 {
+                    let _e2361 = local_9;
+                    if _e162 {
                     } else {
                         break;
                     }
-                    global_6.member[_e159] = array<type_24, 8>(type_24(_e2390[0].member, _e2390[0].member_1, _e2390[0].member_2, _e2390[0].member_3), type_24(_e2390[1].member, _e2390[1].member_1, _e2390[1].member_2, _e2390[1].member_3), type_24(_e2390[2].member, _e2390[2].member_1, _e2390[2].member_2, _e2390[2].member_3), type_24(_e2390[3].member, _e2390[3].member_1, _e2390[3].member_2, _e2390[3].member_3), type_24(_e2390[4].member, _e2390[4].member_1, _e2390[4].member_2, _e2390[4].member_3), type_24(_e2390[5].member, _e2390[5].member_1, _e2390[5].member_2, _e2390[5].member_3), type_24(_e2390[6].member, _e2390[6].member_1, _e2390[6].member_2, _e2390[6].member_3), type_24(_e2390[7].member, _e2390[7].member_1, _e2390[7].member_2, _e2390[7].member_3));
+                    global_6.member[_e160] = array<type_24, 8>(type_24(_e2361[0].member, _e2361[0].member_1, _e2361[0].member_2, _e2361[0].member_3), type_24(_e2361[1].member, _e2361[1].member_1, _e2361[1].member_2, _e2361[1].member_3), type_24(_e2361[2].member, _e2361[2].member_1, _e2361[2].member_2, _e2361[2].member_3), type_24(_e2361[3].member, _e2361[3].member_1, _e2361[3].member_2, _e2361[3].member_3), type_24(_e2361[4].member, _e2361[4].member_1, _e2361[4].member_2, _e2361[4].member_3), type_24(_e2361[5].member, _e2361[5].member_1, _e2361[5].member_2, _e2361[5].member_3), type_24(_e2361[6].member, _e2361[6].member_1, _e2361[6].member_2, _e2361[6].member_3), type_24(_e2361[7].member, _e2361[7].member_1, _e2361[7].member_2, _e2361[7].member_3));
                 }
             }
             break;

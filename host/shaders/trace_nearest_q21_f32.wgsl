@@ -35,31 +35,38 @@ struct type_25 {
     member_1: vec4<f32>,
 }
 
-struct type_33 {
+struct type_32 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_34 {
     member: array<type_22>,
 }
 
-struct type_37 {
+struct type_38 {
     member: array<array<type_21, 8>>,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_47 {
+struct type_48 {
     member: array<array<u32, 7>>,
 }
 
-struct type_52 {
+struct type_53 {
     member: type_25,
     member_1: u32,
 }
 
-struct type_53 {
+struct type_54 {
     member: array<vec4<f32>, 3>,
-    member_1: type_52,
-    member_2: type_52,
+    member_1: type_53,
+    member_2: type_53,
 }
 
 var<private> global: vec3<u32>;
@@ -68,13 +75,13 @@ var<uniform> global_1: type_8;
 @group(0) @binding(3) 
 var<storage> global_2: type_15;
 @group(0) @binding(1) 
-var<uniform> global_3: type_43;
+var<uniform> global_3: type_44;
 @group(0) @binding(4) 
-var<storage> global_4: type_33;
+var<storage> global_4: type_34;
 @group(0) @binding(2) 
-var<storage> global_5: type_47;
+var<storage> global_5: type_48;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_37;
+var<storage, read_write> global_6: type_38;
 
 fn function_() {
     var local: array<i32, 3>;
@@ -88,496 +95,453 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_21, 8>;
     var local_10: array<f32, 128>;
-    var phi_480_: i32;
-    var phi_481_: i32;
-    var phi_491_: bool;
-    var phi_501_: u32;
-    var phi_502_: u32;
-    var phi_504_: bool;
-    var phi_509_: u32;
-    var phi_522_: i32;
-    var phi_542_: i32;
-    var phi_560_: f32;
-    var phi_566_: f32;
-    var phi_606_: f32;
-    var phi_612_: f32;
-    var phi_664_: f32;
-    var phi_676_: f32;
-    var phi_685_: f32;
-    var phi_691_: f32;
-    var phi_731_: f32;
-    var phi_737_: f32;
-    var phi_789_: f32;
-    var phi_801_: f32;
-    var phi_810_: f32;
-    var phi_816_: f32;
-    var phi_856_: f32;
-    var phi_862_: f32;
-    var phi_914_: f32;
-    var phi_926_: f32;
-    var phi_981_: i32;
-    var phi_1003_: u32;
-    var phi_1004_: u32;
-    var phi_1041_: i32;
-    var phi_1063_: u32;
-    var phi_1064_: u32;
-    var phi_1072_: f32;
-    var phi_1073_: f32;
-    var phi_4236_: bool;
-    var phi_4217_: f32;
-    var phi_1222_: u32;
-    var phi_1225_: bool;
-    var phi_1227_: u32;
-    var phi_1229_: type_52;
-    var phi_1240_: bool;
-    var phi_1327_: bool;
-    var phi_1328_: u32;
-    var phi_1329_: type_52;
+    var phi_501_: i32;
+    var phi_502_: i32;
+    var phi_512_: bool;
+    var phi_522_: u32;
+    var phi_523_: u32;
+    var phi_525_: bool;
+    var phi_530_: u32;
+    var phi_543_: i32;
+    var phi_563_: i32;
+    var phi_581_: f32;
+    var phi_587_: f32;
+    var phi_627_: f32;
+    var phi_633_: f32;
+    var phi_706_: f32;
+    var phi_712_: f32;
+    var phi_752_: f32;
+    var phi_758_: f32;
+    var phi_831_: f32;
+    var phi_837_: f32;
+    var phi_877_: f32;
+    var phi_883_: f32;
+    var phi_1002_: i32;
+    var phi_1024_: u32;
+    var phi_1025_: u32;
+    var phi_1062_: i32;
+    var phi_1084_: u32;
+    var phi_1085_: u32;
+    var phi_1093_: f32;
+    var phi_1094_: f32;
+    var phi_4335_: bool;
+    var phi_4315_: f32;
+    var phi_1243_: u32;
+    var phi_1246_: bool;
+    var phi_1248_: u32;
+    var phi_1250_: type_53;
+    var phi_1261_: bool;
+    var phi_1348_: bool;
+    var phi_1349_: u32;
+    var phi_1350_: type_53;
+    var phi_4332_: bool;
+    var phi_4320_: f32;
+    var phi_1368_: type_4;
+    var phi_1369_: type_4;
+    var phi_1392_: type_4;
+    var phi_1413_: u32;
+    var phi_1505_: array<array<f32, 3>, 3>;
+    var phi_3871_: bool;
+    var phi_3886_: bool;
+    var phi_3901_: bool;
+    var phi_3916_: bool;
+    var phi_3931_: bool;
+    var phi_3946_: bool;
+    var phi_2048_: f32;
+    var phi_2049_: f32;
+    var phi_2050_: f32;
+    var phi_2051_: f32;
+    var phi_2052_: vec3<f32>;
+    var phi_2053_: vec3<f32>;
+    var phi_2054_: vec3<f32>;
+    var phi_2055_: vec3<f32>;
+    var phi_3961_: bool;
+    var phi_3976_: bool;
+    var phi_3991_: bool;
+    var phi_4006_: bool;
+    var phi_4021_: bool;
+    var phi_4036_: bool;
+    var phi_2263_: f32;
+    var phi_2283_: type_32;
+    var phi_2284_: type_32;
+    var phi_2287_: type_32;
+    var phi_2288_: type_32;
+    var phi_2289_: bool;
+    var phi_2293_: type_32;
+    var phi_2302_: type_21;
+    var phi_2314_: type_4;
+    var phi_2317_: type_21;
+    var phi_2315_: type_4;
+    var phi_2340_: type_4;
+    var phi_2372_: bool;
+    var phi_2373_: bool;
+    var phi_2394_: type_21;
+    var phi_2318_: type_21;
+    var phi_4322_: bool;
+    var phi_4641_: f32;
+    var phi_4640_: f32;
+    var phi_4490_: bool;
+    var phi_4639_: f32;
+    var phi_4489_: bool;
+    var phi_4638_: f32;
+    var phi_4488_: bool;
+    var phi_4545_: f32;
+    var phi_4487_: bool;
+    var phi_4729_: bool;
+    var phi_4544_: f32;
+    var phi_3132_: u32;
+    var phi_3133_: u32;
+    var phi_3143_: u32;
+    var phi_3145_: u32;
+    var phi_3146_: bool;
+    var phi_3166_: u32;
+    var phi_3167_: u32;
+    var phi_3171_: type_54;
+    var phi_3534_: type_53;
+    var phi_3610_: type_53;
+    var phi_3611_: u32;
+    var phi_3612_: type_53;
+    var phi_3614_: u32;
+    var phi_3615_: type_53;
+    var phi_3616_: bool;
+    var phi_3625_: type_53;
+    var phi_3630_: bool;
+    var phi_3632_: type_53;
+    var phi_3636_: bool;
+    var phi_3637_: u32;
+    var phi_3638_: type_53;
+    var phi_3648_: type_53;
+    var phi_4757_: f32;
+    var phi_4646_: bool;
+    var phi_3649_: u32;
+    var phi_3650_: bool;
+    var phi_3651_: u32;
+    var phi_3652_: type_53;
+    var phi_4756_: f32;
+    var phi_4645_: bool;
+    var phi_3653_: u32;
+    var phi_3654_: bool;
+    var phi_3655_: u32;
+    var phi_3656_: type_53;
+    var phi_4755_: f32;
+    var phi_4644_: bool;
+    var phi_1244_: u32;
+    var phi_1247_: bool;
+    var phi_1249_: u32;
+    var phi_1251_: type_53;
+    var phi_3657_: bool;
+    var phi_4643_: bool;
+    var phi_3664_: type_4;
+    var phi_3665_: type_4;
+    var phi_3688_: type_4;
+    var phi_3740_: f32;
+    var phi_3742_: f32;
+    var phi_3743_: bool;
+    var phi_3744_: f32;
+    var phi_3745_: bool;
+    var phi_4212_: u32;
+    var phi_4230_: bool;
     var phi_4233_: bool;
-    var phi_4222_: f32;
-    var phi_1347_: type_4;
-    var phi_1348_: type_4;
-    var phi_1371_: type_4;
-    var phi_1392_: u32;
-    var phi_1484_: array<array<f32, 3>, 3>;
-    var phi_1637_: bool;
-    var phi_1666_: bool;
-    var phi_2085_: f32;
-    var phi_2086_: f32;
-    var phi_2087_: f32;
-    var phi_2088_: f32;
-    var phi_2089_: vec3<f32>;
-    var phi_2090_: vec3<f32>;
-    var phi_2091_: vec3<f32>;
-    var phi_2092_: vec3<f32>;
-    var phi_2129_: bool;
-    var phi_2138_: vec3<f32>;
-    var phi_2303_: f32;
-    var phi_2305_: f32;
-    var phi_2306_: bool;
-    var phi_2326_: f32;
-    var phi_2327_: f32;
-    var phi_2350_: type_21;
-    var phi_2352_: type_21;
-    var phi_2353_: bool;
-    var phi_2357_: type_21;
-    var phi_2358_: type_21;
-    var phi_2359_: type_21;
-    var phi_2360_: bool;
-    var phi_2364_: type_21;
-    var phi_2365_: bool;
-    var phi_2366_: type_21;
-    var phi_2367_: bool;
-    var phi_2368_: bool;
-    var phi_2369_: type_21;
-    var phi_2370_: bool;
-    var phi_2371_: bool;
-    var phi_2379_: type_21;
-    var phi_2380_: bool;
-    var phi_2384_: type_21;
-    var phi_2396_: type_4;
-    var phi_2399_: type_21;
-    var phi_2397_: type_4;
-    var phi_2422_: type_4;
-    var phi_2454_: bool;
-    var phi_2455_: bool;
-    var phi_2476_: type_21;
-    var phi_2400_: type_21;
-    var phi_4224_: bool;
-    var phi_4533_: f32;
-    var phi_4532_: f32;
-    var phi_4387_: bool;
-    var phi_4531_: f32;
-    var phi_4386_: bool;
-    var phi_4530_: f32;
-    var phi_4385_: bool;
-    var phi_4442_: f32;
-    var phi_4384_: bool;
-    var phi_4621_: bool;
-    var phi_4441_: f32;
-    var phi_3214_: u32;
-    var phi_3215_: u32;
-    var phi_3225_: u32;
-    var phi_3227_: u32;
-    var phi_3228_: bool;
-    var phi_3248_: u32;
-    var phi_3249_: u32;
-    var phi_3253_: type_53;
-    var phi_3616_: type_52;
-    var phi_3692_: type_52;
-    var phi_3693_: u32;
-    var phi_3694_: type_52;
-    var phi_3696_: u32;
-    var phi_3697_: type_52;
-    var phi_3698_: bool;
-    var phi_3707_: type_52;
-    var phi_3712_: bool;
-    var phi_3714_: type_52;
-    var phi_3718_: bool;
-    var phi_3719_: u32;
-    var phi_3720_: type_52;
-    var phi_3730_: type_52;
-    var phi_4649_: f32;
-    var phi_4538_: bool;
-    var phi_3731_: u32;
-    var phi_3732_: bool;
-    var phi_3733_: u32;
-    var phi_3734_: type_52;
-    var phi_4648_: f32;
-    var phi_4537_: bool;
-    var phi_3735_: u32;
-    var phi_3736_: bool;
-    var phi_3737_: u32;
-    var phi_3738_: type_52;
-    var phi_4647_: f32;
-    var phi_4536_: bool;
-    var phi_1223_: u32;
-    var phi_1226_: bool;
-    var phi_1228_: u32;
-    var phi_1230_: type_52;
-    var phi_3739_: bool;
-    var phi_4535_: bool;
-    var phi_3746_: type_4;
-    var phi_3747_: type_4;
-    var phi_3770_: type_4;
-    var phi_3822_: f32;
-    var phi_3824_: f32;
-    var phi_3825_: bool;
-    var phi_3826_: f32;
-    var phi_3827_: bool;
-    var phi_4114_: u32;
-    var phi_4132_: bool;
-    var phi_4135_: bool;
-    var phi_4148_: f32;
-    var phi_4149_: f32;
-    var phi_4154_: f32;
-    var phi_4155_: f32;
-    var phi_4156_: bool;
-    var phi_4164_: f32;
-    var phi_3842_: f32;
-    var phi_3843_: f32;
-    var phi_3855_: f32;
-    var phi_3860_: type_21;
-    var phi_4629_: bool;
+    var phi_4246_: f32;
+    var phi_4247_: f32;
+    var phi_4252_: f32;
+    var phi_4253_: f32;
+    var phi_4254_: bool;
+    var phi_4262_: f32;
+    var phi_3760_: f32;
+    var phi_3761_: f32;
+    var phi_3773_: f32;
+    var phi_3778_: type_21;
+    var phi_4737_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e93 = global;
-            let _e95 = arrayLength((&global_5.member));
-            let _e97 = arrayLength((&global_2.member));
-            let _e105 = global_3.member[0u][0u];
-            let _e109 = global_3.member[0u][1u];
-            let _e113 = global_3.member[0u][2u];
-            let _e117 = global_3.member[0u][3u];
-            let _e121 = global_3.member[1u][0u];
-            let _e125 = global_3.member[1u][1u];
-            let _e129 = global_3.member[1u][2u];
-            let _e132 = global_1.member[0u];
-            let _e133 = bitcast<i32>(_e132);
-            let _e145 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e117) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e105), bitcast<i32>(_e109), bitcast<i32>(_e113));
-            local = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
-            let _e151 = (_e93.x + (_e93.y * 2097152u));
-            let _e152 = (_e151 < arrayLength((&global_4.member)));
-            if _e152 {
-                let _e153 = (_e151 < arrayLength((&global_6.member)));
-                if _e153 {
-                    if _e152 {
+            let _e94 = global;
+            let _e96 = arrayLength((&global_5.member));
+            let _e98 = arrayLength((&global_2.member));
+            let _e106 = global_3.member[0u][0u];
+            let _e110 = global_3.member[0u][1u];
+            let _e114 = global_3.member[0u][2u];
+            let _e118 = global_3.member[0u][3u];
+            let _e122 = global_3.member[1u][0u];
+            let _e126 = global_3.member[1u][1u];
+            let _e130 = global_3.member[1u][2u];
+            let _e133 = global_1.member[0u];
+            let _e134 = bitcast<i32>(_e133);
+            let _e146 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e118) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e106), bitcast<i32>(_e110), bitcast<i32>(_e114));
+            local = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
+            let _e152 = (_e94.x + (_e94.y * 2097152u));
+            let _e153 = (_e152 < arrayLength((&global_4.member)));
+            if _e153 {
+                let _e154 = (_e152 < arrayLength((&global_6.member)));
+                if _e154 {
+                    if _e153 {
                     } else {
                         break;
                     }
-                    let _e161 = global_4.member[_e151].member_2[0u];
-                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
-                    let _e168 = global_4.member[_e151].member_2[1u];
-                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
-                    let _e175 = global_4.member[_e151].member_2[2u];
-                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
-                    let _e182 = global_4.member[_e151].member[0u];
-                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
-                    let _e189 = global_4.member[_e151].member[1u];
-                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
-                    let _e196 = global_4.member[_e151].member[2u];
-                    let _e198 = (bitcast<u32>(_e196) & 2147483647u);
-                    let _e200 = select(_e170, _e163, (_e170 < _e163));
-                    let _e202 = select(_e177, _e200, (_e177 < _e200));
-                    let _e204 = select(_e184, _e202, (_e184 < _e202));
-                    let _e206 = select(_e191, _e204, (_e191 < _e204));
-                    let _e208 = select(_e198, _e206, (_e198 < _e206));
-                    let _e212 = global_4.member[_e151].member_1;
-                    let _e213 = bitcast<u32>(_e212);
-                    let _e214 = (_e213 & 2147483647u);
-                    let _e221 = global_4.member[_e151].member_3;
-                    let _e222 = bitcast<u32>(_e221);
-                    let _e223 = (_e222 & 2147483647u);
-                    let _e227 = (((select(_e214, _e208, (_e214 < _e208)) < 2139095040u) && (_e223 <= 2139095040u)) && (_e202 > 0u));
-                    if _e227 {
-                        let _e230 = (bitcast<u32>(bitcast<f32>(_e202)) & 2147483647u);
-                        if (_e230 >= 8388608u) {
-                            phi_480_ = (bitcast<i32>((_e230 >> bitcast<u32>(23i))) - 127i);
+                    let _e162 = global_4.member[_e152].member_2[0u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_4.member[_e152].member_2[1u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_4.member[_e152].member_2[2u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e183 = global_4.member[_e152].member[0u];
+                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                    let _e190 = global_4.member[_e152].member[1u];
+                    let _e192 = (bitcast<u32>(_e190) & 2147483647u);
+                    let _e197 = global_4.member[_e152].member[2u];
+                    let _e199 = (bitcast<u32>(_e197) & 2147483647u);
+                    let _e201 = select(_e171, _e164, (_e171 < _e164));
+                    let _e203 = select(_e178, _e201, (_e178 < _e201));
+                    let _e205 = select(_e185, _e203, (_e185 < _e203));
+                    let _e207 = select(_e192, _e205, (_e192 < _e205));
+                    let _e209 = select(_e199, _e207, (_e199 < _e207));
+                    let _e213 = global_4.member[_e152].member_1;
+                    let _e214 = bitcast<u32>(_e213);
+                    let _e215 = (_e214 & 2147483647u);
+                    let _e222 = global_4.member[_e152].member_3;
+                    let _e223 = bitcast<u32>(_e222);
+                    let _e224 = (_e223 & 2147483647u);
+                    let _e228 = (((select(_e215, _e209, (_e215 < _e209)) < 2139095040u) && (_e224 <= 2139095040u)) && (_e203 > 0u));
+                    if _e228 {
+                        let _e231 = (bitcast<u32>(bitcast<f32>(_e203)) & 2147483647u);
+                        if (_e231 >= 8388608u) {
+                            phi_501_ = (bitcast<i32>((_e231 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_480_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e230)), 32u, (_e230 == 0u))));
+                            phi_501_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e231)), 32u, (_e231 == 0u))));
                         }
-                        let _e244 = phi_480_;
-                        phi_481_ = _e244;
+                        let _e245 = phi_501_;
+                        phi_502_ = _e245;
                     } else {
-                        phi_481_ = 0i;
+                        phi_502_ = 0i;
                     }
-                    let _e246 = phi_481_;
-                    let _e247 = (_e163 == _e202);
-                    if _e247 {
-                        phi_491_ = true;
+                    let _e247 = phi_502_;
+                    let _e248 = (_e164 == _e203);
+                    if _e248 {
+                        phi_512_ = true;
                     } else {
-                        phi_491_ = (_e170 == _e202);
+                        phi_512_ = (_e171 == _e203);
                     }
-                    let _e250 = phi_491_;
-                    let _e251 = select(1u, 0u, _e247);
-                    if _e250 {
-                        let _e252 = (_e251 + 1u);
-                        phi_501_ = _e252;
-                        phi_502_ = _e252;
-                        phi_504_ = select(true, false, (_e252 == 2u));
+                    let _e251 = phi_512_;
+                    let _e252 = select(1u, 0u, _e248);
+                    if _e251 {
+                        let _e253 = (_e252 + 1u);
+                        phi_522_ = _e253;
+                        phi_523_ = _e253;
+                        phi_525_ = select(true, false, (_e253 == 2u));
                     } else {
-                        phi_501_ = u32();
-                        phi_502_ = 0u;
-                        phi_504_ = true;
+                        phi_522_ = u32();
+                        phi_523_ = 0u;
+                        phi_525_ = true;
                     }
-                    let _e256 = phi_501_;
-                    let _e258 = phi_502_;
-                    let _e260 = phi_504_;
-                    if _e260 {
-                        phi_509_ = (_e258 + 1u);
+                    let _e257 = phi_522_;
+                    let _e259 = phi_523_;
+                    let _e261 = phi_525_;
+                    if _e261 {
+                        phi_530_ = (_e259 + 1u);
                     } else {
-                        phi_509_ = 0u;
+                        phi_530_ = 0u;
                     }
-                    let _e264 = phi_509_;
-                    let _e265 = select(_e256, _e258, _e260);
-                    let _e266 = select(_e251, select(2u, _e251, _e250), _e260);
-                    if (_e133 < -126i) {
-                        phi_522_ = -126i;
+                    let _e265 = phi_530_;
+                    let _e266 = select(_e257, _e259, _e261);
+                    let _e267 = select(_e252, select(2u, _e252, _e251), _e261);
+                    if (_e134 < -126i) {
+                        phi_543_ = -126i;
                     } else {
-                        phi_522_ = select(_e133, 127i, (_e133 > 127i));
+                        phi_543_ = select(_e134, 127i, (_e134 > 127i));
                     }
-                    let _e271 = phi_522_;
-                    let _e276 = bitcast<f32>((bitcast<u32>((_e271 + 127i)) << bitcast<u32>(23i)));
-                    let _e282 = bitcast<f32>((bitcast<u32>(((_e133 - _e271) + 127i)) << bitcast<u32>(23i)));
-                    let _e283 = -(_e246);
-                    if (_e283 < -126i) {
-                        phi_542_ = -126i;
+                    let _e272 = phi_543_;
+                    let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = bitcast<f32>((bitcast<u32>(((_e134 - _e272) + 127i)) << bitcast<u32>(23i)));
+                    let _e284 = -(_e247);
+                    if (_e284 < -126i) {
+                        phi_563_ = -126i;
                     } else {
-                        phi_542_ = select(_e283, 127i, (_e283 > 127i));
+                        phi_563_ = select(_e284, 127i, (_e284 > 127i));
                     }
-                    let _e288 = phi_542_;
-                    let _e293 = bitcast<f32>((bitcast<u32>((_e288 + 127i)) << bitcast<u32>(23i)));
-                    let _e299 = bitcast<f32>((bitcast<u32>(((_e283 - _e288) + 127i)) << bitcast<u32>(23i)));
-                    let _e303 = global_4.member[_e151].member;
-                    let _e304 = (_e265 == 0u);
-                    if _e304 {
-                        phi_560_ = _e303[0];
+                    let _e289 = phi_563_;
+                    let _e294 = bitcast<f32>((bitcast<u32>((_e289 + 127i)) << bitcast<u32>(23i)));
+                    let _e300 = bitcast<f32>((bitcast<u32>(((_e284 - _e289) + 127i)) << bitcast<u32>(23i)));
+                    let _e304 = global_4.member[_e152].member;
+                    let _e305 = (_e266 == 0u);
+                    if _e305 {
+                        phi_581_ = _e304[0];
                     } else {
-                        phi_560_ = _e303[1];
+                        phi_581_ = _e304[1];
                     }
-                    let _e308 = phi_560_;
-                    let _e309 = (_e265 == 2u);
-                    if _e309 {
-                        phi_566_ = _e303[2];
+                    let _e309 = phi_581_;
+                    let _e310 = (_e266 == 2u);
+                    if _e310 {
+                        phi_587_ = _e304[2];
                     } else {
-                        phi_566_ = _e308;
+                        phi_587_ = _e309;
                     }
-                    let _e312 = phi_566_;
-                    let _e313 = bitcast<u32>(_e312);
-                    let _e315 = ((_e313 & 2139095040u) != 0u);
-                    let _e329 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e313 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e313 & 2147483648u))), _e312, _e315) * _e276) * select(0.00000011920929f, 1f, _e315)) * _e282);
-                    let _e330 = global_4.member[_e151].member_2;
-                    if _e304 {
-                        phi_606_ = _e330[0];
+                    let _e313 = phi_587_;
+                    let _e314 = bitcast<u32>(_e313);
+                    let _e316 = ((_e314 & 2139095040u) != 0u);
+                    let _e330 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e313, _e316) * _e277) * select(0.00000011920929f, 1f, _e316)) * _e283);
+                    let _e331 = global_4.member[_e152].member_2;
+                    if _e305 {
+                        phi_627_ = _e331[0];
                     } else {
-                        phi_606_ = _e330[1];
+                        phi_627_ = _e331[1];
                     }
-                    let _e334 = phi_606_;
-                    if _e309 {
-                        phi_612_ = _e330[2];
+                    let _e335 = phi_627_;
+                    if _e310 {
+                        phi_633_ = _e331[2];
                     } else {
-                        phi_612_ = _e334;
+                        phi_633_ = _e335;
                     }
-                    let _e337 = phi_612_;
-                    let _e338 = bitcast<u32>(_e337);
-                    let _e340 = ((_e338 & 2139095040u) != 0u);
-                    let _e354 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e337, _e340) * _e293) * select(0.00000011920929f, 1f, _e340)) * _e299);
-                    let _e358 = (bitcast<f32>((bitcast<u32>(_e354) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e358 {
-                        let _e362 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
-                        phi_664_ = select(0.00000000000011368684f, _e362, (_e362 > 0.00000000000011368684f));
+                    let _e338 = phi_633_;
+                    let _e339 = bitcast<u32>(_e338);
+                    let _e341 = ((_e339 & 2139095040u) != 0u);
+                    let _e355 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e339 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e339 & 2147483648u))), _e338, _e341) * _e294) * select(0.00000011920929f, 1f, _e341)) * _e300);
+                    let _e359 = (bitcast<f32>((bitcast<u32>(_e355) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e362 = bitcast<f32>((bitcast<u32>(_e330) & 2147483647u));
+                    let _e363 = (_e362 * 0.00000011920929f);
+                    let _e366 = select(select(0.00000000000011368684f, _e363, (_e363 > 0.00000000000011368684f)), 0f, _e359);
+                    let _e367 = select(0f, _e355, _e359);
+                    let _e368 = (_e330 + _e366);
+                    let _e369 = (_e330 - _e366);
+                    let _e371 = select(38685626000000000000000000f, (1f / _e355), _e359);
+                    let _e372 = (_e265 == 0u);
+                    if _e372 {
+                        phi_706_ = _e304[0];
                     } else {
-                        phi_664_ = 0f;
+                        phi_706_ = _e304[1];
                     }
-                    let _e366 = phi_664_;
-                    let _e367 = (_e329 + _e366);
-                    let _e368 = (_e329 - _e366);
-                    let _e369 = select(_e354, 0f, _e358);
-                    if _e358 {
-                        phi_676_ = 38685626000000000000000000f;
+                    let _e376 = phi_706_;
+                    let _e377 = (_e265 == 2u);
+                    if _e377 {
+                        phi_712_ = _e304[2];
                     } else {
-                        phi_676_ = (1f / _e354);
+                        phi_712_ = _e376;
                     }
-                    let _e372 = phi_676_;
-                    let _e373 = (_e264 == 0u);
-                    if _e373 {
-                        phi_685_ = _e303[0];
+                    let _e380 = phi_712_;
+                    let _e381 = bitcast<u32>(_e380);
+                    let _e383 = ((_e381 & 2139095040u) != 0u);
+                    let _e397 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * _e277) * select(0.00000011920929f, 1f, _e383)) * _e283);
+                    if _e372 {
+                        phi_752_ = _e331[0];
                     } else {
-                        phi_685_ = _e303[1];
+                        phi_752_ = _e331[1];
                     }
-                    let _e377 = phi_685_;
-                    let _e378 = (_e264 == 2u);
-                    if _e378 {
-                        phi_691_ = _e303[2];
+                    let _e401 = phi_752_;
+                    if _e377 {
+                        phi_758_ = _e331[2];
                     } else {
-                        phi_691_ = _e377;
+                        phi_758_ = _e401;
                     }
-                    let _e381 = phi_691_;
-                    let _e382 = bitcast<u32>(_e381);
-                    let _e384 = ((_e382 & 2139095040u) != 0u);
-                    let _e398 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e382 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e382 & 2147483648u))), _e381, _e384) * _e276) * select(0.00000011920929f, 1f, _e384)) * _e282);
-                    if _e373 {
-                        phi_731_ = _e330[0];
+                    let _e404 = phi_758_;
+                    let _e405 = bitcast<u32>(_e404);
+                    let _e407 = ((_e405 & 2139095040u) != 0u);
+                    let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e294) * select(0.00000011920929f, 1f, _e407)) * _e300);
+                    let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e428 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
+                    let _e429 = (_e428 * 0.00000011920929f);
+                    let _e432 = select(select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f)), 0f, _e425);
+                    let _e433 = select(0f, _e421, _e425);
+                    let _e434 = (_e397 + _e432);
+                    let _e435 = (_e397 - _e432);
+                    let _e437 = select(38685626000000000000000000f, (1f / _e421), _e425);
+                    let _e438 = (_e267 == 0u);
+                    if _e438 {
+                        phi_831_ = _e304[0];
                     } else {
-                        phi_731_ = _e330[1];
+                        phi_831_ = _e304[1];
                     }
-                    let _e402 = phi_731_;
-                    if _e378 {
-                        phi_737_ = _e330[2];
+                    let _e442 = phi_831_;
+                    let _e443 = (_e267 == 2u);
+                    if _e443 {
+                        phi_837_ = _e304[2];
                     } else {
-                        phi_737_ = _e402;
+                        phi_837_ = _e442;
                     }
-                    let _e405 = phi_737_;
-                    let _e406 = bitcast<u32>(_e405);
-                    let _e408 = ((_e406 & 2139095040u) != 0u);
-                    let _e422 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e406 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e406 & 2147483648u))), _e405, _e408) * _e293) * select(0.00000011920929f, 1f, _e408)) * _e299);
-                    let _e426 = (bitcast<f32>((bitcast<u32>(_e422) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e426 {
-                        let _e430 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) * 0.00000011920929f);
-                        phi_789_ = select(0.00000000000011368684f, _e430, (_e430 > 0.00000000000011368684f));
+                    let _e446 = phi_837_;
+                    let _e447 = bitcast<u32>(_e446);
+                    let _e449 = ((_e447 & 2139095040u) != 0u);
+                    let _e463 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e447 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e447 & 2147483648u))), _e446, _e449) * _e277) * select(0.00000011920929f, 1f, _e449)) * _e283);
+                    if _e438 {
+                        phi_877_ = _e331[0];
                     } else {
-                        phi_789_ = 0f;
+                        phi_877_ = _e331[1];
                     }
-                    let _e434 = phi_789_;
-                    let _e435 = (_e398 + _e434);
-                    let _e436 = (_e398 - _e434);
-                    let _e437 = select(_e422, 0f, _e426);
-                    if _e426 {
-                        phi_801_ = 38685626000000000000000000f;
+                    let _e467 = phi_877_;
+                    if _e443 {
+                        phi_883_ = _e331[2];
                     } else {
-                        phi_801_ = (1f / _e422);
+                        phi_883_ = _e467;
                     }
-                    let _e440 = phi_801_;
-                    let _e441 = (_e266 == 0u);
-                    if _e441 {
-                        phi_810_ = _e303[0];
-                    } else {
-                        phi_810_ = _e303[1];
-                    }
-                    let _e445 = phi_810_;
-                    let _e446 = (_e266 == 2u);
-                    if _e446 {
-                        phi_816_ = _e303[2];
-                    } else {
-                        phi_816_ = _e445;
-                    }
-                    let _e449 = phi_816_;
-                    let _e450 = bitcast<u32>(_e449);
-                    let _e452 = ((_e450 & 2139095040u) != 0u);
-                    let _e466 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e450 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e450 & 2147483648u))), _e449, _e452) * _e276) * select(0.00000011920929f, 1f, _e452)) * _e282);
-                    if _e441 {
-                        phi_856_ = _e330[0];
-                    } else {
-                        phi_856_ = _e330[1];
-                    }
-                    let _e470 = phi_856_;
-                    if _e446 {
-                        phi_862_ = _e330[2];
-                    } else {
-                        phi_862_ = _e470;
-                    }
-                    let _e473 = phi_862_;
-                    let _e474 = bitcast<u32>(_e473);
-                    let _e476 = ((_e474 & 2139095040u) != 0u);
-                    let _e490 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e474 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e474 & 2147483648u))), _e473, _e476) * _e293) * select(0.00000011920929f, 1f, _e476)) * _e299);
-                    let _e494 = (bitcast<f32>((bitcast<u32>(_e490) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e494 {
-                        let _e498 = (bitcast<f32>((bitcast<u32>(_e466) & 2147483647u)) * 0.00000011920929f);
-                        phi_914_ = select(0.00000000000011368684f, _e498, (_e498 > 0.00000000000011368684f));
-                    } else {
-                        phi_914_ = 0f;
-                    }
-                    let _e502 = phi_914_;
-                    let _e503 = (_e466 + _e502);
-                    let _e504 = (_e466 - _e502);
-                    let _e505 = select(_e490, 0f, _e494);
-                    if _e494 {
-                        phi_926_ = 38685626000000000000000000f;
-                    } else {
-                        phi_926_ = (1f / _e490);
-                    }
-                    let _e508 = phi_926_;
-                    let _e511 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
-                    let _e514 = bitcast<f32>((bitcast<u32>(_e398) & 2147483647u));
-                    let _e516 = select(_e514, _e511, (_e511 > _e514));
-                    let _e519 = bitcast<f32>((bitcast<u32>(_e466) & 2147483647u));
-                    let _e522 = (_e133 + _e246);
-                    if (_e227 && (select(_e519, _e516, (_e516 > _e519)) <= 1099511600000f)) {
-                        let _e532 = ((_e214 & 8388607u) | (select(0u, 1u, ((_e214 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e535 = bitcast<i32>((_e214 >> bitcast<u32>(23i)));
-                        let _e539 = (_e532 == 0u);
-                        let _e542 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e532)), 32u, _e539)) - 8i);
-                        if (_e535 == 255i) {
-                            phi_981_ = 255i;
+                    let _e470 = phi_883_;
+                    let _e471 = bitcast<u32>(_e470);
+                    let _e473 = ((_e471 & 2139095040u) != 0u);
+                    let _e487 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e471 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e471 & 2147483648u))), _e470, _e473) * _e294) * select(0.00000011920929f, 1f, _e473)) * _e300);
+                    let _e491 = (bitcast<f32>((bitcast<u32>(_e487) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e494 = bitcast<f32>((bitcast<u32>(_e463) & 2147483647u));
+                    let _e495 = (_e494 * 0.00000011920929f);
+                    let _e498 = select(select(0.00000000000011368684f, _e495, (_e495 > 0.00000000000011368684f)), 0f, _e491);
+                    let _e499 = select(0f, _e487, _e491);
+                    let _e500 = (_e463 + _e498);
+                    let _e501 = (_e463 - _e498);
+                    let _e503 = select(38685626000000000000000000f, (1f / _e487), _e491);
+                    let _e505 = select(_e428, _e362, (_e362 > _e428));
+                    let _e508 = (_e134 + _e247);
+                    if (_e228 && (select(_e494, _e505, (_e505 > _e494)) <= 1099511600000f)) {
+                        let _e518 = ((_e215 & 8388607u) | (select(0u, 1u, ((_e215 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e521 = bitcast<i32>((_e215 >> bitcast<u32>(23i)));
+                        let _e525 = (_e518 == 0u);
+                        let _e528 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e518)), 32u, _e525)) - 8i);
+                        if (_e521 == 255i) {
+                            phi_1002_ = 255i;
                         } else {
-                            phi_981_ = (((_e535 + select(0i, 1i, (_e535 == 0i))) - _e542) + _e522);
+                            phi_1002_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
                         }
-                        let _e550 = phi_981_;
-                        let _e560 = (_e550 <= 0i);
-                        if _e560 {
-                            phi_1004_ = u32();
+                        let _e536 = phi_1002_;
+                        let _e546 = (_e536 <= 0i);
+                        if _e546 {
+                            phi_1025_ = u32();
                         } else {
-                            if _e539 {
-                                phi_1003_ = u32();
+                            if _e525 {
+                                phi_1024_ = u32();
                             } else {
-                                phi_1003_ = select(((bitcast<u32>(_e550) << bitcast<u32>(23i)) | ((_e532 << bitcast<u32>(((_e542 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e550 >= 255i));
+                                phi_1024_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
                             }
-                            let _e564 = phi_1003_;
-                            phi_1004_ = _e564;
+                            let _e550 = phi_1024_;
+                            phi_1025_ = _e550;
                         }
-                        let _e566 = phi_1004_;
-                        let _e578 = ((_e223 & 8388607u) | (select(0u, 1u, ((_e223 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e581 = bitcast<i32>((_e223 >> bitcast<u32>(23i)));
-                        let _e585 = (_e578 == 0u);
-                        let _e588 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e578)), 32u, _e585)) - 8i);
-                        if (_e581 == 255i) {
-                            phi_1041_ = 255i;
+                        let _e552 = phi_1025_;
+                        let _e564 = ((_e224 & 8388607u) | (select(0u, 1u, ((_e224 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e567 = bitcast<i32>((_e224 >> bitcast<u32>(23i)));
+                        let _e571 = (_e564 == 0u);
+                        let _e574 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e564)), 32u, _e571)) - 8i);
+                        if (_e567 == 255i) {
+                            phi_1062_ = 255i;
                         } else {
-                            phi_1041_ = (((_e581 + select(0i, 1i, (_e581 == 0i))) - _e588) + _e522);
+                            phi_1062_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
                         }
-                        let _e596 = phi_1041_;
-                        let _e606 = (_e596 <= 0i);
-                        if _e606 {
-                            phi_1064_ = u32();
+                        let _e582 = phi_1062_;
+                        let _e592 = (_e582 <= 0i);
+                        if _e592 {
+                            phi_1085_ = u32();
                         } else {
-                            if _e585 {
-                                phi_1063_ = u32();
+                            if _e571 {
+                                phi_1084_ = u32();
                             } else {
-                                phi_1063_ = select(((bitcast<u32>(_e596) << bitcast<u32>(23i)) | ((_e578 << bitcast<u32>(((_e588 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e596 >= 255i));
+                                phi_1084_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
                             }
-                            let _e610 = phi_1063_;
-                            phi_1064_ = _e610;
+                            let _e596 = phi_1084_;
+                            phi_1085_ = _e596;
                         }
-                        let _e612 = phi_1064_;
-                        phi_1072_ = bitcast<f32>(((_e222 & 2147483648u) | select(_e612, 0u, select(_e585, true, _e606))));
-                        phi_1073_ = bitcast<f32>(((_e213 & 2147483648u) | select(_e566, 0u, select(_e539, true, _e560))));
+                        let _e598 = phi_1085_;
+                        phi_1093_ = bitcast<f32>(((_e223 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
+                        phi_1094_ = bitcast<f32>(((_e214 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
                     } else {
-                        phi_1072_ = 0f;
-                        phi_1073_ = 1f;
+                        phi_1093_ = 0f;
+                        phi_1094_ = 1f;
                     }
-                    let _e618 = phi_1072_;
-                    let _e620 = phi_1073_;
+                    let _e604 = phi_1093_;
+                    let _e606 = phi_1094_;
                     local_9 = array<type_21, 8>(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -587,1182 +551,1159 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e623 = (_e265 % 3u);
-                    let _e624 = (_e623 < 3u);
-                    if _e624 {
+                    let _e609 = (_e266 % 3u);
+                    let _e610 = (_e609 < 3u);
+                    if _e610 {
                     } else {
                         break;
                     }
-                    let _e626 = local_1[_e623];
-                    let _e629 = (_e264 % 3u);
-                    let _e630 = (_e629 < 3u);
-                    if _e630 {
+                    let _e612 = local_1[_e609];
+                    let _e615 = (_e265 % 3u);
+                    let _e616 = (_e615 < 3u);
+                    if _e616 {
                     } else {
                         break;
                     }
-                    let _e632 = local_1[_e629];
-                    let _e635 = (_e266 % 3u);
-                    let _e636 = (_e635 < 3u);
-                    if _e636 {
+                    let _e618 = local_1[_e615];
+                    let _e621 = (_e267 % 3u);
+                    let _e622 = (_e621 < 3u);
+                    if _e622 {
                     } else {
                         break;
                     }
-                    let _e638 = local_1[_e635];
-                    if _e624 {
+                    let _e624 = local_1[_e621];
+                    if _e610 {
                     } else {
                         break;
                     }
-                    let _e643 = local[_e623];
-                    if _e630 {
+                    let _e629 = local[_e609];
+                    if _e616 {
                     } else {
                         break;
                     }
-                    let _e647 = local[_e629];
-                    if _e636 {
+                    let _e633 = local[_e615];
+                    if _e622 {
                     } else {
                         break;
                     }
-                    let _e651 = local[_e635];
-                    phi_4236_ = false;
-                    phi_4217_ = _e618;
-                    phi_1222_ = ((3u * _e95) + 1u);
-                    phi_1225_ = (_e620 <= _e618);
-                    phi_1227_ = 0u;
-                    phi_1229_ = type_52(type_25(vec4<f32>((f32(_e626) * _e145), (f32(_e632) * _e145), (f32(_e638) * _e145), 0f), vec4<f32>((f32(_e643) * _e145), (f32(_e647) * _e145), (f32(_e651) * _e145), 0f)), select(0u, 2147483648u, (_e95 == 0u)));
+                    let _e637 = local[_e621];
+                    phi_4335_ = false;
+                    phi_4315_ = _e604;
+                    phi_1243_ = ((3u * _e96) + 1u);
+                    phi_1246_ = (_e606 <= _e604);
+                    phi_1248_ = 0u;
+                    phi_1250_ = type_53(type_25(vec4<f32>((f32(_e612) * _e146), (f32(_e618) * _e146), (f32(_e624) * _e146), 0f), vec4<f32>((f32(_e629) * _e146), (f32(_e633) * _e146), (f32(_e637) * _e146), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
                     loop {
-                        let _e661 = phi_4236_;
-                        let _e663 = phi_4217_;
-                        let _e665 = phi_1222_;
-                        let _e667 = phi_1225_;
-                        let _e669 = phi_1227_;
-                        let _e671 = phi_1229_;
-                        if _e667 {
-                            phi_1240_ = true;
+                        let _e647 = phi_4335_;
+                        let _e649 = phi_4315_;
+                        let _e651 = phi_1243_;
+                        let _e653 = phi_1246_;
+                        let _e655 = phi_1248_;
+                        let _e657 = phi_1250_;
+                        if _e653 {
+                            phi_1261_ = true;
                         } else {
-                            phi_1240_ = (_e669 > 0u);
+                            phi_1261_ = (_e655 > 0u);
                         }
-                        let _e674 = phi_1240_;
-                        if _e674 {
-                            let _e675 = (_e665 > 0u);
-                            if _e675 {
-                                if _e667 {
-                                    phi_1327_ = _e667;
-                                    phi_1328_ = _e669;
-                                    phi_1329_ = _e671;
+                        let _e660 = phi_1261_;
+                        if _e660 {
+                            let _e661 = (_e651 > 0u);
+                            if _e661 {
+                                if _e653 {
+                                    phi_1348_ = _e653;
+                                    phi_1349_ = _e655;
+                                    phi_1350_ = _e657;
                                 } else {
-                                    let _e676 = (_e669 - 1u);
-                                    let _e677 = (_e676 % 128u);
-                                    let _e678 = (_e677 < 128u);
-                                    if _e678 {
+                                    let _e662 = (_e655 - 1u);
+                                    let _e663 = (_e662 % 128u);
+                                    let _e664 = (_e663 < 128u);
+                                    if _e664 {
                                     } else {
-                                        phi_4535_ = true;
+                                        phi_4643_ = true;
                                         break;
                                     }
-                                    let _e680 = local_7[_e677];
-                                    if _e678 {
+                                    let _e666 = local_7[_e663];
+                                    if _e664 {
                                     } else {
-                                        phi_4535_ = true;
+                                        phi_4643_ = true;
                                         break;
                                     }
-                                    let _e682 = local_6[_e677];
-                                    if _e678 {
+                                    let _e668 = local_6[_e663];
+                                    if _e664 {
                                     } else {
-                                        phi_4535_ = true;
+                                        phi_4643_ = true;
                                         break;
                                     }
-                                    let _e684 = local_5[_e677];
-                                    if _e678 {
+                                    let _e670 = local_5[_e663];
+                                    if _e664 {
                                     } else {
-                                        phi_4535_ = true;
+                                        phi_4643_ = true;
                                         break;
                                     }
-                                    let _e686 = local_4[_e677];
-                                    if _e678 {
+                                    let _e672 = local_4[_e663];
+                                    if _e664 {
                                     } else {
-                                        phi_4535_ = true;
+                                        phi_4643_ = true;
                                         break;
                                     }
-                                    let _e688 = local_3[_e677];
-                                    if _e678 {
+                                    let _e674 = local_3[_e663];
+                                    if _e664 {
                                     } else {
-                                        phi_4535_ = true;
+                                        phi_4643_ = true;
                                         break;
                                     }
-                                    let _e690 = local_2[_e677];
-                                    if _e678 {
+                                    let _e676 = local_2[_e663];
+                                    if _e664 {
                                     } else {
-                                        phi_4535_ = true;
+                                        phi_4643_ = true;
                                         break;
                                     }
-                                    let _e695 = local_8[_e677];
-                                    if _e678 {
+                                    let _e681 = local_8[_e663];
+                                    if _e664 {
                                     } else {
-                                        phi_4535_ = true;
+                                        phi_4643_ = true;
                                         break;
                                     }
-                                    let _e698 = local_10[_e677];
-                                    phi_1327_ = (_e698 <= _e663);
-                                    phi_1328_ = _e676;
-                                    phi_1329_ = type_52(type_25(vec4<f32>(_e680, _e682, _e684, 0f), vec4<f32>(_e686, _e688, _e690, 0f)), _e695);
+                                    let _e684 = local_10[_e663];
+                                    phi_1348_ = (_e684 <= _e649);
+                                    phi_1349_ = _e662;
+                                    phi_1350_ = type_53(type_25(vec4<f32>(_e666, _e668, _e670, 0f), vec4<f32>(_e672, _e674, _e676, 0f)), _e681);
                                 }
-                                let _e701 = phi_1327_;
-                                let _e703 = phi_1328_;
-                                let _e705 = phi_1329_;
-                                if _e701 {
-                                    let _e709 = ((_e705.member_1 & 2147483648u) != 0u);
-                                    if _e709 {
-                                        phi_4233_ = _e661;
-                                        phi_4222_ = _e663;
-                                        phi_1347_ = type_4(0u, ((_e705.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e687 = phi_1348_;
+                                let _e689 = phi_1349_;
+                                let _e691 = phi_1350_;
+                                if _e687 {
+                                    let _e695 = ((_e691.member_1 & 2147483648u) != 0u);
+                                    if _e695 {
+                                        phi_4332_ = _e647;
+                                        phi_4320_ = _e649;
+                                        phi_1368_ = type_4(0u, ((_e691.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e716 = phi_4233_;
-                                            let _e718 = phi_4222_;
-                                            let _e720 = phi_1347_;
-                                            if (_e720.member < _e720.member_1) {
-                                                phi_1348_ = type_4((_e720.member + 1u), _e720.member_1);
-                                                phi_1371_ = type_4(1u, _e720.member);
+                                            let _e702 = phi_4332_;
+                                            let _e704 = phi_4320_;
+                                            let _e706 = phi_1368_;
+                                            if (_e706.member < _e706.member_1) {
+                                                phi_1369_ = type_4((_e706.member + 1u), _e706.member_1);
+                                                phi_1392_ = type_4(1u, _e706.member);
                                             } else {
-                                                phi_1348_ = _e720;
-                                                phi_1371_ = type_4(0u, type_4().member_1);
+                                                phi_1369_ = _e706;
+                                                phi_1392_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e733 = phi_1348_;
-                                            let _e735 = phi_1371_;
-                                            let _e739 = (bitcast<i32>(_e735.member) != 0i);
-                                            if _e739 {
-                                                let _e740 = ((_e705.member_1 & 268435455u) + _e735.member_1);
-                                                let _e741 = (_e740 < _e97);
-                                                if _e741 {
-                                                    if _e741 {
+                                            let _e719 = phi_1369_;
+                                            let _e721 = phi_1392_;
+                                            let _e725 = (bitcast<i32>(_e721.member) != 0i);
+                                            if _e725 {
+                                                let _e726 = ((_e691.member_1 & 268435455u) + _e721.member_1);
+                                                let _e727 = (_e726 < _e98);
+                                                if _e727 {
+                                                    if _e727 {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e745 = global_2.member[_e740].member_1;
-                                                    phi_1392_ = _e745;
+                                                    let _e731 = global_2.member[_e726].member_1;
+                                                    phi_1413_ = _e731;
                                                 } else {
-                                                    phi_1392_ = 4294967295u;
+                                                    phi_1413_ = 4294967295u;
                                                 }
-                                                let _e747 = phi_1392_;
-                                                if (_e740 >= _e97) {
-                                                    phi_1484_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e733 = phi_1413_;
+                                                if (_e726 >= _e98) {
+                                                    phi_1505_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e741 {
+                                                    if _e727 {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    if (_e623 < 9u) {
+                                                    if (_e609 < 9u) {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e754 = global_2.member[_e740].member[_e623];
-                                                    if (_e629 < 9u) {
+                                                    let _e740 = global_2.member[_e726].member[_e609];
+                                                    if (_e615 < 9u) {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e760 = global_2.member[_e740].member[_e629];
-                                                    if (_e635 < 9u) {
+                                                    let _e746 = global_2.member[_e726].member[_e615];
+                                                    if (_e621 < 9u) {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e766 = global_2.member[_e740].member[_e635];
-                                                    let _e768 = (3u + _e623);
+                                                    let _e752 = global_2.member[_e726].member[_e621];
+                                                    let _e754 = (3u + _e609);
+                                                    if (_e754 < 9u) {
+                                                    } else {
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
+                                                        break;
+                                                    }
+                                                    let _e760 = global_2.member[_e726].member[_e754];
+                                                    let _e761 = (3u + _e615);
+                                                    if (_e761 < 9u) {
+                                                    } else {
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
+                                                        break;
+                                                    }
+                                                    let _e767 = global_2.member[_e726].member[_e761];
+                                                    let _e768 = (3u + _e621);
                                                     if (_e768 < 9u) {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e774 = global_2.member[_e740].member[_e768];
-                                                    let _e775 = (3u + _e629);
-                                                    if (_e775 < 9u) {
+                                                    let _e774 = global_2.member[_e726].member[_e768];
+                                                    let _e776 = (6u + _e609);
+                                                    if (_e776 < 9u) {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e781 = global_2.member[_e740].member[_e775];
-                                                    let _e782 = (3u + _e635);
-                                                    if (_e782 < 9u) {
+                                                    let _e782 = global_2.member[_e726].member[_e776];
+                                                    let _e783 = (6u + _e615);
+                                                    if (_e783 < 9u) {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e788 = global_2.member[_e740].member[_e782];
-                                                    let _e790 = (6u + _e623);
+                                                    let _e789 = global_2.member[_e726].member[_e783];
+                                                    let _e790 = (6u + _e621);
                                                     if (_e790 < 9u) {
                                                     } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = true;
                                                         break;
                                                     }
-                                                    let _e796 = global_2.member[_e740].member[_e790];
-                                                    let _e797 = (6u + _e629);
-                                                    if (_e797 < 9u) {
-                                                    } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
-                                                        break;
-                                                    }
-                                                    let _e803 = global_2.member[_e740].member[_e797];
-                                                    let _e804 = (6u + _e635);
-                                                    if (_e804 < 9u) {
-                                                    } else {
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = true;
-                                                        break;
-                                                    }
-                                                    let _e810 = global_2.member[_e740].member[_e804];
-                                                    phi_1484_ = array<array<f32, 3>, 3>(array<f32, 3>(_e754, _e760, _e766), array<f32, 3>(_e774, _e781, _e788), array<f32, 3>(_e796, _e803, _e810));
+                                                    let _e796 = global_2.member[_e726].member[_e790];
+                                                    phi_1505_ = array<array<f32, 3>, 3>(array<f32, 3>(_e740, _e746, _e752), array<f32, 3>(_e760, _e767, _e774), array<f32, 3>(_e782, _e789, _e796));
                                                 }
-                                                let _e814 = phi_1484_;
-                                                let _e821 = (_e814[0][2] - _e466);
-                                                let _e824 = (((_e814[0][0] - _e329) * _e505) - (_e821 * _e369));
-                                                let _e827 = (((_e814[0][1] - _e398) * _e505) - (_e821 * _e437));
-                                                let _e834 = (_e814[1][2] - _e466);
-                                                let _e837 = (((_e814[1][0] - _e329) * _e505) - (_e834 * _e369));
-                                                let _e840 = (((_e814[1][1] - _e398) * _e505) - (_e834 * _e437));
-                                                let _e847 = (_e814[2][2] - _e466);
-                                                let _e850 = (((_e814[2][0] - _e329) * _e505) - (_e847 * _e369));
-                                                let _e853 = (((_e814[2][1] - _e398) * _e505) - (_e847 * _e437));
-                                                let _e854 = (_e850 * _e840);
-                                                let _e855 = (_e853 * _e837);
-                                                let _e856 = (_e824 * _e853);
-                                                let _e857 = (_e827 * _e850);
-                                                let _e858 = (_e837 * _e827);
-                                                let _e859 = (_e840 * _e824);
-                                                let _e864 = (((_e854 >= _e855) && (_e856 >= _e857)) && (_e858 >= _e859));
-                                                if (_e864 || (((_e854 <= _e855) && (_e856 <= _e857)) && (_e858 <= _e859))) {
-                                                    let _e871 = select(-1f, 1f, _e864);
-                                                    let _e873 = ((_e854 - _e855) * _e871);
-                                                    let _e875 = select(0f, _e873, (_e873 > 0f));
-                                                    let _e877 = ((_e856 - _e857) * _e871);
-                                                    let _e879 = select(0f, _e877, (_e877 > 0f));
-                                                    let _e881 = ((_e858 - _e859) * _e871);
-                                                    let _e883 = select(0f, _e881, (_e881 > 0f));
-                                                    let _e885 = ((_e875 + _e879) + _e883);
-                                                    if (_e885 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2369_ = type_21();
-                                                        phi_2370_ = true;
-                                                        phi_2371_ = false;
-                                                    } else {
-                                                        let _e888 = select(_e837, _e824, (_e824 < _e837));
-                                                        if (select(_e850, _e888, (_e888 < _e850)) > 0f) {
-                                                            phi_1637_ = true;
+                                                let _e800 = phi_1505_;
+                                                let _e815 = (_e800[0][2] - _e463);
+                                                let _e818 = (((_e800[0][0] - _e330) * _e499) - (_e815 * _e367));
+                                                let _e821 = (((_e800[0][1] - _e397) * _e499) - (_e815 * _e433));
+                                                let _e824 = (_e800[1][2] - _e463);
+                                                let _e827 = (((_e800[1][0] - _e330) * _e499) - (_e824 * _e367));
+                                                let _e830 = (((_e800[1][1] - _e397) * _e499) - (_e824 * _e433));
+                                                let _e833 = (_e800[2][2] - _e463);
+                                                let _e836 = (((_e800[2][0] - _e330) * _e499) - (_e833 * _e367));
+                                                let _e839 = (((_e800[2][1] - _e397) * _e499) - (_e833 * _e433));
+                                                let _e840 = (_e836 * _e830);
+                                                let _e841 = (_e839 * _e827);
+                                                let _e842 = (_e818 * _e839);
+                                                let _e843 = (_e821 * _e836);
+                                                let _e844 = (_e827 * _e821);
+                                                let _e845 = (_e830 * _e818);
+                                                let _e850 = (((_e840 >= _e841) && (_e842 >= _e843)) && (_e844 >= _e845));
+                                                let _e856 = (_e850 || (((_e840 <= _e841) && (_e842 <= _e843)) && (_e844 <= _e845)));
+                                                if _e856 {
+                                                    let _e858 = select(-1f, 1f, _e850);
+                                                    let _e860 = ((_e840 - _e841) * _e858);
+                                                    let _e862 = select(0f, _e860, (_e860 > 0f));
+                                                    let _e864 = ((_e842 - _e843) * _e858);
+                                                    let _e866 = select(0f, _e864, (_e864 > 0f));
+                                                    let _e868 = ((_e844 - _e845) * _e858);
+                                                    let _e870 = select(0f, _e868, (_e868 > 0f));
+                                                    let _e872 = ((_e862 + _e866) + _e870);
+                                                    let _e874 = select(_e800[1][0], _e800[0][0], (_e800[0][0] < _e800[1][0]));
+                                                    let _e878 = select(_e800[1][0], _e800[0][0], (_e800[0][0] > _e800[1][0]));
+                                                    let _e882 = select(_e800[1][1], _e800[0][1], (_e800[0][1] < _e800[1][1]));
+                                                    let _e886 = select(_e800[1][1], _e800[0][1], (_e800[0][1] > _e800[1][1]));
+                                                    let _e890 = select(_e800[1][2], _e800[0][2], (_e800[0][2] < _e800[1][2]));
+                                                    let _e894 = select(_e800[1][2], _e800[0][2], (_e800[0][2] > _e800[1][2]));
+                                                    let _e899 = ((select(_e800[2][0], _e874, (_e874 < _e800[2][0])) - _e368) * _e371);
+                                                    let _e900 = ((select(_e800[2][0], _e878, (_e878 > _e800[2][0])) - _e369) * _e371);
+                                                    let _e903 = ((select(_e800[2][1], _e882, (_e882 < _e800[2][1])) - _e434) * _e437);
+                                                    let _e904 = ((select(_e800[2][1], _e886, (_e886 > _e800[2][1])) - _e435) * _e437);
+                                                    let _e907 = ((select(_e800[2][2], _e890, (_e890 < _e800[2][2])) - _e500) * _e503);
+                                                    let _e908 = ((select(_e800[2][2], _e894, (_e894 > _e800[2][2])) - _e501) * _e503);
+                                                    let _e910 = select(_e908, _e907, (_e907 < _e908));
+                                                    let _e912 = select(_e908, _e907, (_e907 > _e908));
+                                                    let _e914 = select(_e900, _e899, (_e899 < _e900));
+                                                    let _e916 = select(_e904, _e903, (_e903 < _e904));
+                                                    let _e918 = select(_e916, _e914, (_e914 > _e916));
+                                                    let _e920 = select(_e910, _e918, (_e918 > _e910));
+                                                    let _e922 = select(_e900, _e899, (_e899 > _e900));
+                                                    let _e924 = select(_e904, _e903, (_e903 > _e904));
+                                                    let _e926 = select(_e924, _e922, (_e922 < _e924));
+                                                    let _e928 = select(_e912, _e926, (_e926 < _e912));
+                                                    let _e929 = -(_e910);
+                                                    let _e935 = select(_e606, _e920, (_e920 > _e606));
+                                                    let _e939 = select(_e827, _e818, (_e818 < _e827));
+                                                    let _e944 = select(_e827, _e818, (_e818 > _e827));
+                                                    let _e951 = select(_e830, _e821, (_e821 < _e830));
+                                                    let _e956 = select(_e830, _e821, (_e821 > _e830));
+                                                    let _e965 = (((((_e856 && (_e872 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e836, _e939, (_e939 < _e836)) <= 0f) && (select(_e836, _e944, (_e944 > _e836)) >= 0f))) && ((select(_e839, _e951, (_e951 < _e839)) <= 0f) && (select(_e839, _e956, (_e956 > _e839)) >= 0f))) && (_e935 <= (_e928 + (select(_e929, _e912, (_e912 > _e929)) * 0.0000019073523f)))) && (_e935 <= _e704));
+                                                    if _e965 {
+                                                        let _e970 = (_e800[1][0] - _e800[0][0]);
+                                                        let _e971 = (_e800[1][1] - _e800[0][1]);
+                                                        let _e972 = (_e800[1][2] - _e800[0][2]);
+                                                        let _e973 = vec3<f32>(_e970, _e971, _e972);
+                                                        let _e974 = (_e800[2][0] - _e800[1][0]);
+                                                        let _e975 = (_e800[2][1] - _e800[1][1]);
+                                                        let _e976 = (_e800[2][2] - _e800[1][2]);
+                                                        let _e977 = vec3<f32>(_e974, _e975, _e976);
+                                                        let _e978 = (_e800[0][0] - _e800[2][0]);
+                                                        let _e979 = (_e800[0][1] - _e800[2][1]);
+                                                        let _e980 = (_e800[0][2] - _e800[2][2]);
+                                                        let _e981 = vec3<f32>(_e978, _e979, _e980);
+                                                        let _e982 = abs(_e970);
+                                                        let _e983 = abs(_e971);
+                                                        if (_e982 != _e982) {
+                                                            phi_3871_ = true;
                                                         } else {
-                                                            let _e893 = select(_e837, _e824, (_e824 > _e837));
-                                                            phi_1637_ = (select(_e850, _e893, (_e893 > _e850)) < 0f);
+                                                            phi_3871_ = (_e983 >= _e982);
                                                         }
-                                                        let _e898 = phi_1637_;
-                                                        if _e898 {
-                                                            phi_2366_ = type_21();
-                                                            phi_2367_ = true;
-                                                            phi_2368_ = false;
+                                                        let _e987 = phi_3871_;
+                                                        let _e988 = select(_e982, _e983, _e987);
+                                                        let _e989 = abs(_e972);
+                                                        if (_e988 != _e988) {
+                                                            phi_3886_ = true;
                                                         } else {
-                                                            let _e900 = select(_e840, _e827, (_e827 < _e840));
-                                                            if (select(_e853, _e900, (_e900 < _e853)) > 0f) {
-                                                                phi_1666_ = true;
-                                                            } else {
-                                                                let _e905 = select(_e840, _e827, (_e827 > _e840));
-                                                                phi_1666_ = (select(_e853, _e905, (_e905 > _e853)) < 0f);
-                                                            }
-                                                            let _e910 = phi_1666_;
-                                                            if _e910 {
-                                                                phi_2364_ = type_21();
-                                                                phi_2365_ = false;
-                                                            } else {
-                                                                let _e912 = select(_e814[1][0], _e814[0][0], (_e814[0][0] < _e814[1][0]));
-                                                                let _e916 = select(_e814[1][0], _e814[0][0], (_e814[0][0] > _e814[1][0]));
-                                                                let _e920 = select(_e814[1][1], _e814[0][1], (_e814[0][1] < _e814[1][1]));
-                                                                let _e924 = select(_e814[1][1], _e814[0][1], (_e814[0][1] > _e814[1][1]));
-                                                                let _e928 = select(_e814[1][2], _e814[0][2], (_e814[0][2] < _e814[1][2]));
-                                                                let _e932 = select(_e814[1][2], _e814[0][2], (_e814[0][2] > _e814[1][2]));
-                                                                let _e937 = ((select(_e814[2][0], _e912, (_e912 < _e814[2][0])) - _e367) * _e372);
-                                                                let _e938 = ((select(_e814[2][0], _e916, (_e916 > _e814[2][0])) - _e368) * _e372);
-                                                                let _e941 = ((select(_e814[2][1], _e920, (_e920 < _e814[2][1])) - _e435) * _e440);
-                                                                let _e942 = ((select(_e814[2][1], _e924, (_e924 > _e814[2][1])) - _e436) * _e440);
-                                                                let _e945 = ((select(_e814[2][2], _e928, (_e928 < _e814[2][2])) - _e503) * _e508);
-                                                                let _e946 = ((select(_e814[2][2], _e932, (_e932 > _e814[2][2])) - _e504) * _e508);
-                                                                let _e948 = select(_e946, _e945, (_e945 < _e946));
-                                                                let _e950 = select(_e946, _e945, (_e945 > _e946));
-                                                                let _e952 = select(_e938, _e937, (_e937 < _e938));
-                                                                let _e954 = select(_e942, _e941, (_e941 < _e942));
-                                                                let _e956 = select(_e954, _e952, (_e952 > _e954));
-                                                                let _e958 = select(_e948, _e956, (_e956 > _e948));
-                                                                let _e960 = select(_e938, _e937, (_e937 > _e938));
-                                                                let _e962 = select(_e942, _e941, (_e941 > _e942));
-                                                                let _e964 = select(_e962, _e960, (_e960 < _e962));
-                                                                let _e966 = select(_e950, _e964, (_e964 < _e950));
-                                                                let _e967 = -(_e948);
-                                                                let _e973 = select(_e620, _e958, (_e958 > _e620));
-                                                                if (_e973 > (_e966 + (select(_e967, _e950, (_e950 > _e967)) * 0.0000019073523f))) {
-                                                                    phi_2359_ = type_21();
-                                                                    phi_2360_ = true;
-                                                                } else {
-                                                                    let _e975 = (_e973 > _e718);
-                                                                    if _e975 {
-                                                                        phi_2358_ = type_21();
-                                                                    } else {
-                                                                        let _e976 = vec3<f32>(_e814[0][0], _e814[0][1], _e814[0][2]);
-                                                                        let _e977 = vec3<f32>(_e814[1][0], _e814[1][1], _e814[1][2]);
-                                                                        let _e978 = vec3<f32>(_e814[2][0], _e814[2][1], _e814[2][2]);
-                                                                        let _e979 = (_e814[1][0] - _e814[0][0]);
-                                                                        let _e980 = (_e814[1][1] - _e814[0][1]);
-                                                                        let _e981 = (_e814[1][2] - _e814[0][2]);
-                                                                        let _e982 = vec3<f32>(_e979, _e980, _e981);
-                                                                        let _e983 = (_e814[2][0] - _e814[1][0]);
-                                                                        let _e984 = (_e814[2][1] - _e814[1][1]);
-                                                                        let _e985 = (_e814[2][2] - _e814[1][2]);
-                                                                        let _e986 = vec3<f32>(_e983, _e984, _e985);
-                                                                        let _e987 = (_e814[0][0] - _e814[2][0]);
-                                                                        let _e988 = (_e814[0][1] - _e814[2][1]);
-                                                                        let _e989 = (_e814[0][2] - _e814[2][2]);
-                                                                        let _e990 = vec3<f32>(_e987, _e988, _e989);
-                                                                        let _e993 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
-                                                                        let _e996 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
-                                                                        let _e998 = select(_e996, _e993, (_e993 > _e996));
-                                                                        let _e1001 = bitcast<f32>((bitcast<u32>(_e981) & 2147483647u));
-                                                                        let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
-                                                                        let _e1006 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
-                                                                        let _e1009 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
-                                                                        let _e1011 = select(_e1009, _e1006, (_e1006 > _e1009));
-                                                                        let _e1014 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
-                                                                        let _e1016 = select(_e1014, _e1011, (_e1011 > _e1014));
-                                                                        let _e1019 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
-                                                                        let _e1022 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
-                                                                        let _e1024 = select(_e1022, _e1019, (_e1019 > _e1022));
-                                                                        let _e1027 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
-                                                                        let _e1029 = select(_e1027, _e1024, (_e1024 > _e1027));
-                                                                        let _e1031 = select(_e1016, _e1003, (_e1003 > _e1016));
-                                                                        let _e1033 = select(_e1029, _e1031, (_e1031 > _e1029));
-                                                                        if (_e1003 == _e1033) {
-                                                                            phi_2085_ = _e840;
-                                                                            phi_2086_ = _e837;
-                                                                            phi_2087_ = _e827;
-                                                                            phi_2088_ = _e824;
-                                                                            phi_2089_ = _e976;
-                                                                            phi_2090_ = _e990;
-                                                                            phi_2091_ = _e986;
-                                                                            phi_2092_ = _e982;
-                                                                        } else {
-                                                                            let _e1035 = (_e1016 == _e1033);
-                                                                            let _e1040 = vec3(_e1035);
-                                                                            phi_2085_ = select(_e827, _e853, _e1035);
-                                                                            phi_2086_ = select(_e824, _e850, _e1035);
-                                                                            phi_2087_ = select(_e853, _e840, _e1035);
-                                                                            phi_2088_ = select(_e850, _e837, _e1035);
-                                                                            phi_2089_ = select(_e978, _e977, _e1040);
-                                                                            phi_2090_ = select(_e986, _e982, _e1040);
-                                                                            phi_2091_ = select(_e982, _e990, _e1040);
-                                                                            phi_2092_ = select(_e990, _e986, _e1040);
-                                                                        }
-                                                                        let _e1046 = phi_2085_;
-                                                                        let _e1048 = phi_2086_;
-                                                                        let _e1050 = phi_2087_;
-                                                                        let _e1052 = phi_2088_;
-                                                                        let _e1054 = phi_2089_;
-                                                                        let _e1056 = phi_2090_;
-                                                                        let _e1058 = phi_2091_;
-                                                                        let _e1060 = phi_2092_;
-                                                                        let _e1067 = ((_e1058.y * _e1056.z) - (_e1056.y * _e1058.z));
-                                                                        let _e1072 = ((_e1058.z * _e1056.x) - (_e1056.z * _e1058.x));
-                                                                        let _e1075 = ((_e1058.x * _e1056.y) - (_e1056.x * _e1058.y));
-                                                                        if (_e875 >= _e879) {
-                                                                            phi_2129_ = select(true, false, (_e875 >= _e883));
-                                                                        } else {
-                                                                            phi_2129_ = true;
-                                                                        }
-                                                                        let _e1080 = phi_2129_;
-                                                                        if _e1080 {
-                                                                            phi_2138_ = select(_e978, _e977, vec3((_e879 >= _e883)));
-                                                                        } else {
-                                                                            phi_2138_ = _e976;
-                                                                        }
-                                                                        let _e1085 = phi_2138_;
-                                                                        let _e1096 = (((_e1067 * (_e1085.x - _e329)) + (_e1072 * (_e1085.y - _e398))) + (_e1075 * (_e1085.z - _e466)));
-                                                                        let _e1101 = (((_e1067 * _e369) + (_e1072 * _e437)) + (_e1075 * _e505));
-                                                                        let _e1102 = (_e1048 - _e1052);
-                                                                        let _e1103 = (_e1046 - _e1050);
-                                                                        let _e1111 = (-(((_e1052 * _e1102) + (_e1050 * _e1103))) / ((_e1102 * _e1102) + (_e1103 * _e1103)));
-                                                                        let _e1113 = select(1f, _e1111, (_e1111 < 1f));
-                                                                        let _e1115 = select(0f, _e1113, (_e1113 > 0f));
-                                                                        let _e1128 = ((_e1054.x + (_e1060.x * _e1115)) - _e329);
-                                                                        let _e1129 = ((_e1054.y + (_e1060.y * _e1115)) - _e398);
-                                                                        let _e1130 = ((_e1054.z + (_e1060.z * _e1115)) - _e466);
-                                                                        let _e1131 = (_e1130 / _e505);
-                                                                        let _e1143 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
-                                                                        let _e1146 = bitcast<f32>((bitcast<u32>(_e1129) & 2147483647u));
-                                                                        let _e1148 = select(_e1146, _e1143, (_e1143 > _e1146));
-                                                                        let _e1151 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
-                                                                        let _e1153 = select(_e1151, _e1148, (_e1148 > _e1151));
-                                                                        let _e1159 = bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u));
-                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1072) & 2147483647u));
-                                                                        let _e1164 = select(_e1162, _e1159, (_e1159 > _e1162));
-                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1067 * _e1128) + (_e1072 * _e1129)) + (_e1075 * _e1130)) - _e1096)) & 2147483647u)) <= ((0.0000009536743f * select(_e1033, _e1153, (_e1153 > _e1033))) * select(_e1167, _e1164, (_e1164 > _e1167)))) {
-                                                                            let _e1177 = bitcast<f32>((bitcast<u32>(_e1058.x) & 2147483647u));
-                                                                            let _e1180 = bitcast<f32>((bitcast<u32>(_e1058.y) & 2147483647u));
-                                                                            let _e1182 = select(_e1180, _e1177, (_e1177 > _e1180));
-                                                                            let _e1185 = bitcast<f32>((bitcast<u32>(_e1058.z) & 2147483647u));
-                                                                            let _e1191 = bitcast<f32>((bitcast<u32>(_e1056.x) & 2147483647u));
-                                                                            let _e1194 = bitcast<f32>((bitcast<u32>(_e1056.y) & 2147483647u));
-                                                                            let _e1196 = select(_e1194, _e1191, (_e1191 > _e1194));
-                                                                            let _e1199 = bitcast<f32>((bitcast<u32>(_e1056.z) & 2147483647u));
-                                                                            let _e1203 = (bitcast<f32>((bitcast<u32>(_e1101) & 2147483647u)) > ((0.0000038146973f * select(_e1185, _e1182, (_e1182 > _e1185))) * select(_e1199, _e1196, (_e1196 > _e1199))));
-                                                                            if _e1203 {
-                                                                                phi_2303_ = (_e1096 / _e1101);
-                                                                            } else {
-                                                                                phi_2303_ = f32();
-                                                                            }
-                                                                            let _e1206 = phi_2303_;
-                                                                            phi_2305_ = _e1206;
-                                                                            phi_2306_ = select(true, false, _e1203);
-                                                                        } else {
-                                                                            phi_2305_ = f32();
-                                                                            phi_2306_ = true;
-                                                                        }
-                                                                        let _e1209 = phi_2305_;
-                                                                        let _e1211 = phi_2306_;
-                                                                        if _e1211 {
-                                                                            let _e1219 = (((_e1067 * (_e1128 - (_e369 * _e1131))) + (_e1072 * (_e1129 - (_e437 * _e1131)))) / _e1101);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u)) <= _e1033) {
-                                                                                phi_2326_ = (_e1131 + _e1219);
-                                                                            } else {
-                                                                                phi_2326_ = _e1131;
-                                                                            }
-                                                                            let _e1226 = phi_2326_;
-                                                                            phi_2327_ = _e1226;
-                                                                        } else {
-                                                                            phi_2327_ = _e1209;
-                                                                        }
-                                                                        let _e1228 = phi_2327_;
-                                                                        let _e1230 = select(_e966, _e1228, (_e1228 < _e966));
-                                                                        let _e1232 = select(_e958, _e1230, (_e1230 > _e958));
-                                                                        if (_e1232 >= _e620) {
-                                                                            let _e1234 = (_e1232 <= _e718);
-                                                                            if _e1234 {
-                                                                                let _e1235 = (1f / _e885);
-                                                                                phi_2350_ = type_21(_e1232, (_e879 * _e1235), (_e883 * _e1235), _e747);
-                                                                            } else {
-                                                                                phi_2350_ = type_21();
-                                                                            }
-                                                                            let _e1240 = phi_2350_;
-                                                                            phi_2352_ = _e1240;
-                                                                            phi_2353_ = select(true, false, _e1234);
-                                                                        } else {
-                                                                            phi_2352_ = type_21();
-                                                                            phi_2353_ = true;
-                                                                        }
-                                                                        let _e1243 = phi_2352_;
-                                                                        let _e1245 = phi_2353_;
-                                                                        if _e1245 {
-                                                                            phi_2357_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2357_ = _e1243;
-                                                                        }
-                                                                        let _e1247 = phi_2357_;
-                                                                        phi_2358_ = _e1247;
-                                                                    }
-                                                                    let _e1249 = phi_2358_;
-                                                                    phi_2359_ = _e1249;
-                                                                    phi_2360_ = _e975;
-                                                                }
-                                                                let _e1251 = phi_2359_;
-                                                                let _e1253 = phi_2360_;
-                                                                phi_2364_ = _e1251;
-                                                                phi_2365_ = _e1253;
-                                                            }
-                                                            let _e1255 = phi_2364_;
-                                                            let _e1257 = phi_2365_;
-                                                            phi_2366_ = _e1255;
-                                                            phi_2367_ = _e910;
-                                                            phi_2368_ = _e1257;
+                                                            phi_3886_ = (_e989 >= _e988);
                                                         }
-                                                        let _e1259 = phi_2366_;
-                                                        let _e1261 = phi_2367_;
-                                                        let _e1263 = phi_2368_;
-                                                        phi_2369_ = _e1259;
-                                                        phi_2370_ = _e1261;
-                                                        phi_2371_ = _e1263;
+                                                        let _e993 = phi_3886_;
+                                                        let _e994 = select(_e988, _e989, _e993);
+                                                        let _e995 = abs(_e974);
+                                                        let _e996 = abs(_e975);
+                                                        if (_e995 != _e995) {
+                                                            phi_3901_ = true;
+                                                        } else {
+                                                            phi_3901_ = (_e996 >= _e995);
+                                                        }
+                                                        let _e1000 = phi_3901_;
+                                                        let _e1001 = select(_e995, _e996, _e1000);
+                                                        let _e1002 = abs(_e976);
+                                                        if (_e1001 != _e1001) {
+                                                            phi_3916_ = true;
+                                                        } else {
+                                                            phi_3916_ = (_e1002 >= _e1001);
+                                                        }
+                                                        let _e1006 = phi_3916_;
+                                                        let _e1007 = select(_e1001, _e1002, _e1006);
+                                                        let _e1008 = abs(_e978);
+                                                        let _e1009 = abs(_e979);
+                                                        if (_e1008 != _e1008) {
+                                                            phi_3931_ = true;
+                                                        } else {
+                                                            phi_3931_ = (_e1009 >= _e1008);
+                                                        }
+                                                        let _e1013 = phi_3931_;
+                                                        let _e1014 = select(_e1008, _e1009, _e1013);
+                                                        let _e1015 = abs(_e980);
+                                                        if (_e1014 != _e1014) {
+                                                            phi_3946_ = true;
+                                                        } else {
+                                                            phi_3946_ = (_e1015 >= _e1014);
+                                                        }
+                                                        let _e1019 = phi_3946_;
+                                                        let _e1020 = select(_e1014, _e1015, _e1019);
+                                                        let _e1022 = select(_e1007, _e994, (_e994 > _e1007));
+                                                        let _e1024 = select(_e1020, _e1022, (_e1022 > _e1020));
+                                                        if (_e994 == _e1024) {
+                                                            phi_2048_ = _e830;
+                                                            phi_2049_ = _e827;
+                                                            phi_2050_ = _e821;
+                                                            phi_2051_ = _e818;
+                                                            phi_2052_ = vec3<f32>(_e800[0][0], _e800[0][1], _e800[0][2]);
+                                                            phi_2053_ = _e981;
+                                                            phi_2054_ = _e977;
+                                                            phi_2055_ = _e973;
+                                                        } else {
+                                                            let _e1026 = (_e1007 == _e1024);
+                                                            let _e1031 = vec3(_e1026);
+                                                            phi_2048_ = select(_e821, _e839, _e1026);
+                                                            phi_2049_ = select(_e818, _e836, _e1026);
+                                                            phi_2050_ = select(_e839, _e830, _e1026);
+                                                            phi_2051_ = select(_e836, _e827, _e1026);
+                                                            phi_2052_ = select(vec3<f32>(_e800[2][0], _e800[2][1], _e800[2][2]), vec3<f32>(_e800[1][0], _e800[1][1], _e800[1][2]), _e1031);
+                                                            phi_2053_ = select(_e977, _e973, _e1031);
+                                                            phi_2054_ = select(_e973, _e981, _e1031);
+                                                            phi_2055_ = select(_e981, _e977, _e1031);
+                                                        }
+                                                        let _e1037 = phi_2048_;
+                                                        let _e1039 = phi_2049_;
+                                                        let _e1041 = phi_2050_;
+                                                        let _e1043 = phi_2051_;
+                                                        let _e1045 = phi_2052_;
+                                                        let _e1047 = phi_2053_;
+                                                        let _e1049 = phi_2054_;
+                                                        let _e1051 = phi_2055_;
+                                                        let _e1058 = ((_e1049.y * _e1047.z) - (_e1047.y * _e1049.z));
+                                                        let _e1063 = ((_e1049.z * _e1047.x) - (_e1047.z * _e1049.x));
+                                                        let _e1066 = ((_e1049.x * _e1047.y) - (_e1047.x * _e1049.y));
+                                                        let _e1069 = ((_e862 >= _e866) && (_e862 >= _e870));
+                                                        let _e1070 = (_e866 >= _e870);
+                                                        let _e1084 = (((_e1058 * (select(select(_e800[2][0], _e800[1][0], _e1070), _e800[0][0], _e1069) - _e330)) + (_e1063 * (select(select(_e800[2][1], _e800[1][1], _e1070), _e800[0][1], _e1069) - _e397))) + (_e1066 * (select(select(_e800[2][2], _e800[1][2], _e1070), _e800[0][2], _e1069) - _e463)));
+                                                        let _e1089 = (((_e1058 * _e367) + (_e1063 * _e433)) + (_e1066 * _e499));
+                                                        let _e1090 = (_e1039 - _e1043);
+                                                        let _e1091 = (_e1037 - _e1041);
+                                                        let _e1094 = ((_e1090 * _e1090) + (_e1091 * _e1091));
+                                                        let _e1101 = (-(((_e1043 * _e1090) + (_e1041 * _e1091))) / select(0.000000000000000000000000000000000000011754944f, _e1094, (_e1094 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1103 = select(1f, _e1101, (_e1101 < 1f));
+                                                        let _e1105 = select(0f, _e1103, (_e1103 > 0f));
+                                                        let _e1114 = ((_e1045.x + (_e1051.x * _e1105)) - _e330);
+                                                        let _e1117 = ((_e1045.y + (_e1051.y * _e1105)) - _e397);
+                                                        let _e1120 = ((_e1045.z + (_e1051.z * _e1105)) - _e463);
+                                                        let _e1123 = bitcast<f32>((bitcast<u32>(_e1114) & 2147483647u));
+                                                        let _e1126 = bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u));
+                                                        let _e1128 = select(_e1126, _e1123, (_e1123 > _e1126));
+                                                        let _e1131 = bitcast<f32>((bitcast<u32>(_e1120) & 2147483647u));
+                                                        let _e1133 = select(_e1131, _e1128, (_e1128 > _e1131));
+                                                        let _e1137 = abs(_e1058);
+                                                        let _e1138 = abs(_e1063);
+                                                        if (_e1137 != _e1137) {
+                                                            phi_3961_ = true;
+                                                        } else {
+                                                            phi_3961_ = (_e1138 >= _e1137);
+                                                        }
+                                                        let _e1142 = phi_3961_;
+                                                        let _e1143 = select(_e1137, _e1138, _e1142);
+                                                        let _e1144 = abs(_e1066);
+                                                        if (_e1143 != _e1143) {
+                                                            phi_3976_ = true;
+                                                        } else {
+                                                            phi_3976_ = (_e1144 >= _e1143);
+                                                        }
+                                                        let _e1148 = phi_3976_;
+                                                        let _e1164 = abs(_e1049.x);
+                                                        let _e1165 = abs(_e1049.y);
+                                                        if (_e1164 != _e1164) {
+                                                            phi_3991_ = true;
+                                                        } else {
+                                                            phi_3991_ = (_e1165 >= _e1164);
+                                                        }
+                                                        let _e1169 = phi_3991_;
+                                                        let _e1170 = select(_e1164, _e1165, _e1169);
+                                                        let _e1171 = abs(_e1049.z);
+                                                        if (_e1170 != _e1170) {
+                                                            phi_4006_ = true;
+                                                        } else {
+                                                            phi_4006_ = (_e1171 >= _e1170);
+                                                        }
+                                                        let _e1175 = phi_4006_;
+                                                        let _e1178 = abs(_e1047.x);
+                                                        let _e1179 = abs(_e1047.y);
+                                                        if (_e1178 != _e1178) {
+                                                            phi_4021_ = true;
+                                                        } else {
+                                                            phi_4021_ = (_e1179 >= _e1178);
+                                                        }
+                                                        let _e1183 = phi_4021_;
+                                                        let _e1184 = select(_e1178, _e1179, _e1183);
+                                                        let _e1185 = abs(_e1047.z);
+                                                        if (_e1184 != _e1184) {
+                                                            phi_4036_ = true;
+                                                        } else {
+                                                            phi_4036_ = (_e1185 >= _e1184);
+                                                        }
+                                                        let _e1189 = phi_4036_;
+                                                        let _e1194 = ((bitcast<f32>((bitcast<u32>(((((_e1058 * _e1114) + (_e1063 * _e1117)) + (_e1066 * _e1120)) - _e1084)) & 2147483647u)) <= ((0.0000009536743f * select(_e1024, _e1133, (_e1133 > _e1024))) * select(_e1143, _e1144, _e1148))) && !((bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u)) <= ((0.0000038146973f * select(_e1170, _e1171, _e1175)) * select(_e1184, _e1185, _e1189)))));
+                                                        let _e1195 = (_e1084 / _e1089);
+                                                        if (_e965 && !(_e1194)) {
+                                                            let _e1198 = (_e1120 / _e499);
+                                                            let _e1206 = (((_e1058 * (_e1114 - (_e367 * _e1198))) + (_e1063 * (_e1117 - (_e433 * _e1198)))) / _e1089);
+                                                            phi_2263_ = select(select(_e1198, (_e1198 + _e1206), (bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u)) <= _e1024)), _e1195, _e1194);
+                                                        } else {
+                                                            phi_2263_ = _e1195;
+                                                        }
+                                                        let _e1215 = phi_2263_;
+                                                        let _e1217 = select(_e928, _e1215, (_e1215 < _e928));
+                                                        let _e1219 = select(_e920, _e1217, (_e1217 > _e920));
+                                                        let _e1220 = (1f / _e872);
+                                                        phi_2283_ = type_32(_e1219, (_e866 * _e1220), (_e870 * _e1220), ((_e965 && (_e1219 >= _e606)) && (_e1219 <= _e704)));
+                                                        phi_2284_ = type_32();
+                                                    } else {
+                                                        phi_2283_ = type_32();
+                                                        phi_2284_ = type_32(0f, 0f, 0f, _e965);
                                                     }
-                                                    let _e1265 = phi_2369_;
-                                                    let _e1267 = phi_2370_;
-                                                    let _e1269 = phi_2371_;
-                                                    phi_2379_ = _e1265;
-                                                    phi_2380_ = select(_e1269, true, _e1267);
+                                                    let _e1229 = phi_2283_;
+                                                    let _e1231 = phi_2284_;
+                                                    phi_2287_ = _e1229;
+                                                    phi_2288_ = _e1231;
+                                                    phi_2289_ = select(true, false, _e965);
                                                 } else {
-                                                    phi_2379_ = type_21();
-                                                    phi_2380_ = true;
+                                                    phi_2287_ = type_32();
+                                                    phi_2288_ = type_32(0f, 0f, 0f, _e856);
+                                                    phi_2289_ = true;
                                                 }
-                                                let _e1272 = phi_2379_;
-                                                let _e1274 = phi_2380_;
-                                                if _e1274 {
-                                                    phi_2384_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1234 = phi_2287_;
+                                                let _e1236 = phi_2288_;
+                                                let _e1238 = phi_2289_;
+                                                if _e1238 {
+                                                    phi_2293_ = _e1236;
                                                 } else {
-                                                    phi_2384_ = _e1272;
+                                                    phi_2293_ = _e1234;
                                                 }
-                                                let _e1276 = phi_2384_;
-                                                if (_e1276.member_3 != 4294967295u) {
-                                                    if (_e747 != 4294967295u) {
-                                                        phi_2396_ = type_4(0u, 8u);
-                                                        phi_2399_ = _e1276;
+                                                let _e1240 = phi_2293_;
+                                                if _e1240.member_3 {
+                                                    phi_2302_ = type_21(_e1240.member, _e1240.member_1, _e1240.member_2, _e733);
+                                                } else {
+                                                    phi_2302_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1247 = phi_2302_;
+                                                if (_e1247.member_3 != 4294967295u) {
+                                                    if (_e733 != 4294967295u) {
+                                                        phi_2314_ = type_4(0u, 8u);
+                                                        phi_2317_ = _e1247;
                                                         loop {
-                                                            let _e1281 = phi_2396_;
-                                                            let _e1283 = phi_2399_;
-                                                            if (_e1281.member < _e1281.member_1) {
-                                                                phi_2397_ = type_4((_e1281.member + 1u), _e1281.member_1);
-                                                                phi_2422_ = type_4(1u, _e1281.member);
+                                                            let _e1252 = phi_2314_;
+                                                            let _e1254 = phi_2317_;
+                                                            if (_e1252.member < _e1252.member_1) {
+                                                                phi_2315_ = type_4((_e1252.member + 1u), _e1252.member_1);
+                                                                phi_2340_ = type_4(1u, _e1252.member);
                                                             } else {
-                                                                phi_2397_ = _e1281;
-                                                                phi_2422_ = type_4(0u, type_4().member_1);
+                                                                phi_2315_ = _e1252;
+                                                                phi_2340_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1296 = phi_2397_;
-                                                            let _e1298 = phi_2422_;
-                                                            let _e1302 = (bitcast<i32>(_e1298.member) != 0i);
-                                                            if _e1302 {
-                                                                let _e1303 = (_e1298.member_1 < 8u);
-                                                                if _e1303 {
+                                                            let _e1267 = phi_2315_;
+                                                            let _e1269 = phi_2340_;
+                                                            let _e1273 = (bitcast<i32>(_e1269.member) != 0i);
+                                                            if _e1273 {
+                                                                let _e1274 = (_e1269.member_1 < 8u);
+                                                                if _e1274 {
                                                                 } else {
-                                                                    phi_4224_ = true;
+                                                                    phi_4322_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1308 = local_9[_e1298.member_1].member;
-                                                                if (_e1283.member < _e1308) {
-                                                                    phi_2455_ = true;
+                                                                let _e1279 = local_9[_e1269.member_1].member;
+                                                                if (_e1254.member < _e1279) {
+                                                                    phi_2373_ = true;
                                                                 } else {
-                                                                    let _e1310 = local_9[_e1298.member_1].member;
-                                                                    if (_e1283.member == _e1310) {
-                                                                        let _e1315 = local_9[_e1298.member_1].member_3;
-                                                                        phi_2454_ = (_e1283.member_3 < _e1315);
+                                                                    let _e1281 = local_9[_e1269.member_1].member;
+                                                                    if (_e1254.member == _e1281) {
+                                                                        let _e1286 = local_9[_e1269.member_1].member_3;
+                                                                        phi_2372_ = (_e1254.member_3 < _e1286);
                                                                     } else {
-                                                                        phi_2454_ = false;
+                                                                        phi_2372_ = false;
                                                                     }
-                                                                    let _e1318 = phi_2454_;
-                                                                    phi_2455_ = _e1318;
+                                                                    let _e1289 = phi_2372_;
+                                                                    phi_2373_ = _e1289;
                                                                 }
-                                                                let _e1320 = phi_2455_;
-                                                                if _e1320 {
-                                                                    if _e1303 {
+                                                                let _e1291 = phi_2373_;
+                                                                if _e1291 {
+                                                                    if _e1274 {
                                                                     } else {
-                                                                        phi_4224_ = true;
+                                                                        phi_4322_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1321 = local_9[_e1298.member_1];
-                                                                    local_9[_e1298.member_1] = type_21(_e1283.member, _e1283.member_1, _e1283.member_2, _e1283.member_3);
-                                                                    phi_2476_ = type_21(_e1321.member, _e1321.member_1, _e1321.member_2, _e1321.member_3);
+                                                                    let _e1292 = local_9[_e1269.member_1];
+                                                                    local_9[_e1269.member_1] = type_21(_e1254.member, _e1254.member_1, _e1254.member_2, _e1254.member_3);
+                                                                    phi_2394_ = type_21(_e1292.member, _e1292.member_1, _e1292.member_2, _e1292.member_3);
                                                                 } else {
-                                                                    phi_2476_ = _e1283;
+                                                                    phi_2394_ = _e1254;
                                                                 }
-                                                                let _e1332 = phi_2476_;
-                                                                phi_2400_ = _e1332;
+                                                                let _e1303 = phi_2394_;
+                                                                phi_2318_ = _e1303;
                                                             } else {
-                                                                phi_2400_ = type_21();
+                                                                phi_2318_ = type_21();
                                                             }
-                                                            let _e1334 = phi_2400_;
+                                                            let _e1305 = phi_2318_;
                                                             continue;
                                                             continuing {
-                                                                phi_2396_ = _e1296;
-                                                                phi_2399_ = _e1334;
-                                                                phi_4224_ = _e716;
-                                                                break if !(_e1302);
+                                                                phi_2314_ = _e1267;
+                                                                phi_2317_ = _e1305;
+                                                                phi_4322_ = _e702;
+                                                                break if !(_e1273);
                                                             }
                                                         }
-                                                        let _e1337 = phi_4224_;
-                                                        phi_4442_ = _e718;
-                                                        phi_4384_ = _e1337;
-                                                        if _e1337 {
+                                                        let _e1308 = phi_4322_;
+                                                        phi_4545_ = _e704;
+                                                        phi_4487_ = _e1308;
+                                                        if _e1308 {
                                                             break;
                                                         }
-                                                        let _e1340 = local_9[7u].member_3;
-                                                        if (_e1340 != 4294967295u) {
-                                                            let _e1344 = local_9[7u].member;
-                                                            phi_4533_ = _e1344;
+                                                        let _e1311 = local_9[7u].member_3;
+                                                        if (_e1311 != 4294967295u) {
+                                                            let _e1315 = local_9[7u].member;
+                                                            phi_4641_ = _e1315;
                                                         } else {
-                                                            phi_4533_ = _e718;
+                                                            phi_4641_ = _e704;
                                                         }
-                                                        let _e1346 = phi_4533_;
-                                                        phi_4532_ = _e1346;
-                                                        phi_4387_ = _e1337;
+                                                        let _e1317 = phi_4641_;
+                                                        phi_4640_ = _e1317;
+                                                        phi_4490_ = _e1308;
                                                     } else {
-                                                        phi_4532_ = _e718;
-                                                        phi_4387_ = _e716;
+                                                        phi_4640_ = _e704;
+                                                        phi_4490_ = _e702;
                                                     }
-                                                    let _e1348 = phi_4532_;
-                                                    let _e1350 = phi_4387_;
-                                                    phi_4531_ = _e1348;
-                                                    phi_4386_ = _e1350;
+                                                    let _e1319 = phi_4640_;
+                                                    let _e1321 = phi_4490_;
+                                                    phi_4639_ = _e1319;
+                                                    phi_4489_ = _e1321;
                                                 } else {
-                                                    phi_4531_ = _e718;
-                                                    phi_4386_ = _e716;
+                                                    phi_4639_ = _e704;
+                                                    phi_4489_ = _e702;
                                                 }
-                                                let _e1352 = phi_4531_;
-                                                let _e1354 = phi_4386_;
-                                                phi_4530_ = _e1352;
-                                                phi_4385_ = _e1354;
+                                                let _e1323 = phi_4639_;
+                                                let _e1325 = phi_4489_;
+                                                phi_4638_ = _e1323;
+                                                phi_4488_ = _e1325;
                                             } else {
-                                                phi_4530_ = _e718;
-                                                phi_4385_ = _e716;
+                                                phi_4638_ = _e704;
+                                                phi_4488_ = _e702;
                                             }
-                                            let _e1356 = phi_4530_;
-                                            let _e1358 = phi_4385_;
+                                            let _e1327 = phi_4638_;
+                                            let _e1329 = phi_4488_;
                                             continue;
                                             continuing {
-                                                phi_4233_ = _e1358;
-                                                phi_4222_ = _e1356;
-                                                phi_1347_ = _e733;
-                                                phi_4442_ = _e1356;
-                                                phi_4384_ = _e1358;
-                                                break if !(_e739);
+                                                phi_4332_ = _e1329;
+                                                phi_4320_ = _e1327;
+                                                phi_1368_ = _e719;
+                                                phi_4545_ = _e1327;
+                                                phi_4487_ = _e1329;
+                                                break if !(_e725);
                                             }
                                         }
-                                        let _e1361 = phi_4442_;
-                                        let _e1363 = phi_4384_;
-                                        phi_4535_ = _e1363;
-                                        if _e1363 {
+                                        let _e1332 = phi_4545_;
+                                        let _e1334 = phi_4487_;
+                                        phi_4643_ = _e1334;
+                                        if _e1334 {
                                             break;
                                         }
-                                        phi_4621_ = _e1363;
-                                        phi_4441_ = _e1361;
+                                        phi_4729_ = _e1334;
+                                        phi_4544_ = _e1332;
                                     } else {
-                                        phi_4621_ = _e661;
-                                        phi_4441_ = _e663;
+                                        phi_4729_ = _e647;
+                                        phi_4544_ = _e649;
                                     }
-                                    let _e1365 = phi_4621_;
-                                    let _e1367 = phi_4441_;
-                                    if _e709 {
-                                        phi_3718_ = bool();
-                                        phi_3719_ = u32();
-                                        phi_3720_ = type_52();
+                                    let _e1336 = phi_4729_;
+                                    let _e1338 = phi_4544_;
+                                    if _e695 {
+                                        phi_3636_ = bool();
+                                        phi_3637_ = u32();
+                                        phi_3638_ = type_53();
                                     } else {
-                                        if (_e705.member_1 >= _e95) {
-                                            phi_3253_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e691.member_1 >= _e96) {
+                                            phi_3171_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e705.member_1 < _e95) {
+                                            if (_e691.member_1 < _e96) {
                                             } else {
-                                                phi_4535_ = true;
+                                                phi_4643_ = true;
                                                 break;
                                             }
-                                            let _e1370 = (_e265 * 2u);
-                                            let _e1372 = ((1u + _e1370) % 7u);
-                                            if (_e1372 < 7u) {
+                                            let _e1341 = (_e266 * 2u);
+                                            let _e1343 = ((1u + _e1341) % 7u);
+                                            if (_e1343 < 7u) {
                                             } else {
-                                                phi_4535_ = true;
+                                                phi_4643_ = true;
                                                 break;
                                             }
-                                            let _e1377 = global_5.member[_e705.member_1][_e1372];
-                                            let _e1379 = ((_e1370 + 2u) % 7u);
-                                            if (_e1379 < 7u) {
+                                            let _e1348 = global_5.member[_e691.member_1][_e1343];
+                                            let _e1350 = ((_e1341 + 2u) % 7u);
+                                            if (_e1350 < 7u) {
                                             } else {
-                                                phi_4535_ = true;
+                                                phi_4643_ = true;
                                                 break;
                                             }
-                                            let _e1384 = global_5.member[_e705.member_1][_e1379];
-                                            let _e1385 = (_e264 * 2u);
-                                            let _e1387 = ((1u + _e1385) % 7u);
-                                            if (_e1387 < 7u) {
+                                            let _e1355 = global_5.member[_e691.member_1][_e1350];
+                                            let _e1356 = (_e265 * 2u);
+                                            let _e1358 = ((1u + _e1356) % 7u);
+                                            if (_e1358 < 7u) {
                                             } else {
-                                                phi_4535_ = true;
+                                                phi_4643_ = true;
                                                 break;
                                             }
-                                            let _e1392 = global_5.member[_e705.member_1][_e1387];
-                                            let _e1394 = ((_e1385 + 2u) % 7u);
-                                            if (_e1394 < 7u) {
+                                            let _e1363 = global_5.member[_e691.member_1][_e1358];
+                                            let _e1365 = ((_e1356 + 2u) % 7u);
+                                            if (_e1365 < 7u) {
                                             } else {
-                                                phi_4535_ = true;
+                                                phi_4643_ = true;
                                                 break;
                                             }
-                                            let _e1399 = global_5.member[_e705.member_1][_e1394];
-                                            let _e1400 = (_e266 * 2u);
-                                            let _e1402 = ((1u + _e1400) % 7u);
-                                            if (_e1402 < 7u) {
+                                            let _e1370 = global_5.member[_e691.member_1][_e1365];
+                                            let _e1371 = (_e267 * 2u);
+                                            let _e1373 = ((1u + _e1371) % 7u);
+                                            if (_e1373 < 7u) {
                                             } else {
-                                                phi_4535_ = true;
+                                                phi_4643_ = true;
                                                 break;
                                             }
-                                            let _e1407 = global_5.member[_e705.member_1][_e1402];
-                                            let _e1409 = ((_e1400 + 2u) % 7u);
-                                            if (_e1409 < 7u) {
+                                            let _e1378 = global_5.member[_e691.member_1][_e1373];
+                                            let _e1380 = ((_e1371 + 2u) % 7u);
+                                            if (_e1380 < 7u) {
                                             } else {
-                                                phi_4535_ = true;
+                                                phi_4643_ = true;
                                                 break;
                                             }
-                                            let _e1414 = global_5.member[_e705.member_1][_e1409];
-                                            let _e1437 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.x - _e705.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1438 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.y - _e705.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1439 = (bitcast<f32>((bitcast<u32>((_e705.member.member_1.z - _e705.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1441 = select(_e145, _e1437, (_e1437 > _e145));
-                                            let _e1443 = select(_e145, _e1438, (_e1438 > _e145));
-                                            let _e1445 = select(_e145, _e1439, (_e1439 > _e145));
-                                            let _e1476 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1377 & 2097151u))) - 8388608f) * _e1441));
-                                            let _e1481 = (bitcast<i32>((_e1377 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1484 = bitcast<f32>((_e1476 & bitcast<u32>(_e1481)));
-                                            let _e1485 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1392 & 2097151u))) - 8388608f) * _e1443));
-                                            let _e1490 = (bitcast<i32>((_e1392 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1493 = bitcast<f32>((_e1485 & bitcast<u32>(_e1490)));
-                                            let _e1494 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1407 & 2097151u))) - 8388608f) * _e1445));
-                                            let _e1499 = (bitcast<i32>((_e1407 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1502 = bitcast<f32>((_e1494 & bitcast<u32>(_e1499)));
-                                            let _e1506 = bitcast<f32>((_e1476 & bitcast<u32>(~(_e1481))));
-                                            let _e1510 = bitcast<f32>((_e1485 & bitcast<u32>(~(_e1490))));
-                                            let _e1514 = bitcast<f32>((_e1494 & bitcast<u32>(~(_e1499))));
-                                            let _e1515 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1384 & 2097151u))) - 8388608f) * _e1441));
-                                            let _e1520 = (bitcast<i32>((_e1384 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1523 = bitcast<f32>((_e1515 & bitcast<u32>(_e1520)));
-                                            let _e1524 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1399 & 2097151u))) - 8388608f) * _e1443));
-                                            let _e1529 = (bitcast<i32>((_e1399 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1532 = bitcast<f32>((_e1524 & bitcast<u32>(_e1529)));
-                                            let _e1533 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1414 & 2097151u))) - 8388608f) * _e1445));
-                                            let _e1538 = (bitcast<i32>((_e1414 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1541 = bitcast<f32>((_e1533 & bitcast<u32>(_e1538)));
-                                            let _e1545 = bitcast<f32>((_e1515 & bitcast<u32>(~(_e1520))));
-                                            let _e1549 = bitcast<f32>((_e1524 & bitcast<u32>(~(_e1529))));
-                                            let _e1553 = bitcast<f32>((_e1533 & bitcast<u32>(~(_e1538))));
-                                            let _e1583 = global_5.member[_e705.member_1][0u];
-                                            let _e1587 = global_5.member[_e705.member_1][2u];
-                                            let _e1591 = global_5.member[_e705.member_1][4u];
-                                            let _e1595 = global_5.member[_e705.member_1][6u];
-                                            let _e1607 = (((_e1587 >> bitcast<u32>(22i)) | ((_e1591 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1595 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1608 = (_e1583 & 268435455u);
-                                            let _e1609 = (_e1607 & 268435455u);
-                                            let _e1612 = ((_e1583 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1620 = ((_e1583 >> bitcast<u32>(31i)) | (((_e1607 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1621 = (_e1612 != 0u);
-                                            if (_e1612 == 0u) {
-                                                phi_3215_ = _e1608;
+                                            let _e1385 = global_5.member[_e691.member_1][_e1380];
+                                            let _e1408 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.x - _e691.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1409 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.y - _e691.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1410 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.z - _e691.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1412 = select(_e146, _e1408, (_e1408 > _e146));
+                                            let _e1414 = select(_e146, _e1409, (_e1409 > _e146));
+                                            let _e1416 = select(_e146, _e1410, (_e1410 > _e146));
+                                            let _e1447 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1348 & 2097151u))) - 8388608f) * _e1412));
+                                            let _e1452 = (bitcast<i32>((_e1348 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1455 = bitcast<f32>((_e1447 & bitcast<u32>(_e1452)));
+                                            let _e1456 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1363 & 2097151u))) - 8388608f) * _e1414));
+                                            let _e1461 = (bitcast<i32>((_e1363 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1464 = bitcast<f32>((_e1456 & bitcast<u32>(_e1461)));
+                                            let _e1465 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1378 & 2097151u))) - 8388608f) * _e1416));
+                                            let _e1470 = (bitcast<i32>((_e1378 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1473 = bitcast<f32>((_e1465 & bitcast<u32>(_e1470)));
+                                            let _e1477 = bitcast<f32>((_e1447 & bitcast<u32>(~(_e1452))));
+                                            let _e1481 = bitcast<f32>((_e1456 & bitcast<u32>(~(_e1461))));
+                                            let _e1485 = bitcast<f32>((_e1465 & bitcast<u32>(~(_e1470))));
+                                            let _e1486 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1355 & 2097151u))) - 8388608f) * _e1412));
+                                            let _e1491 = (bitcast<i32>((_e1355 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1494 = bitcast<f32>((_e1486 & bitcast<u32>(_e1491)));
+                                            let _e1495 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1370 & 2097151u))) - 8388608f) * _e1414));
+                                            let _e1500 = (bitcast<i32>((_e1370 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1503 = bitcast<f32>((_e1495 & bitcast<u32>(_e1500)));
+                                            let _e1504 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1385 & 2097151u))) - 8388608f) * _e1416));
+                                            let _e1509 = (bitcast<i32>((_e1385 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1512 = bitcast<f32>((_e1504 & bitcast<u32>(_e1509)));
+                                            let _e1516 = bitcast<f32>((_e1486 & bitcast<u32>(~(_e1491))));
+                                            let _e1520 = bitcast<f32>((_e1495 & bitcast<u32>(~(_e1500))));
+                                            let _e1524 = bitcast<f32>((_e1504 & bitcast<u32>(~(_e1509))));
+                                            let _e1554 = global_5.member[_e691.member_1][0u];
+                                            let _e1558 = global_5.member[_e691.member_1][2u];
+                                            let _e1562 = global_5.member[_e691.member_1][4u];
+                                            let _e1566 = global_5.member[_e691.member_1][6u];
+                                            let _e1578 = (((_e1558 >> bitcast<u32>(22i)) | ((_e1562 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1566 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1579 = (_e1554 & 268435455u);
+                                            let _e1580 = (_e1578 & 268435455u);
+                                            let _e1583 = ((_e1554 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1591 = ((_e1554 >> bitcast<u32>(31i)) | (((_e1578 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1592 = (_e1583 != 0u);
+                                            if (_e1583 == 0u) {
+                                                phi_3133_ = _e1579;
                                             } else {
-                                                if (_e1612 == 7u) {
-                                                    phi_3214_ = 2147483648u;
+                                                if (_e1583 == 7u) {
+                                                    phi_3132_ = 2147483648u;
                                                 } else {
-                                                    phi_3214_ = ((2147483648u | (_e1612 << bitcast<u32>(28u))) | (_e1609 & 268435455u));
+                                                    phi_3132_ = ((2147483648u | (_e1583 << bitcast<u32>(28u))) | (_e1580 & 268435455u));
                                                 }
-                                                let _e1630 = phi_3214_;
-                                                phi_3215_ = _e1630;
+                                                let _e1601 = phi_3132_;
+                                                phi_3133_ = _e1601;
                                             }
-                                            let _e1632 = phi_3215_;
-                                            if _e1621 {
-                                                let _e1633 = (_e1612 != 7u);
-                                                if _e1633 {
-                                                    phi_3225_ = (_e1609 + _e1612);
+                                            let _e1603 = phi_3133_;
+                                            if _e1592 {
+                                                let _e1604 = (_e1583 != 7u);
+                                                if _e1604 {
+                                                    phi_3143_ = (_e1580 + _e1583);
                                                 } else {
-                                                    phi_3225_ = u32();
+                                                    phi_3143_ = u32();
                                                 }
-                                                let _e1636 = phi_3225_;
-                                                phi_3227_ = _e1636;
-                                                phi_3228_ = select(true, false, _e1633);
+                                                let _e1607 = phi_3143_;
+                                                phi_3145_ = _e1607;
+                                                phi_3146_ = select(true, false, _e1604);
                                             } else {
-                                                phi_3227_ = u32();
-                                                phi_3228_ = true;
+                                                phi_3145_ = u32();
+                                                phi_3146_ = true;
                                             }
-                                            let _e1639 = phi_3227_;
-                                            let _e1641 = phi_3228_;
-                                            if (_e1620 == 0u) {
-                                                phi_3249_ = (_e1608 + select(0u, 1u, !(_e1621)));
+                                            let _e1610 = phi_3145_;
+                                            let _e1612 = phi_3146_;
+                                            if (_e1591 == 0u) {
+                                                phi_3167_ = (_e1579 + select(0u, 1u, !(_e1592)));
                                             } else {
-                                                if (_e1620 == 7u) {
-                                                    phi_3248_ = 2147483648u;
+                                                if (_e1591 == 7u) {
+                                                    phi_3166_ = 2147483648u;
                                                 } else {
-                                                    phi_3248_ = ((2147483648u | (_e1620 << bitcast<u32>(28u))) | (select(_e1639, _e1609, _e1641) & 268435455u));
+                                                    phi_3166_ = ((2147483648u | (_e1591 << bitcast<u32>(28u))) | (select(_e1610, _e1580, _e1612) & 268435455u));
                                                 }
-                                                let _e1654 = phi_3248_;
-                                                phi_3249_ = _e1654;
+                                                let _e1625 = phi_3166_;
+                                                phi_3167_ = _e1625;
                                             }
-                                            let _e1656 = phi_3249_;
-                                            phi_3253_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e705.member.member.x + _e1484), (_e705.member.member.x + _e1506), (_e705.member.member_1.x - _e1523), (_e705.member.member_1.x - _e1545)), vec4<f32>((_e705.member.member.y + _e1493), (_e705.member.member.y + _e1510), (_e705.member.member_1.y - _e1532), (_e705.member.member_1.y - _e1549)), vec4<f32>((_e705.member.member.z + _e1502), (_e705.member.member.z + _e1514), (_e705.member.member_1.z - _e1541), (_e705.member.member_1.z - _e1553))), type_52(type_25((_e705.member.member + vec4<f32>(_e1484, _e1493, _e1502, 0f)), (_e705.member.member_1 - vec4<f32>(_e1523, _e1532, _e1541, 0f))), _e1632), type_52(type_25((_e705.member.member + vec4<f32>(_e1506, _e1510, _e1514, 0f)), (_e705.member.member_1 - vec4<f32>(_e1545, _e1549, _e1553, 0f))), _e1656));
+                                            let _e1627 = phi_3167_;
+                                            phi_3171_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e691.member.member.x + _e1455), (_e691.member.member.x + _e1477), (_e691.member.member_1.x - _e1494), (_e691.member.member_1.x - _e1516)), vec4<f32>((_e691.member.member.y + _e1464), (_e691.member.member.y + _e1481), (_e691.member.member_1.y - _e1503), (_e691.member.member_1.y - _e1520)), vec4<f32>((_e691.member.member.z + _e1473), (_e691.member.member.z + _e1485), (_e691.member.member_1.z - _e1512), (_e691.member.member_1.z - _e1524))), type_53(type_25((_e691.member.member + vec4<f32>(_e1455, _e1464, _e1473, 0f)), (_e691.member.member_1 - vec4<f32>(_e1494, _e1503, _e1512, 0f))), _e1603), type_53(type_25((_e691.member.member + vec4<f32>(_e1477, _e1481, _e1485, 0f)), (_e691.member.member_1 - vec4<f32>(_e1516, _e1520, _e1524, 0f))), _e1627));
                                         }
-                                        let _e1661 = phi_3253_;
-                                        let _e1672 = ((_e1661.member[0].x - _e367) * _e372);
-                                        let _e1673 = ((_e1661.member[0].y - _e367) * _e372);
-                                        let _e1674 = ((_e1661.member[0].z - _e368) * _e372);
-                                        let _e1675 = ((_e1661.member[0].w - _e368) * _e372);
-                                        let _e1685 = ((_e1661.member[1].x - _e435) * _e440);
-                                        let _e1686 = ((_e1661.member[1].y - _e435) * _e440);
-                                        let _e1687 = ((_e1661.member[1].z - _e436) * _e440);
-                                        let _e1688 = ((_e1661.member[1].w - _e436) * _e440);
-                                        let _e1698 = ((_e1661.member[2].x - _e503) * _e508);
-                                        let _e1699 = ((_e1661.member[2].y - _e503) * _e508);
-                                        let _e1700 = ((_e1661.member[2].z - _e504) * _e508);
-                                        let _e1701 = ((_e1661.member[2].w - _e504) * _e508);
-                                        let _e1703 = select(_e1700, _e1698, (_e1698 < _e1700));
-                                        let _e1705 = select(_e1701, _e1699, (_e1699 < _e1701));
-                                        let _e1707 = select(_e1700, _e1698, (_e1698 > _e1700));
-                                        let _e1709 = select(_e1701, _e1699, (_e1699 > _e1701));
-                                        let _e1711 = select(_e1674, _e1672, (_e1672 < _e1674));
-                                        let _e1713 = select(_e1675, _e1673, (_e1673 < _e1675));
-                                        let _e1715 = select(_e1687, _e1685, (_e1685 < _e1687));
-                                        let _e1717 = select(_e1688, _e1686, (_e1686 < _e1688));
-                                        let _e1719 = select(_e1715, _e1711, (_e1711 > _e1715));
-                                        let _e1721 = select(_e1717, _e1713, (_e1713 > _e1717));
-                                        let _e1723 = select(_e1703, _e1719, (_e1719 > _e1703));
-                                        let _e1725 = select(_e1705, _e1721, (_e1721 > _e1705));
-                                        let _e1727 = select(_e1674, _e1672, (_e1672 > _e1674));
-                                        let _e1729 = select(_e1675, _e1673, (_e1673 > _e1675));
-                                        let _e1731 = select(_e1687, _e1685, (_e1685 > _e1687));
-                                        let _e1733 = select(_e1688, _e1686, (_e1686 > _e1688));
-                                        let _e1735 = select(_e1731, _e1727, (_e1727 < _e1731));
-                                        let _e1737 = select(_e1733, _e1729, (_e1729 < _e1733));
-                                        let _e1742 = -(_e1703);
-                                        let _e1743 = -(_e1705);
-                                        let _e1750 = (select(_e1707, _e1735, (_e1735 < _e1707)) + (select(_e1742, _e1707, (_e1707 > _e1742)) * 0.0000019073523f));
-                                        let _e1751 = (select(_e1709, _e1737, (_e1737 < _e1709)) + (select(_e1743, _e1709, (_e1709 > _e1743)) * 0.0000019073523f));
-                                        let _e1753 = select(_e620, _e1723, (_e1723 > _e620));
-                                        let _e1755 = select(_e620, _e1725, (_e1725 > _e620));
-                                        let _e1760 = (_e1753 <= select(_e1367, _e1750, (_e1750 < _e1367)));
-                                        let _e1761 = (_e1755 <= select(_e1367, _e1751, (_e1751 < _e1367)));
-                                        let _e1762 = (_e1753 <= _e1755);
-                                        if _e1760 {
-                                            if _e1761 {
-                                                if _e1762 {
-                                                    phi_3616_ = _e1661.member_2;
+                                        let _e1632 = phi_3171_;
+                                        let _e1643 = ((_e1632.member[0].x - _e368) * _e371);
+                                        let _e1644 = ((_e1632.member[0].y - _e368) * _e371);
+                                        let _e1645 = ((_e1632.member[0].z - _e369) * _e371);
+                                        let _e1646 = ((_e1632.member[0].w - _e369) * _e371);
+                                        let _e1656 = ((_e1632.member[1].x - _e434) * _e437);
+                                        let _e1657 = ((_e1632.member[1].y - _e434) * _e437);
+                                        let _e1658 = ((_e1632.member[1].z - _e435) * _e437);
+                                        let _e1659 = ((_e1632.member[1].w - _e435) * _e437);
+                                        let _e1669 = ((_e1632.member[2].x - _e500) * _e503);
+                                        let _e1670 = ((_e1632.member[2].y - _e500) * _e503);
+                                        let _e1671 = ((_e1632.member[2].z - _e501) * _e503);
+                                        let _e1672 = ((_e1632.member[2].w - _e501) * _e503);
+                                        let _e1674 = select(_e1671, _e1669, (_e1669 < _e1671));
+                                        let _e1676 = select(_e1672, _e1670, (_e1670 < _e1672));
+                                        let _e1678 = select(_e1671, _e1669, (_e1669 > _e1671));
+                                        let _e1680 = select(_e1672, _e1670, (_e1670 > _e1672));
+                                        let _e1682 = select(_e1645, _e1643, (_e1643 < _e1645));
+                                        let _e1684 = select(_e1646, _e1644, (_e1644 < _e1646));
+                                        let _e1686 = select(_e1658, _e1656, (_e1656 < _e1658));
+                                        let _e1688 = select(_e1659, _e1657, (_e1657 < _e1659));
+                                        let _e1690 = select(_e1686, _e1682, (_e1682 > _e1686));
+                                        let _e1692 = select(_e1688, _e1684, (_e1684 > _e1688));
+                                        let _e1694 = select(_e1674, _e1690, (_e1690 > _e1674));
+                                        let _e1696 = select(_e1676, _e1692, (_e1692 > _e1676));
+                                        let _e1698 = select(_e1645, _e1643, (_e1643 > _e1645));
+                                        let _e1700 = select(_e1646, _e1644, (_e1644 > _e1646));
+                                        let _e1702 = select(_e1658, _e1656, (_e1656 > _e1658));
+                                        let _e1704 = select(_e1659, _e1657, (_e1657 > _e1659));
+                                        let _e1706 = select(_e1702, _e1698, (_e1698 < _e1702));
+                                        let _e1708 = select(_e1704, _e1700, (_e1700 < _e1704));
+                                        let _e1713 = -(_e1674);
+                                        let _e1714 = -(_e1676);
+                                        let _e1721 = (select(_e1678, _e1706, (_e1706 < _e1678)) + (select(_e1713, _e1678, (_e1678 > _e1713)) * 0.0000019073523f));
+                                        let _e1722 = (select(_e1680, _e1708, (_e1708 < _e1680)) + (select(_e1714, _e1680, (_e1680 > _e1714)) * 0.0000019073523f));
+                                        let _e1724 = select(_e606, _e1694, (_e1694 > _e606));
+                                        let _e1726 = select(_e606, _e1696, (_e1696 > _e606));
+                                        let _e1731 = (_e1724 <= select(_e1338, _e1721, (_e1721 < _e1338)));
+                                        let _e1732 = (_e1726 <= select(_e1338, _e1722, (_e1722 < _e1338)));
+                                        let _e1733 = (_e1724 <= _e1726);
+                                        if _e1731 {
+                                            if _e1732 {
+                                                if _e1733 {
+                                                    phi_3534_ = _e1632.member_2;
                                                 } else {
-                                                    phi_3616_ = _e1661.member_1;
+                                                    phi_3534_ = _e1632.member_1;
                                                 }
-                                                let _e1766 = phi_3616_;
-                                                let _e1787 = (_e703 % 128u);
-                                                let _e1788 = (_e1787 < 128u);
-                                                if _e1788 {
+                                                let _e1737 = phi_3534_;
+                                                let _e1758 = (_e689 % 128u);
+                                                let _e1759 = (_e1758 < 128u);
+                                                if _e1759 {
                                                 } else {
-                                                    phi_4535_ = true;
+                                                    phi_4643_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1787] = _e1766.member_1;
-                                                if _e1788 {
+                                                local_8[_e1758] = _e1737.member_1;
+                                                if _e1759 {
                                                 } else {
-                                                    phi_4535_ = true;
+                                                    phi_4643_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1787] = _e1766.member.member.x;
-                                                if _e1788 {
+                                                local_7[_e1758] = _e1737.member.member.x;
+                                                if _e1759 {
                                                 } else {
-                                                    phi_4535_ = true;
+                                                    phi_4643_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1787] = _e1766.member.member.y;
-                                                if _e1788 {
+                                                local_6[_e1758] = _e1737.member.member.y;
+                                                if _e1759 {
                                                 } else {
-                                                    phi_4535_ = true;
+                                                    phi_4643_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1787] = _e1766.member.member.z;
-                                                if _e1788 {
+                                                local_5[_e1758] = _e1737.member.member.z;
+                                                if _e1759 {
                                                 } else {
-                                                    phi_4535_ = true;
+                                                    phi_4643_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1787] = _e1766.member.member_1.x;
-                                                if _e1788 {
+                                                local_4[_e1758] = _e1737.member.member_1.x;
+                                                if _e1759 {
                                                 } else {
-                                                    phi_4535_ = true;
+                                                    phi_4643_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1787] = _e1766.member.member_1.y;
-                                                if _e1788 {
+                                                local_3[_e1758] = _e1737.member.member_1.y;
+                                                if _e1759 {
                                                 } else {
-                                                    phi_4535_ = true;
+                                                    phi_4643_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1787] = _e1766.member.member_1.z;
-                                                if _e1788 {
+                                                local_2[_e1758] = _e1737.member.member_1.z;
+                                                if _e1759 {
                                                 } else {
-                                                    phi_4535_ = true;
+                                                    phi_4643_ = true;
                                                     break;
                                                 }
-                                                local_10[_e1787] = select(_e1753, _e1755, _e1762);
-                                                if _e1762 {
-                                                    phi_3692_ = _e1661.member_1;
+                                                local_10[_e1758] = select(_e1724, _e1726, _e1733);
+                                                if _e1733 {
+                                                    phi_3610_ = _e1632.member_1;
                                                 } else {
-                                                    phi_3692_ = _e1661.member_2;
+                                                    phi_3610_ = _e1632.member_2;
                                                 }
-                                                let _e1801 = phi_3692_;
-                                                phi_3693_ = (_e703 + 1u);
-                                                phi_3694_ = _e1801;
+                                                let _e1772 = phi_3610_;
+                                                phi_3611_ = (_e689 + 1u);
+                                                phi_3612_ = _e1772;
                                             } else {
-                                                phi_3693_ = u32();
-                                                phi_3694_ = type_52();
+                                                phi_3611_ = u32();
+                                                phi_3612_ = type_53();
                                             }
-                                            let _e1803 = phi_3693_;
-                                            let _e1805 = phi_3694_;
-                                            phi_3696_ = _e1803;
-                                            phi_3697_ = _e1805;
-                                            phi_3698_ = select(true, false, _e1761);
+                                            let _e1774 = phi_3611_;
+                                            let _e1776 = phi_3612_;
+                                            phi_3614_ = _e1774;
+                                            phi_3615_ = _e1776;
+                                            phi_3616_ = select(true, false, _e1732);
                                         } else {
-                                            phi_3696_ = u32();
-                                            phi_3697_ = type_52();
-                                            phi_3698_ = true;
+                                            phi_3614_ = u32();
+                                            phi_3615_ = type_53();
+                                            phi_3616_ = true;
                                         }
-                                        let _e1808 = phi_3696_;
-                                        let _e1810 = phi_3697_;
-                                        let _e1812 = phi_3698_;
-                                        if _e1812 {
-                                            if _e1760 {
-                                                phi_3707_ = _e1661.member_1;
+                                        let _e1779 = phi_3614_;
+                                        let _e1781 = phi_3615_;
+                                        let _e1783 = phi_3616_;
+                                        if _e1783 {
+                                            if _e1731 {
+                                                phi_3625_ = _e1632.member_1;
                                             } else {
-                                                phi_3707_ = _e1661.member_2;
+                                                phi_3625_ = _e1632.member_2;
                                             }
-                                            let _e1816 = phi_3707_;
-                                            phi_3712_ = select(_e1761, true, _e1760);
-                                            phi_3714_ = _e1816;
+                                            let _e1787 = phi_3625_;
+                                            phi_3630_ = select(_e1732, true, _e1731);
+                                            phi_3632_ = _e1787;
                                         } else {
-                                            phi_3712_ = _e701;
-                                            phi_3714_ = _e1810;
+                                            phi_3630_ = _e687;
+                                            phi_3632_ = _e1781;
                                         }
-                                        let _e1819 = phi_3712_;
-                                        let _e1821 = phi_3714_;
-                                        phi_3718_ = _e1819;
-                                        phi_3719_ = select(_e1808, _e703, _e1812);
-                                        phi_3720_ = _e1821;
+                                        let _e1790 = phi_3630_;
+                                        let _e1792 = phi_3632_;
+                                        phi_3636_ = _e1790;
+                                        phi_3637_ = select(_e1779, _e689, _e1783);
+                                        phi_3638_ = _e1792;
                                     }
-                                    let _e1824 = phi_3718_;
-                                    let _e1826 = phi_3719_;
-                                    let _e1828 = phi_3720_;
-                                    if _e709 {
-                                        phi_3730_ = _e705;
+                                    let _e1795 = phi_3636_;
+                                    let _e1797 = phi_3637_;
+                                    let _e1799 = phi_3638_;
+                                    if _e695 {
+                                        phi_3648_ = _e691;
                                     } else {
-                                        phi_3730_ = _e1828;
+                                        phi_3648_ = _e1799;
                                     }
-                                    let _e1830 = phi_3730_;
-                                    phi_4649_ = _e1367;
-                                    phi_4538_ = _e1365;
-                                    phi_3731_ = (_e665 - 1u);
-                                    phi_3732_ = select(_e1824, false, _e709);
-                                    phi_3733_ = select(_e1826, _e703, _e709);
-                                    phi_3734_ = _e1830;
+                                    let _e1801 = phi_3648_;
+                                    phi_4757_ = _e1338;
+                                    phi_4646_ = _e1336;
+                                    phi_3649_ = (_e651 - 1u);
+                                    phi_3650_ = select(_e1795, false, _e695);
+                                    phi_3651_ = select(_e1797, _e689, _e695);
+                                    phi_3652_ = _e1801;
                                 } else {
-                                    phi_4649_ = _e663;
-                                    phi_4538_ = _e661;
-                                    phi_3731_ = _e665;
-                                    phi_3732_ = _e701;
-                                    phi_3733_ = _e703;
-                                    phi_3734_ = _e705;
+                                    phi_4757_ = _e649;
+                                    phi_4646_ = _e647;
+                                    phi_3649_ = _e651;
+                                    phi_3650_ = _e687;
+                                    phi_3651_ = _e689;
+                                    phi_3652_ = _e691;
                                 }
-                                let _e1834 = phi_4649_;
-                                let _e1836 = phi_4538_;
-                                let _e1838 = phi_3731_;
-                                let _e1840 = phi_3732_;
-                                let _e1842 = phi_3733_;
-                                let _e1844 = phi_3734_;
-                                phi_4648_ = _e1834;
-                                phi_4537_ = _e1836;
-                                phi_3735_ = _e1838;
-                                phi_3736_ = _e1840;
-                                phi_3737_ = _e1842;
-                                phi_3738_ = _e1844;
+                                let _e1805 = phi_4757_;
+                                let _e1807 = phi_4646_;
+                                let _e1809 = phi_3649_;
+                                let _e1811 = phi_3650_;
+                                let _e1813 = phi_3651_;
+                                let _e1815 = phi_3652_;
+                                phi_4756_ = _e1805;
+                                phi_4645_ = _e1807;
+                                phi_3653_ = _e1809;
+                                phi_3654_ = _e1811;
+                                phi_3655_ = _e1813;
+                                phi_3656_ = _e1815;
                             } else {
-                                phi_4648_ = _e663;
-                                phi_4537_ = _e661;
-                                phi_3735_ = u32();
-                                phi_3736_ = bool();
-                                phi_3737_ = u32();
-                                phi_3738_ = type_52();
+                                phi_4756_ = _e649;
+                                phi_4645_ = _e647;
+                                phi_3653_ = u32();
+                                phi_3654_ = bool();
+                                phi_3655_ = u32();
+                                phi_3656_ = type_53();
                             }
-                            let _e1846 = phi_4648_;
-                            let _e1848 = phi_4537_;
-                            let _e1850 = phi_3735_;
-                            let _e1852 = phi_3736_;
-                            let _e1854 = phi_3737_;
-                            let _e1856 = phi_3738_;
-                            phi_4647_ = _e1846;
-                            phi_4536_ = _e1848;
-                            phi_1223_ = _e1850;
-                            phi_1226_ = _e1852;
-                            phi_1228_ = _e1854;
-                            phi_1230_ = _e1856;
-                            phi_3739_ = _e675;
+                            let _e1817 = phi_4756_;
+                            let _e1819 = phi_4645_;
+                            let _e1821 = phi_3653_;
+                            let _e1823 = phi_3654_;
+                            let _e1825 = phi_3655_;
+                            let _e1827 = phi_3656_;
+                            phi_4755_ = _e1817;
+                            phi_4644_ = _e1819;
+                            phi_1244_ = _e1821;
+                            phi_1247_ = _e1823;
+                            phi_1249_ = _e1825;
+                            phi_1251_ = _e1827;
+                            phi_3657_ = _e661;
                         } else {
-                            phi_4647_ = _e663;
-                            phi_4536_ = _e661;
-                            phi_1223_ = u32();
-                            phi_1226_ = bool();
-                            phi_1228_ = u32();
-                            phi_1230_ = type_52();
-                            phi_3739_ = false;
+                            phi_4755_ = _e649;
+                            phi_4644_ = _e647;
+                            phi_1244_ = u32();
+                            phi_1247_ = bool();
+                            phi_1249_ = u32();
+                            phi_1251_ = type_53();
+                            phi_3657_ = false;
                         }
-                        let _e1858 = phi_4647_;
-                        let _e1860 = phi_4536_;
-                        let _e1862 = phi_1223_;
-                        let _e1864 = phi_1226_;
-                        let _e1866 = phi_1228_;
-                        let _e1868 = phi_1230_;
-                        let _e1870 = phi_3739_;
+                        let _e1829 = phi_4755_;
+                        let _e1831 = phi_4644_;
+                        let _e1833 = phi_1244_;
+                        let _e1835 = phi_1247_;
+                        let _e1837 = phi_1249_;
+                        let _e1839 = phi_1251_;
+                        let _e1841 = phi_3657_;
                         continue;
                         continuing {
-                            phi_4236_ = _e1860;
-                            phi_4217_ = _e1858;
-                            phi_1222_ = _e1862;
-                            phi_1225_ = _e1864;
-                            phi_1227_ = _e1866;
-                            phi_1229_ = _e1868;
-                            phi_4535_ = _e1860;
-                            break if !(_e1870);
+                            phi_4335_ = _e1831;
+                            phi_4315_ = _e1829;
+                            phi_1243_ = _e1833;
+                            phi_1246_ = _e1835;
+                            phi_1248_ = _e1837;
+                            phi_1250_ = _e1839;
+                            phi_4643_ = _e1831;
+                            break if !(_e1841);
                         }
                     }
-                    let _e1873 = phi_4535_;
-                    if _e1873 {
+                    let _e1844 = phi_4643_;
+                    if _e1844 {
                         break;
                     }
-                    phi_3746_ = type_4(0u, 8u);
+                    phi_3664_ = type_4(0u, 8u);
                     loop {
-                        let _e1875 = phi_3746_;
-                        if (_e1875.member < _e1875.member_1) {
-                            phi_3747_ = type_4((_e1875.member + 1u), _e1875.member_1);
-                            phi_3770_ = type_4(1u, _e1875.member);
+                        let _e1846 = phi_3664_;
+                        if (_e1846.member < _e1846.member_1) {
+                            phi_3665_ = type_4((_e1846.member + 1u), _e1846.member_1);
+                            phi_3688_ = type_4(1u, _e1846.member);
                         } else {
-                            phi_3747_ = _e1875;
-                            phi_3770_ = type_4(0u, type_4().member_1);
+                            phi_3665_ = _e1846;
+                            phi_3688_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1888 = phi_3747_;
-                        let _e1890 = phi_3770_;
-                        let _e1894 = (bitcast<i32>(_e1890.member) != 0i);
-                        if _e1894 {
-                            let _e1895 = (_e1890.member_1 < 8u);
-                            if _e1895 {
+                        let _e1859 = phi_3665_;
+                        let _e1861 = phi_3688_;
+                        let _e1865 = (bitcast<i32>(_e1861.member) != 0i);
+                        if _e1865 {
+                            let _e1866 = (_e1861.member_1 < 8u);
+                            if _e1866 {
                             } else {
-                                phi_4629_ = true;
+                                phi_4737_ = true;
                                 break;
                             }
-                            let _e1897 = local_9[_e1890.member_1];
-                            if (_e1897.member_3 != 4294967295u) {
-                                let _e1903 = -(_e522);
-                                let _e1904 = bitcast<u32>(_e1897.member);
-                                let _e1908 = (bitcast<i32>((_e1904 >> bitcast<u32>(23i))) & 255i);
-                                let _e1909 = (_e1908 + _e1903);
-                                if (_e1908 == 255i) {
-                                    phi_3843_ = _e1897.member;
+                            let _e1868 = local_9[_e1861.member_1];
+                            if (_e1868.member_3 != 4294967295u) {
+                                let _e1874 = -(_e508);
+                                let _e1875 = bitcast<u32>(_e1868.member);
+                                let _e1879 = (bitcast<i32>((_e1875 >> bitcast<u32>(23i))) & 255i);
+                                let _e1880 = (_e1879 + _e1874);
+                                if (_e1879 == 255i) {
+                                    phi_3761_ = _e1868.member;
                                 } else {
-                                    if (_e1908 > 0i) {
-                                        if (_e1909 > 0i) {
-                                            let _e1913 = (_e1909 < 255i);
-                                            if _e1913 {
-                                                phi_3822_ = bitcast<f32>((_e1904 + bitcast<u32>((_e1903 << bitcast<u32>(23i)))));
+                                    if (_e1879 > 0i) {
+                                        if (_e1880 > 0i) {
+                                            let _e1884 = (_e1880 < 255i);
+                                            if _e1884 {
+                                                phi_3740_ = bitcast<f32>((_e1875 + bitcast<u32>((_e1874 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3822_ = f32();
+                                                phi_3740_ = f32();
                                             }
-                                            let _e1920 = phi_3822_;
-                                            phi_3824_ = _e1920;
-                                            phi_3825_ = select(true, false, _e1913);
+                                            let _e1891 = phi_3740_;
+                                            phi_3742_ = _e1891;
+                                            phi_3743_ = select(true, false, _e1884);
                                         } else {
-                                            phi_3824_ = f32();
-                                            phi_3825_ = true;
+                                            phi_3742_ = f32();
+                                            phi_3743_ = true;
                                         }
-                                        let _e1923 = phi_3824_;
-                                        let _e1925 = phi_3825_;
-                                        phi_3826_ = _e1923;
-                                        phi_3827_ = _e1925;
+                                        let _e1894 = phi_3742_;
+                                        let _e1896 = phi_3743_;
+                                        phi_3744_ = _e1894;
+                                        phi_3745_ = _e1896;
                                     } else {
-                                        phi_3826_ = f32();
-                                        phi_3827_ = true;
+                                        phi_3744_ = f32();
+                                        phi_3745_ = true;
                                     }
-                                    let _e1927 = phi_3826_;
-                                    let _e1929 = phi_3827_;
-                                    if _e1929 {
-                                        let _e1930 = (_e1904 & 2147483648u);
-                                        let _e1937 = ((_e1904 & 8388607u) | (select(0u, 1u, ((_e1904 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1941 = (_e1937 == 0u);
-                                        if _e1941 {
-                                            phi_4164_ = bitcast<f32>(_e1930);
+                                    let _e1898 = phi_3744_;
+                                    let _e1900 = phi_3745_;
+                                    if _e1900 {
+                                        let _e1901 = (_e1875 & 2147483648u);
+                                        let _e1908 = ((_e1875 & 8388607u) | (select(0u, 1u, ((_e1875 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1912 = (_e1908 == 0u);
+                                        if _e1912 {
+                                            phi_4262_ = bitcast<f32>(_e1901);
                                         } else {
-                                            let _e1946 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1937)), 32u, _e1941) - 8u);
-                                            let _e1949 = (_e1937 << bitcast<u32>((_e1946 & 31u)));
-                                            let _e1951 = ((_e1909 + select(0i, 1i, (_e1908 == 0i))) - bitcast<i32>(_e1946));
-                                            if (_e1951 >= 255i) {
-                                                phi_4154_ = bitcast<f32>((_e1930 | 2139095040u));
-                                                phi_4155_ = f32();
-                                                phi_4156_ = true;
+                                            let _e1917 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1908)), 32u, _e1912) - 8u);
+                                            let _e1920 = (_e1908 << bitcast<u32>((_e1917 & 31u)));
+                                            let _e1922 = ((_e1880 + select(0i, 1i, (_e1879 == 0i))) - bitcast<i32>(_e1917));
+                                            if (_e1922 >= 255i) {
+                                                phi_4252_ = bitcast<f32>((_e1901 | 2139095040u));
+                                                phi_4253_ = f32();
+                                                phi_4254_ = true;
                                             } else {
-                                                let _e1953 = (_e1951 > 0i);
-                                                if _e1953 {
-                                                    phi_4148_ = bitcast<f32>(((_e1930 | (bitcast<u32>(_e1951) << bitcast<u32>(23i))) | (_e1949 & 8388607u)));
-                                                    phi_4149_ = f32();
+                                                let _e1924 = (_e1922 > 0i);
+                                                if _e1924 {
+                                                    phi_4246_ = bitcast<f32>(((_e1901 | (bitcast<u32>(_e1922) << bitcast<u32>(23i))) | (_e1920 & 8388607u)));
+                                                    phi_4247_ = f32();
                                                 } else {
-                                                    if (_e1951 < -24i) {
-                                                        phi_4114_ = 26u;
+                                                    if (_e1922 < -24i) {
+                                                        phi_4212_ = 26u;
                                                     } else {
-                                                        phi_4114_ = bitcast<u32>((1i - _e1951));
+                                                        phi_4212_ = bitcast<u32>((1i - _e1922));
                                                     }
-                                                    let _e1958 = phi_4114_;
-                                                    let _e1959 = (_e1958 & 31u);
-                                                    let _e1961 = (_e1949 >> bitcast<u32>(_e1959));
-                                                    let _e1965 = (_e1949 & ((1u << bitcast<u32>(_e1959)) - 1u));
-                                                    let _e1969 = (1u << bitcast<u32>(((_e1958 - 1u) & 31u)));
-                                                    if (_e1965 > _e1969) {
-                                                        phi_4135_ = true;
+                                                    let _e1929 = phi_4212_;
+                                                    let _e1930 = (_e1929 & 31u);
+                                                    let _e1932 = (_e1920 >> bitcast<u32>(_e1930));
+                                                    let _e1936 = (_e1920 & ((1u << bitcast<u32>(_e1930)) - 1u));
+                                                    let _e1940 = (1u << bitcast<u32>(((_e1929 - 1u) & 31u)));
+                                                    if (_e1936 > _e1940) {
+                                                        phi_4233_ = true;
                                                     } else {
-                                                        if (_e1965 == _e1969) {
-                                                            phi_4132_ = ((_e1961 & 1u) == 1u);
+                                                        if (_e1936 == _e1940) {
+                                                            phi_4230_ = ((_e1932 & 1u) == 1u);
                                                         } else {
-                                                            phi_4132_ = false;
+                                                            phi_4230_ = false;
                                                         }
-                                                        let _e1975 = phi_4132_;
-                                                        phi_4135_ = _e1975;
+                                                        let _e1946 = phi_4230_;
+                                                        phi_4233_ = _e1946;
                                                     }
-                                                    let _e1977 = phi_4135_;
-                                                    phi_4148_ = f32();
-                                                    phi_4149_ = bitcast<f32>((_e1930 | (_e1961 + select(0u, 1u, _e1977))));
+                                                    let _e1948 = phi_4233_;
+                                                    phi_4246_ = f32();
+                                                    phi_4247_ = bitcast<f32>((_e1901 | (_e1932 + select(0u, 1u, _e1948))));
                                                 }
-                                                let _e1990 = phi_4148_;
-                                                let _e1992 = phi_4149_;
-                                                phi_4154_ = _e1990;
-                                                phi_4155_ = _e1992;
-                                                phi_4156_ = _e1953;
+                                                let _e1961 = phi_4246_;
+                                                let _e1963 = phi_4247_;
+                                                phi_4252_ = _e1961;
+                                                phi_4253_ = _e1963;
+                                                phi_4254_ = _e1924;
                                             }
-                                            let _e1996 = phi_4154_;
-                                            let _e1998 = phi_4155_;
-                                            let _e2000 = phi_4156_;
-                                            phi_4164_ = select(_e1998, _e1996, _e2000);
+                                            let _e1967 = phi_4252_;
+                                            let _e1969 = phi_4253_;
+                                            let _e1971 = phi_4254_;
+                                            phi_4262_ = select(_e1969, _e1967, _e1971);
                                         }
-                                        let _e2004 = phi_4164_;
-                                        phi_3842_ = _e2004;
+                                        let _e1975 = phi_4262_;
+                                        phi_3760_ = _e1975;
                                     } else {
-                                        phi_3842_ = _e1927;
+                                        phi_3760_ = _e1898;
                                     }
-                                    let _e2006 = phi_3842_;
-                                    phi_3843_ = _e2006;
+                                    let _e1977 = phi_3760_;
+                                    phi_3761_ = _e1977;
                                 }
-                                let _e2008 = phi_3843_;
-                                let _e2009 = bitcast<u32>(_e2008);
-                                if ((_e2009 & 2147483647u) >= 2139095040u) {
-                                    phi_3855_ = bitcast<f32>(((_e2009 & 2147483648u) | 2139095039u));
+                                let _e1979 = phi_3761_;
+                                let _e1980 = bitcast<u32>(_e1979);
+                                if ((_e1980 & 2147483647u) >= 2139095040u) {
+                                    phi_3773_ = bitcast<f32>(((_e1980 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3855_ = _e2008;
+                                    phi_3773_ = _e1979;
                                 }
-                                let _e2016 = phi_3855_;
-                                phi_3860_ = type_21(_e2016, _e1897.member_1, _e1897.member_2, _e1897.member_3);
+                                let _e1987 = phi_3773_;
+                                phi_3778_ = type_21(_e1987, _e1868.member_1, _e1868.member_2, _e1868.member_3);
                             } else {
-                                phi_3860_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3778_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2019 = phi_3860_;
-                            if _e1895 {
+                            let _e1990 = phi_3778_;
+                            if _e1866 {
                             } else {
-                                phi_4629_ = true;
+                                phi_4737_ = true;
                                 break;
                             }
-                            local_9[_e1890.member_1] = type_21(_e2019.member, _e2019.member_1, _e2019.member_2, _e2019.member_3);
+                            local_9[_e1861.member_1] = type_21(_e1990.member, _e1990.member_1, _e1990.member_2, _e1990.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3746_ = _e1888;
-                            phi_4629_ = _e1873;
-                            break if !(_e1894);
+                            phi_3664_ = _e1859;
+                            phi_4737_ = _e1844;
+                            break if !(_e1865);
                         }
                     }
-                    let _e2027 = phi_4629_;
-                    if _e2027 {
+                    let _e1998 = phi_4737_;
+                    if _e1998 {
                         break;
                     }
-                    let _e2028 = local_9;
-                    if _e153 {
+                    let _e1999 = local_9;
+                    if _e154 {
                     } else {
                         break;
                     }
-                    global_6.member[_e151] = array<type_21, 8>(type_21(_e2028[0].member, _e2028[0].member_1, _e2028[0].member_2, _e2028[0].member_3), type_21(_e2028[1].member, _e2028[1].member_1, _e2028[1].member_2, _e2028[1].member_3), type_21(_e2028[2].member, _e2028[2].member_1, _e2028[2].member_2, _e2028[2].member_3), type_21(_e2028[3].member, _e2028[3].member_1, _e2028[3].member_2, _e2028[3].member_3), type_21(_e2028[4].member, _e2028[4].member_1, _e2028[4].member_2, _e2028[4].member_3), type_21(_e2028[5].member, _e2028[5].member_1, _e2028[5].member_2, _e2028[5].member_3), type_21(_e2028[6].member, _e2028[6].member_1, _e2028[6].member_2, _e2028[6].member_3), type_21(_e2028[7].member, _e2028[7].member_1, _e2028[7].member_2, _e2028[7].member_3));
+                    global_6.member[_e152] = array<type_21, 8>(type_21(_e1999[0].member, _e1999[0].member_1, _e1999[0].member_2, _e1999[0].member_3), type_21(_e1999[1].member, _e1999[1].member_1, _e1999[1].member_2, _e1999[1].member_3), type_21(_e1999[2].member, _e1999[2].member_1, _e1999[2].member_2, _e1999[2].member_3), type_21(_e1999[3].member, _e1999[3].member_1, _e1999[3].member_2, _e1999[3].member_3), type_21(_e1999[4].member, _e1999[4].member_1, _e1999[4].member_2, _e1999[4].member_3), type_21(_e1999[5].member, _e1999[5].member_1, _e1999[5].member_2, _e1999[5].member_3), type_21(_e1999[6].member, _e1999[6].member_1, _e1999[6].member_2, _e1999[6].member_3), type_21(_e1999[7].member, _e1999[7].member_1, _e1999[7].member_2, _e1999[7].member_3));
                 }
             }
             break;

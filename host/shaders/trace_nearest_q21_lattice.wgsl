@@ -30,46 +30,53 @@ struct type_24 {
     member_1: vec4<f32>,
 }
 
-struct type_32 {
+struct type_31 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_33 {
     member: array<type_21>,
 }
 
-struct type_36 {
+struct type_37 {
     member: array<array<type_20, 8>>,
 }
 
-struct type_42 {
+struct type_43 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<array<u32, 7>>,
 }
 
-struct type_51 {
+struct type_52 {
     member: type_24,
     member_1: u32,
 }
 
-struct type_52 {
+struct type_53 {
     member: array<vec4<f32>, 3>,
-    member_1: type_51,
-    member_2: type_51,
+    member_1: type_52,
+    member_2: type_52,
 }
 
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<uniform> global_2: type_42;
+var<uniform> global_2: type_43;
 @group(0) @binding(4) 
-var<storage> global_3: type_32;
+var<storage> global_3: type_33;
 @group(0) @binding(2) 
-var<storage> global_4: type_46;
+var<storage> global_4: type_47;
 @group(0) @binding(3) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_36;
+var<storage, read_write> global_6: type_37;
 
 fn function_() {
     var local: array<i32, 3>;
@@ -83,530 +90,487 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_20, 8>;
     var local_10: array<f32, 128>;
-    var phi_492_: i32;
-    var phi_493_: i32;
-    var phi_503_: bool;
-    var phi_513_: u32;
-    var phi_514_: u32;
-    var phi_516_: bool;
-    var phi_521_: u32;
-    var phi_534_: i32;
-    var phi_554_: i32;
-    var phi_572_: f32;
-    var phi_578_: f32;
-    var phi_618_: f32;
-    var phi_624_: f32;
-    var phi_676_: f32;
-    var phi_688_: f32;
-    var phi_697_: f32;
-    var phi_703_: f32;
-    var phi_743_: f32;
-    var phi_749_: f32;
-    var phi_801_: f32;
-    var phi_813_: f32;
-    var phi_822_: f32;
-    var phi_828_: f32;
-    var phi_868_: f32;
-    var phi_874_: f32;
-    var phi_926_: f32;
-    var phi_938_: f32;
-    var phi_993_: i32;
-    var phi_1015_: u32;
-    var phi_1016_: u32;
-    var phi_1053_: i32;
-    var phi_1075_: u32;
-    var phi_1076_: u32;
-    var phi_1084_: f32;
-    var phi_1085_: f32;
-    var phi_4976_: bool;
-    var phi_4890_: f32;
-    var phi_1234_: u32;
-    var phi_1237_: bool;
-    var phi_1239_: u32;
-    var phi_1241_: type_51;
-    var phi_1252_: bool;
-    var phi_1339_: bool;
-    var phi_1340_: u32;
-    var phi_1341_: type_51;
-    var phi_4973_: bool;
-    var phi_4915_: f32;
-    var phi_1360_: type_8;
-    var phi_1361_: type_8;
-    var phi_1384_: type_8;
-    var phi_1425_: u32;
-    var phi_1431_: u32;
-    var phi_1441_: u32;
-    var phi_1457_: u32;
-    var phi_1490_: u32;
-    var phi_1496_: u32;
-    var phi_1962_: u32;
-    var phi_1980_: u32;
-    var phi_1998_: u32;
-    var phi_2021_: u32;
-    var phi_2039_: u32;
-    var phi_2057_: u32;
-    var phi_2080_: u32;
-    var phi_2098_: u32;
-    var phi_2116_: u32;
-    var phi_1670_: u32;
-    var phi_1685_: u32;
-    var phi_1695_: u32;
+    var phi_513_: i32;
+    var phi_514_: i32;
+    var phi_524_: bool;
+    var phi_534_: u32;
+    var phi_535_: u32;
+    var phi_537_: bool;
+    var phi_542_: u32;
+    var phi_555_: i32;
+    var phi_575_: i32;
+    var phi_593_: f32;
+    var phi_599_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_718_: f32;
+    var phi_724_: f32;
+    var phi_764_: f32;
+    var phi_770_: f32;
+    var phi_843_: f32;
+    var phi_849_: f32;
+    var phi_889_: f32;
+    var phi_895_: f32;
+    var phi_1014_: i32;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_1074_: i32;
+    var phi_1096_: u32;
+    var phi_1097_: u32;
+    var phi_1105_: f32;
+    var phi_1106_: f32;
+    var phi_5075_: bool;
+    var phi_4988_: f32;
+    var phi_1255_: u32;
+    var phi_1258_: bool;
+    var phi_1260_: u32;
+    var phi_1262_: type_52;
+    var phi_1273_: bool;
+    var phi_1360_: bool;
+    var phi_1361_: u32;
+    var phi_1362_: type_52;
+    var phi_5072_: bool;
+    var phi_5013_: f32;
+    var phi_1381_: type_8;
+    var phi_1382_: type_8;
+    var phi_1405_: type_8;
+    var phi_1446_: u32;
+    var phi_1452_: u32;
+    var phi_1462_: u32;
+    var phi_1478_: u32;
+    var phi_1511_: u32;
+    var phi_1517_: u32;
+    var phi_1983_: u32;
+    var phi_2001_: u32;
+    var phi_2019_: u32;
+    var phi_2042_: u32;
+    var phi_2060_: u32;
+    var phi_2078_: u32;
+    var phi_2101_: u32;
+    var phi_2119_: u32;
+    var phi_2137_: u32;
+    var phi_1691_: u32;
+    var phi_1706_: u32;
     var phi_1716_: u32;
     var phi_1737_: u32;
-    var phi_1767_: u32;
-    var phi_1782_: u32;
-    var phi_1792_: u32;
+    var phi_1758_: u32;
+    var phi_1788_: u32;
+    var phi_1803_: u32;
     var phi_1813_: u32;
     var phi_1834_: u32;
-    var phi_1864_: u32;
-    var phi_1879_: u32;
-    var phi_1889_: u32;
+    var phi_1855_: u32;
+    var phi_1885_: u32;
+    var phi_1900_: u32;
     var phi_1910_: u32;
     var phi_1931_: u32;
-    var phi_1523_: u32;
-    var phi_1572_: u32;
-    var phi_1621_: u32;
-    var phi_2122_: array<array<f32, 3>, 3>;
-    var phi_2275_: bool;
-    var phi_2304_: bool;
-    var phi_2723_: f32;
-    var phi_2724_: f32;
-    var phi_2725_: f32;
-    var phi_2726_: f32;
-    var phi_2727_: vec3<f32>;
-    var phi_2728_: vec3<f32>;
-    var phi_2729_: vec3<f32>;
-    var phi_2730_: vec3<f32>;
-    var phi_2767_: bool;
-    var phi_2776_: vec3<f32>;
-    var phi_2941_: f32;
-    var phi_2943_: f32;
-    var phi_2944_: bool;
-    var phi_2964_: f32;
-    var phi_2965_: f32;
-    var phi_2988_: type_20;
-    var phi_2990_: type_20;
-    var phi_2991_: bool;
-    var phi_2995_: type_20;
-    var phi_2996_: type_20;
-    var phi_2997_: type_20;
-    var phi_2998_: bool;
-    var phi_3002_: type_20;
-    var phi_3003_: bool;
-    var phi_3004_: type_20;
-    var phi_3005_: bool;
-    var phi_3006_: bool;
-    var phi_3007_: type_20;
-    var phi_3008_: bool;
-    var phi_3009_: bool;
-    var phi_3017_: type_20;
-    var phi_3018_: bool;
-    var phi_3022_: type_20;
-    var phi_3034_: type_8;
-    var phi_3037_: type_20;
-    var phi_3035_: type_8;
-    var phi_3060_: type_8;
-    var phi_3092_: bool;
-    var phi_3093_: bool;
-    var phi_3114_: type_20;
-    var phi_3038_: type_20;
-    var phi_4944_: bool;
-    var phi_5305_: f32;
-    var phi_5304_: f32;
-    var phi_5154_: bool;
-    var phi_5303_: f32;
-    var phi_5153_: bool;
-    var phi_5302_: f32;
-    var phi_5152_: bool;
-    var phi_5214_: f32;
-    var phi_5151_: bool;
-    var phi_5398_: bool;
-    var phi_5213_: f32;
-    var phi_3627_: u32;
-    var phi_3633_: u32;
-    var phi_3887_: u32;
-    var phi_3888_: u32;
-    var phi_3898_: u32;
-    var phi_3900_: u32;
-    var phi_3901_: bool;
-    var phi_3921_: u32;
-    var phi_3922_: u32;
-    var phi_3926_: type_52;
-    var phi_4289_: type_51;
-    var phi_4365_: type_51;
-    var phi_4366_: u32;
-    var phi_4367_: type_51;
-    var phi_4369_: u32;
-    var phi_4370_: type_51;
-    var phi_4371_: bool;
-    var phi_4380_: type_51;
-    var phi_4385_: bool;
-    var phi_4387_: type_51;
-    var phi_4391_: bool;
-    var phi_4392_: u32;
-    var phi_4393_: type_51;
-    var phi_4403_: type_51;
-    var phi_5426_: f32;
-    var phi_5310_: bool;
-    var phi_4404_: u32;
-    var phi_4405_: bool;
-    var phi_4406_: u32;
-    var phi_4407_: type_51;
-    var phi_5425_: f32;
-    var phi_5309_: bool;
-    var phi_4408_: u32;
-    var phi_4409_: bool;
-    var phi_4410_: u32;
-    var phi_4411_: type_51;
-    var phi_5424_: f32;
-    var phi_5308_: bool;
-    var phi_1235_: u32;
-    var phi_1238_: bool;
-    var phi_1240_: u32;
-    var phi_1242_: type_51;
-    var phi_4412_: bool;
-    var phi_5307_: bool;
-    var phi_4419_: type_8;
-    var phi_4420_: type_8;
-    var phi_4443_: type_8;
-    var phi_4495_: f32;
-    var phi_4497_: f32;
-    var phi_4498_: bool;
-    var phi_4499_: f32;
-    var phi_4500_: bool;
-    var phi_4787_: u32;
-    var phi_4805_: bool;
-    var phi_4808_: bool;
-    var phi_4821_: f32;
-    var phi_4822_: f32;
-    var phi_4827_: f32;
-    var phi_4828_: f32;
-    var phi_4829_: bool;
-    var phi_4837_: f32;
-    var phi_4515_: f32;
-    var phi_4516_: f32;
-    var phi_4528_: f32;
-    var phi_4533_: type_20;
-    var phi_5406_: bool;
+    var phi_1952_: u32;
+    var phi_1544_: u32;
+    var phi_1593_: u32;
+    var phi_1642_: u32;
+    var phi_2143_: array<array<f32, 3>, 3>;
+    var phi_4544_: bool;
+    var phi_4559_: bool;
+    var phi_4574_: bool;
+    var phi_4589_: bool;
+    var phi_4604_: bool;
+    var phi_4619_: bool;
+    var phi_2686_: f32;
+    var phi_2687_: f32;
+    var phi_2688_: f32;
+    var phi_2689_: f32;
+    var phi_2690_: vec3<f32>;
+    var phi_2691_: vec3<f32>;
+    var phi_2692_: vec3<f32>;
+    var phi_2693_: vec3<f32>;
+    var phi_4634_: bool;
+    var phi_4649_: bool;
+    var phi_4664_: bool;
+    var phi_4679_: bool;
+    var phi_4694_: bool;
+    var phi_4709_: bool;
+    var phi_2901_: f32;
+    var phi_2921_: type_31;
+    var phi_2922_: type_31;
+    var phi_2925_: type_31;
+    var phi_2926_: type_31;
+    var phi_2927_: bool;
+    var phi_2931_: type_31;
+    var phi_2940_: type_20;
+    var phi_2952_: type_8;
+    var phi_2955_: type_20;
+    var phi_2953_: type_8;
+    var phi_2978_: type_8;
+    var phi_3010_: bool;
+    var phi_3011_: bool;
+    var phi_3032_: type_20;
+    var phi_2956_: type_20;
+    var phi_5042_: bool;
+    var phi_5413_: f32;
+    var phi_5412_: f32;
+    var phi_5257_: bool;
+    var phi_5411_: f32;
+    var phi_5256_: bool;
+    var phi_5410_: f32;
+    var phi_5255_: bool;
+    var phi_5317_: f32;
+    var phi_5254_: bool;
+    var phi_5506_: bool;
+    var phi_5316_: f32;
+    var phi_3545_: u32;
+    var phi_3551_: u32;
+    var phi_3805_: u32;
+    var phi_3806_: u32;
+    var phi_3816_: u32;
+    var phi_3818_: u32;
+    var phi_3819_: bool;
+    var phi_3839_: u32;
+    var phi_3840_: u32;
+    var phi_3844_: type_53;
+    var phi_4207_: type_52;
+    var phi_4283_: type_52;
+    var phi_4284_: u32;
+    var phi_4285_: type_52;
+    var phi_4287_: u32;
+    var phi_4288_: type_52;
+    var phi_4289_: bool;
+    var phi_4298_: type_52;
+    var phi_4303_: bool;
+    var phi_4305_: type_52;
+    var phi_4309_: bool;
+    var phi_4310_: u32;
+    var phi_4311_: type_52;
+    var phi_4321_: type_52;
+    var phi_5534_: f32;
+    var phi_5418_: bool;
+    var phi_4322_: u32;
+    var phi_4323_: bool;
+    var phi_4324_: u32;
+    var phi_4325_: type_52;
+    var phi_5533_: f32;
+    var phi_5417_: bool;
+    var phi_4326_: u32;
+    var phi_4327_: bool;
+    var phi_4328_: u32;
+    var phi_4329_: type_52;
+    var phi_5532_: f32;
+    var phi_5416_: bool;
+    var phi_1256_: u32;
+    var phi_1259_: bool;
+    var phi_1261_: u32;
+    var phi_1263_: type_52;
+    var phi_4330_: bool;
+    var phi_5415_: bool;
+    var phi_4337_: type_8;
+    var phi_4338_: type_8;
+    var phi_4361_: type_8;
+    var phi_4413_: f32;
+    var phi_4415_: f32;
+    var phi_4416_: bool;
+    var phi_4417_: f32;
+    var phi_4418_: bool;
+    var phi_4885_: u32;
+    var phi_4903_: bool;
+    var phi_4906_: bool;
+    var phi_4919_: f32;
+    var phi_4920_: f32;
+    var phi_4925_: f32;
+    var phi_4926_: f32;
+    var phi_4927_: bool;
+    var phi_4935_: f32;
+    var phi_4433_: f32;
+    var phi_4434_: f32;
+    var phi_4446_: f32;
+    var phi_4451_: type_20;
+    var phi_5514_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e97 = global;
-            let _e99 = arrayLength((&global_4.member));
-            let _e102 = arrayLength((&global_5.member));
-            let _e110 = global_2.member[0u][0u];
-            let _e114 = global_2.member[0u][1u];
-            let _e118 = global_2.member[0u][2u];
-            let _e122 = global_2.member[0u][3u];
-            let _e126 = global_2.member[1u][0u];
-            let _e130 = global_2.member[1u][1u];
-            let _e134 = global_2.member[1u][2u];
-            let _e137 = global_1.member[0u];
-            let _e138 = bitcast<i32>(_e137);
-            let _e150 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e122) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e110), bitcast<i32>(_e114), bitcast<i32>(_e118));
-            local = array<i32, 3>(bitcast<i32>(_e126), bitcast<i32>(_e130), bitcast<i32>(_e134));
-            let _e156 = (_e97.x + (_e97.y * 2097152u));
-            let _e157 = (_e156 < arrayLength((&global_3.member)));
-            if _e157 {
-                let _e158 = (_e156 < arrayLength((&global_6.member)));
-                if _e158 {
-                    if _e157 {
+            let _e98 = global;
+            let _e100 = arrayLength((&global_4.member));
+            let _e103 = arrayLength((&global_5.member));
+            let _e111 = global_2.member[0u][0u];
+            let _e115 = global_2.member[0u][1u];
+            let _e119 = global_2.member[0u][2u];
+            let _e123 = global_2.member[0u][3u];
+            let _e127 = global_2.member[1u][0u];
+            let _e131 = global_2.member[1u][1u];
+            let _e135 = global_2.member[1u][2u];
+            let _e138 = global_1.member[0u];
+            let _e139 = bitcast<i32>(_e138);
+            let _e151 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e123) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e111), bitcast<i32>(_e115), bitcast<i32>(_e119));
+            local = array<i32, 3>(bitcast<i32>(_e127), bitcast<i32>(_e131), bitcast<i32>(_e135));
+            let _e157 = (_e98.x + (_e98.y * 2097152u));
+            let _e158 = (_e157 < arrayLength((&global_3.member)));
+            if _e158 {
+                let _e159 = (_e157 < arrayLength((&global_6.member)));
+                if _e159 {
+                    if _e158 {
                     } else {
                         break;
                     }
-                    let _e166 = global_3.member[_e156].member_2[0u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_3.member[_e156].member_2[1u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e180 = global_3.member[_e156].member_2[2u];
-                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                    let _e187 = global_3.member[_e156].member[0u];
-                    let _e189 = (bitcast<u32>(_e187) & 2147483647u);
-                    let _e194 = global_3.member[_e156].member[1u];
-                    let _e196 = (bitcast<u32>(_e194) & 2147483647u);
-                    let _e201 = global_3.member[_e156].member[2u];
-                    let _e203 = (bitcast<u32>(_e201) & 2147483647u);
-                    let _e205 = select(_e175, _e168, (_e175 < _e168));
-                    let _e207 = select(_e182, _e205, (_e182 < _e205));
-                    let _e209 = select(_e189, _e207, (_e189 < _e207));
-                    let _e211 = select(_e196, _e209, (_e196 < _e209));
-                    let _e213 = select(_e203, _e211, (_e203 < _e211));
-                    let _e217 = global_3.member[_e156].member_1;
-                    let _e218 = bitcast<u32>(_e217);
-                    let _e219 = (_e218 & 2147483647u);
-                    let _e226 = global_3.member[_e156].member_3;
-                    let _e227 = bitcast<u32>(_e226);
-                    let _e228 = (_e227 & 2147483647u);
-                    let _e232 = (((select(_e219, _e213, (_e219 < _e213)) < 2139095040u) && (_e228 <= 2139095040u)) && (_e207 > 0u));
-                    if _e232 {
-                        let _e235 = (bitcast<u32>(bitcast<f32>(_e207)) & 2147483647u);
-                        if (_e235 >= 8388608u) {
-                            phi_492_ = (bitcast<i32>((_e235 >> bitcast<u32>(23i))) - 127i);
+                    let _e167 = global_3.member[_e157].member_2[0u];
+                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
+                    let _e174 = global_3.member[_e157].member_2[1u];
+                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
+                    let _e181 = global_3.member[_e157].member_2[2u];
+                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
+                    let _e188 = global_3.member[_e157].member[0u];
+                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
+                    let _e195 = global_3.member[_e157].member[1u];
+                    let _e197 = (bitcast<u32>(_e195) & 2147483647u);
+                    let _e202 = global_3.member[_e157].member[2u];
+                    let _e204 = (bitcast<u32>(_e202) & 2147483647u);
+                    let _e206 = select(_e176, _e169, (_e176 < _e169));
+                    let _e208 = select(_e183, _e206, (_e183 < _e206));
+                    let _e210 = select(_e190, _e208, (_e190 < _e208));
+                    let _e212 = select(_e197, _e210, (_e197 < _e210));
+                    let _e214 = select(_e204, _e212, (_e204 < _e212));
+                    let _e218 = global_3.member[_e157].member_1;
+                    let _e219 = bitcast<u32>(_e218);
+                    let _e220 = (_e219 & 2147483647u);
+                    let _e227 = global_3.member[_e157].member_3;
+                    let _e228 = bitcast<u32>(_e227);
+                    let _e229 = (_e228 & 2147483647u);
+                    let _e233 = (((select(_e220, _e214, (_e220 < _e214)) < 2139095040u) && (_e229 <= 2139095040u)) && (_e208 > 0u));
+                    if _e233 {
+                        let _e236 = (bitcast<u32>(bitcast<f32>(_e208)) & 2147483647u);
+                        if (_e236 >= 8388608u) {
+                            phi_513_ = (bitcast<i32>((_e236 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_492_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e235)), 32u, (_e235 == 0u))));
+                            phi_513_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e236)), 32u, (_e236 == 0u))));
                         }
-                        let _e249 = phi_492_;
-                        phi_493_ = _e249;
+                        let _e250 = phi_513_;
+                        phi_514_ = _e250;
                     } else {
-                        phi_493_ = 0i;
+                        phi_514_ = 0i;
                     }
-                    let _e251 = phi_493_;
-                    let _e252 = (_e168 == _e207);
-                    if _e252 {
-                        phi_503_ = true;
+                    let _e252 = phi_514_;
+                    let _e253 = (_e169 == _e208);
+                    if _e253 {
+                        phi_524_ = true;
                     } else {
-                        phi_503_ = (_e175 == _e207);
+                        phi_524_ = (_e176 == _e208);
                     }
-                    let _e255 = phi_503_;
-                    let _e256 = select(1u, 0u, _e252);
-                    if _e255 {
-                        let _e257 = (_e256 + 1u);
-                        phi_513_ = _e257;
-                        phi_514_ = _e257;
-                        phi_516_ = select(true, false, (_e257 == 2u));
+                    let _e256 = phi_524_;
+                    let _e257 = select(1u, 0u, _e253);
+                    if _e256 {
+                        let _e258 = (_e257 + 1u);
+                        phi_534_ = _e258;
+                        phi_535_ = _e258;
+                        phi_537_ = select(true, false, (_e258 == 2u));
                     } else {
-                        phi_513_ = u32();
-                        phi_514_ = 0u;
-                        phi_516_ = true;
+                        phi_534_ = u32();
+                        phi_535_ = 0u;
+                        phi_537_ = true;
                     }
-                    let _e261 = phi_513_;
-                    let _e263 = phi_514_;
-                    let _e265 = phi_516_;
-                    if _e265 {
-                        phi_521_ = (_e263 + 1u);
+                    let _e262 = phi_534_;
+                    let _e264 = phi_535_;
+                    let _e266 = phi_537_;
+                    if _e266 {
+                        phi_542_ = (_e264 + 1u);
                     } else {
-                        phi_521_ = 0u;
+                        phi_542_ = 0u;
                     }
-                    let _e269 = phi_521_;
-                    let _e270 = select(_e261, _e263, _e265);
-                    let _e271 = select(_e256, select(2u, _e256, _e255), _e265);
-                    if (_e138 < -126i) {
-                        phi_534_ = -126i;
+                    let _e270 = phi_542_;
+                    let _e271 = select(_e262, _e264, _e266);
+                    let _e272 = select(_e257, select(2u, _e257, _e256), _e266);
+                    if (_e139 < -126i) {
+                        phi_555_ = -126i;
                     } else {
-                        phi_534_ = select(_e138, 127i, (_e138 > 127i));
+                        phi_555_ = select(_e139, 127i, (_e139 > 127i));
                     }
-                    let _e276 = phi_534_;
-                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = bitcast<f32>((bitcast<u32>(((_e138 - _e276) + 127i)) << bitcast<u32>(23i)));
-                    let _e288 = -(_e251);
-                    if (_e288 < -126i) {
-                        phi_554_ = -126i;
+                    let _e277 = phi_555_;
+                    let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
+                    let _e288 = bitcast<f32>((bitcast<u32>(((_e139 - _e277) + 127i)) << bitcast<u32>(23i)));
+                    let _e289 = -(_e252);
+                    if (_e289 < -126i) {
+                        phi_575_ = -126i;
                     } else {
-                        phi_554_ = select(_e288, 127i, (_e288 > 127i));
+                        phi_575_ = select(_e289, 127i, (_e289 > 127i));
                     }
-                    let _e293 = phi_554_;
-                    let _e298 = bitcast<f32>((bitcast<u32>((_e293 + 127i)) << bitcast<u32>(23i)));
-                    let _e304 = bitcast<f32>((bitcast<u32>(((_e288 - _e293) + 127i)) << bitcast<u32>(23i)));
-                    let _e308 = global_3.member[_e156].member;
-                    let _e309 = (_e270 == 0u);
-                    if _e309 {
-                        phi_572_ = _e308[0];
+                    let _e294 = phi_575_;
+                    let _e299 = bitcast<f32>((bitcast<u32>((_e294 + 127i)) << bitcast<u32>(23i)));
+                    let _e305 = bitcast<f32>((bitcast<u32>(((_e289 - _e294) + 127i)) << bitcast<u32>(23i)));
+                    let _e309 = global_3.member[_e157].member;
+                    let _e310 = (_e271 == 0u);
+                    if _e310 {
+                        phi_593_ = _e309[0];
                     } else {
-                        phi_572_ = _e308[1];
+                        phi_593_ = _e309[1];
                     }
-                    let _e313 = phi_572_;
-                    let _e314 = (_e270 == 2u);
-                    if _e314 {
-                        phi_578_ = _e308[2];
+                    let _e314 = phi_593_;
+                    let _e315 = (_e271 == 2u);
+                    if _e315 {
+                        phi_599_ = _e309[2];
                     } else {
-                        phi_578_ = _e313;
+                        phi_599_ = _e314;
                     }
-                    let _e317 = phi_578_;
-                    let _e318 = bitcast<u32>(_e317);
-                    let _e320 = ((_e318 & 2139095040u) != 0u);
-                    let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e281) * select(0.00000011920929f, 1f, _e320)) * _e287);
-                    let _e335 = global_3.member[_e156].member_2;
-                    if _e309 {
-                        phi_618_ = _e335[0];
+                    let _e318 = phi_599_;
+                    let _e319 = bitcast<u32>(_e318);
+                    let _e321 = ((_e319 & 2139095040u) != 0u);
+                    let _e335 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e319 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e319 & 2147483648u))), _e318, _e321) * _e282) * select(0.00000011920929f, 1f, _e321)) * _e288);
+                    let _e336 = global_3.member[_e157].member_2;
+                    if _e310 {
+                        phi_639_ = _e336[0];
                     } else {
-                        phi_618_ = _e335[1];
+                        phi_639_ = _e336[1];
                     }
-                    let _e339 = phi_618_;
-                    if _e314 {
-                        phi_624_ = _e335[2];
+                    let _e340 = phi_639_;
+                    if _e315 {
+                        phi_645_ = _e336[2];
                     } else {
-                        phi_624_ = _e339;
+                        phi_645_ = _e340;
                     }
-                    let _e342 = phi_624_;
-                    let _e343 = bitcast<u32>(_e342);
-                    let _e345 = ((_e343 & 2139095040u) != 0u);
-                    let _e359 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e343 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e343 & 2147483648u))), _e342, _e345) * _e298) * select(0.00000011920929f, 1f, _e345)) * _e304);
-                    let _e363 = (bitcast<f32>((bitcast<u32>(_e359) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e363 {
-                        let _e367 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) * 0.00000011920929f);
-                        phi_676_ = select(0.00000000000011368684f, _e367, (_e367 > 0.00000000000011368684f));
+                    let _e343 = phi_645_;
+                    let _e344 = bitcast<u32>(_e343);
+                    let _e346 = ((_e344 & 2139095040u) != 0u);
+                    let _e360 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e344 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e344 & 2147483648u))), _e343, _e346) * _e299) * select(0.00000011920929f, 1f, _e346)) * _e305);
+                    let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e367 = bitcast<f32>((bitcast<u32>(_e335) & 2147483647u));
+                    let _e368 = (_e367 * 0.00000011920929f);
+                    let _e371 = select(select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f)), 0f, _e364);
+                    let _e372 = select(0f, _e360, _e364);
+                    let _e373 = (_e335 + _e371);
+                    let _e374 = (_e335 - _e371);
+                    let _e376 = select(38685626000000000000000000f, (1f / _e360), _e364);
+                    let _e377 = (_e270 == 0u);
+                    if _e377 {
+                        phi_718_ = _e309[0];
                     } else {
-                        phi_676_ = 0f;
+                        phi_718_ = _e309[1];
                     }
-                    let _e371 = phi_676_;
-                    let _e372 = (_e334 + _e371);
-                    let _e373 = (_e334 - _e371);
-                    let _e374 = select(_e359, 0f, _e363);
-                    if _e363 {
-                        phi_688_ = 38685626000000000000000000f;
+                    let _e381 = phi_718_;
+                    let _e382 = (_e270 == 2u);
+                    if _e382 {
+                        phi_724_ = _e309[2];
                     } else {
-                        phi_688_ = (1f / _e359);
+                        phi_724_ = _e381;
                     }
-                    let _e377 = phi_688_;
-                    let _e378 = (_e269 == 0u);
-                    if _e378 {
-                        phi_697_ = _e308[0];
+                    let _e385 = phi_724_;
+                    let _e386 = bitcast<u32>(_e385);
+                    let _e388 = ((_e386 & 2139095040u) != 0u);
+                    let _e402 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e385, _e388) * _e282) * select(0.00000011920929f, 1f, _e388)) * _e288);
+                    if _e377 {
+                        phi_764_ = _e336[0];
                     } else {
-                        phi_697_ = _e308[1];
+                        phi_764_ = _e336[1];
                     }
-                    let _e382 = phi_697_;
-                    let _e383 = (_e269 == 2u);
-                    if _e383 {
-                        phi_703_ = _e308[2];
+                    let _e406 = phi_764_;
+                    if _e382 {
+                        phi_770_ = _e336[2];
                     } else {
-                        phi_703_ = _e382;
+                        phi_770_ = _e406;
                     }
-                    let _e386 = phi_703_;
-                    let _e387 = bitcast<u32>(_e386);
-                    let _e389 = ((_e387 & 2139095040u) != 0u);
-                    let _e403 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * _e281) * select(0.00000011920929f, 1f, _e389)) * _e287);
-                    if _e378 {
-                        phi_743_ = _e335[0];
+                    let _e409 = phi_770_;
+                    let _e410 = bitcast<u32>(_e409);
+                    let _e412 = ((_e410 & 2139095040u) != 0u);
+                    let _e426 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e410 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e410 & 2147483648u))), _e409, _e412) * _e299) * select(0.00000011920929f, 1f, _e412)) * _e305);
+                    let _e430 = (bitcast<f32>((bitcast<u32>(_e426) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e433 = bitcast<f32>((bitcast<u32>(_e402) & 2147483647u));
+                    let _e434 = (_e433 * 0.00000011920929f);
+                    let _e437 = select(select(0.00000000000011368684f, _e434, (_e434 > 0.00000000000011368684f)), 0f, _e430);
+                    let _e438 = select(0f, _e426, _e430);
+                    let _e439 = (_e402 + _e437);
+                    let _e440 = (_e402 - _e437);
+                    let _e442 = select(38685626000000000000000000f, (1f / _e426), _e430);
+                    let _e443 = (_e272 == 0u);
+                    if _e443 {
+                        phi_843_ = _e309[0];
                     } else {
-                        phi_743_ = _e335[1];
+                        phi_843_ = _e309[1];
                     }
-                    let _e407 = phi_743_;
-                    if _e383 {
-                        phi_749_ = _e335[2];
+                    let _e447 = phi_843_;
+                    let _e448 = (_e272 == 2u);
+                    if _e448 {
+                        phi_849_ = _e309[2];
                     } else {
-                        phi_749_ = _e407;
+                        phi_849_ = _e447;
                     }
-                    let _e410 = phi_749_;
-                    let _e411 = bitcast<u32>(_e410);
-                    let _e413 = ((_e411 & 2139095040u) != 0u);
-                    let _e427 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e411 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e411 & 2147483648u))), _e410, _e413) * _e298) * select(0.00000011920929f, 1f, _e413)) * _e304);
-                    let _e431 = (bitcast<f32>((bitcast<u32>(_e427) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e431 {
-                        let _e435 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) * 0.00000011920929f);
-                        phi_801_ = select(0.00000000000011368684f, _e435, (_e435 > 0.00000000000011368684f));
+                    let _e451 = phi_849_;
+                    let _e452 = bitcast<u32>(_e451);
+                    let _e454 = ((_e452 & 2139095040u) != 0u);
+                    let _e468 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * _e282) * select(0.00000011920929f, 1f, _e454)) * _e288);
+                    if _e443 {
+                        phi_889_ = _e336[0];
                     } else {
-                        phi_801_ = 0f;
+                        phi_889_ = _e336[1];
                     }
-                    let _e439 = phi_801_;
-                    let _e440 = (_e403 + _e439);
-                    let _e441 = (_e403 - _e439);
-                    let _e442 = select(_e427, 0f, _e431);
-                    if _e431 {
-                        phi_813_ = 38685626000000000000000000f;
+                    let _e472 = phi_889_;
+                    if _e448 {
+                        phi_895_ = _e336[2];
                     } else {
-                        phi_813_ = (1f / _e427);
+                        phi_895_ = _e472;
                     }
-                    let _e445 = phi_813_;
-                    let _e446 = (_e271 == 0u);
-                    if _e446 {
-                        phi_822_ = _e308[0];
-                    } else {
-                        phi_822_ = _e308[1];
-                    }
-                    let _e450 = phi_822_;
-                    let _e451 = (_e271 == 2u);
-                    if _e451 {
-                        phi_828_ = _e308[2];
-                    } else {
-                        phi_828_ = _e450;
-                    }
-                    let _e454 = phi_828_;
-                    let _e455 = bitcast<u32>(_e454);
-                    let _e457 = ((_e455 & 2139095040u) != 0u);
-                    let _e471 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e455 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e455 & 2147483648u))), _e454, _e457) * _e281) * select(0.00000011920929f, 1f, _e457)) * _e287);
-                    if _e446 {
-                        phi_868_ = _e335[0];
-                    } else {
-                        phi_868_ = _e335[1];
-                    }
-                    let _e475 = phi_868_;
-                    if _e451 {
-                        phi_874_ = _e335[2];
-                    } else {
-                        phi_874_ = _e475;
-                    }
-                    let _e478 = phi_874_;
-                    let _e479 = bitcast<u32>(_e478);
-                    let _e481 = ((_e479 & 2139095040u) != 0u);
-                    let _e495 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e479 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e479 & 2147483648u))), _e478, _e481) * _e298) * select(0.00000011920929f, 1f, _e481)) * _e304);
-                    let _e499 = (bitcast<f32>((bitcast<u32>(_e495) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e499 {
-                        let _e503 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) * 0.00000011920929f);
-                        phi_926_ = select(0.00000000000011368684f, _e503, (_e503 > 0.00000000000011368684f));
-                    } else {
-                        phi_926_ = 0f;
-                    }
-                    let _e507 = phi_926_;
-                    let _e508 = (_e471 + _e507);
-                    let _e509 = (_e471 - _e507);
-                    let _e510 = select(_e495, 0f, _e499);
-                    if _e499 {
-                        phi_938_ = 38685626000000000000000000f;
-                    } else {
-                        phi_938_ = (1f / _e495);
-                    }
-                    let _e513 = phi_938_;
-                    let _e516 = bitcast<f32>((bitcast<u32>(_e334) & 2147483647u));
-                    let _e519 = bitcast<f32>((bitcast<u32>(_e403) & 2147483647u));
-                    let _e521 = select(_e519, _e516, (_e516 > _e519));
-                    let _e524 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
-                    let _e527 = (_e138 + _e251);
-                    if (_e232 && (select(_e524, _e521, (_e521 > _e524)) <= 1099511600000f)) {
-                        let _e537 = ((_e219 & 8388607u) | (select(0u, 1u, ((_e219 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e540 = bitcast<i32>((_e219 >> bitcast<u32>(23i)));
-                        let _e544 = (_e537 == 0u);
-                        let _e547 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e537)), 32u, _e544)) - 8i);
-                        if (_e540 == 255i) {
-                            phi_993_ = 255i;
+                    let _e475 = phi_895_;
+                    let _e476 = bitcast<u32>(_e475);
+                    let _e478 = ((_e476 & 2139095040u) != 0u);
+                    let _e492 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e476 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e476 & 2147483648u))), _e475, _e478) * _e299) * select(0.00000011920929f, 1f, _e478)) * _e305);
+                    let _e496 = (bitcast<f32>((bitcast<u32>(_e492) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e499 = bitcast<f32>((bitcast<u32>(_e468) & 2147483647u));
+                    let _e500 = (_e499 * 0.00000011920929f);
+                    let _e503 = select(select(0.00000000000011368684f, _e500, (_e500 > 0.00000000000011368684f)), 0f, _e496);
+                    let _e504 = select(0f, _e492, _e496);
+                    let _e505 = (_e468 + _e503);
+                    let _e506 = (_e468 - _e503);
+                    let _e508 = select(38685626000000000000000000f, (1f / _e492), _e496);
+                    let _e510 = select(_e433, _e367, (_e367 > _e433));
+                    let _e513 = (_e139 + _e252);
+                    if (_e233 && (select(_e499, _e510, (_e510 > _e499)) <= 1099511600000f)) {
+                        let _e523 = ((_e220 & 8388607u) | (select(0u, 1u, ((_e220 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e526 = bitcast<i32>((_e220 >> bitcast<u32>(23i)));
+                        let _e530 = (_e523 == 0u);
+                        let _e533 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e523)), 32u, _e530)) - 8i);
+                        if (_e526 == 255i) {
+                            phi_1014_ = 255i;
                         } else {
-                            phi_993_ = (((_e540 + select(0i, 1i, (_e540 == 0i))) - _e547) + _e527);
+                            phi_1014_ = (((_e526 + select(0i, 1i, (_e526 == 0i))) - _e533) + _e513);
                         }
-                        let _e555 = phi_993_;
-                        let _e565 = (_e555 <= 0i);
-                        if _e565 {
-                            phi_1016_ = u32();
+                        let _e541 = phi_1014_;
+                        let _e551 = (_e541 <= 0i);
+                        if _e551 {
+                            phi_1037_ = u32();
                         } else {
-                            if _e544 {
-                                phi_1015_ = u32();
+                            if _e530 {
+                                phi_1036_ = u32();
                             } else {
-                                phi_1015_ = select(((bitcast<u32>(_e555) << bitcast<u32>(23i)) | ((_e537 << bitcast<u32>(((_e547 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e555 >= 255i));
+                                phi_1036_ = select(((bitcast<u32>(_e541) << bitcast<u32>(23i)) | ((_e523 << bitcast<u32>(((_e533 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e541 >= 255i));
                             }
-                            let _e569 = phi_1015_;
-                            phi_1016_ = _e569;
+                            let _e555 = phi_1036_;
+                            phi_1037_ = _e555;
                         }
-                        let _e571 = phi_1016_;
-                        let _e583 = ((_e228 & 8388607u) | (select(0u, 1u, ((_e228 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e586 = bitcast<i32>((_e228 >> bitcast<u32>(23i)));
-                        let _e590 = (_e583 == 0u);
-                        let _e593 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e583)), 32u, _e590)) - 8i);
-                        if (_e586 == 255i) {
-                            phi_1053_ = 255i;
+                        let _e557 = phi_1037_;
+                        let _e569 = ((_e229 & 8388607u) | (select(0u, 1u, ((_e229 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e572 = bitcast<i32>((_e229 >> bitcast<u32>(23i)));
+                        let _e576 = (_e569 == 0u);
+                        let _e579 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e569)), 32u, _e576)) - 8i);
+                        if (_e572 == 255i) {
+                            phi_1074_ = 255i;
                         } else {
-                            phi_1053_ = (((_e586 + select(0i, 1i, (_e586 == 0i))) - _e593) + _e527);
+                            phi_1074_ = (((_e572 + select(0i, 1i, (_e572 == 0i))) - _e579) + _e513);
                         }
-                        let _e601 = phi_1053_;
-                        let _e611 = (_e601 <= 0i);
-                        if _e611 {
-                            phi_1076_ = u32();
+                        let _e587 = phi_1074_;
+                        let _e597 = (_e587 <= 0i);
+                        if _e597 {
+                            phi_1097_ = u32();
                         } else {
-                            if _e590 {
-                                phi_1075_ = u32();
+                            if _e576 {
+                                phi_1096_ = u32();
                             } else {
-                                phi_1075_ = select(((bitcast<u32>(_e601) << bitcast<u32>(23i)) | ((_e583 << bitcast<u32>(((_e593 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e601 >= 255i));
+                                phi_1096_ = select(((bitcast<u32>(_e587) << bitcast<u32>(23i)) | ((_e569 << bitcast<u32>(((_e579 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e587 >= 255i));
                             }
-                            let _e615 = phi_1075_;
-                            phi_1076_ = _e615;
+                            let _e601 = phi_1096_;
+                            phi_1097_ = _e601;
                         }
-                        let _e617 = phi_1076_;
-                        phi_1084_ = bitcast<f32>(((_e227 & 2147483648u) | select(_e617, 0u, select(_e590, true, _e611))));
-                        phi_1085_ = bitcast<f32>(((_e218 & 2147483648u) | select(_e571, 0u, select(_e544, true, _e565))));
+                        let _e603 = phi_1097_;
+                        phi_1105_ = bitcast<f32>(((_e228 & 2147483648u) | select(_e603, 0u, select(_e576, true, _e597))));
+                        phi_1106_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e557, 0u, select(_e530, true, _e551))));
                     } else {
-                        phi_1084_ = 0f;
-                        phi_1085_ = 1f;
+                        phi_1105_ = 0f;
+                        phi_1106_ = 1f;
                     }
-                    let _e623 = phi_1084_;
-                    let _e625 = phi_1085_;
+                    let _e609 = phi_1105_;
+                    let _e611 = phi_1106_;
                     local_9 = array<type_20, 8>(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -616,1563 +580,1540 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e628 = (_e270 % 3u);
-                    let _e629 = (_e628 < 3u);
-                    if _e629 {
+                    let _e614 = (_e271 % 3u);
+                    let _e615 = (_e614 < 3u);
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e631 = local_1[_e628];
-                    let _e634 = (_e269 % 3u);
-                    let _e635 = (_e634 < 3u);
-                    if _e635 {
+                    let _e617 = local_1[_e614];
+                    let _e620 = (_e270 % 3u);
+                    let _e621 = (_e620 < 3u);
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e637 = local_1[_e634];
-                    let _e640 = (_e271 % 3u);
-                    let _e641 = (_e640 < 3u);
-                    if _e641 {
+                    let _e623 = local_1[_e620];
+                    let _e626 = (_e272 % 3u);
+                    let _e627 = (_e626 < 3u);
+                    if _e627 {
                     } else {
                         break;
                     }
-                    let _e643 = local_1[_e640];
-                    if _e629 {
+                    let _e629 = local_1[_e626];
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e648 = local[_e628];
-                    if _e635 {
+                    let _e634 = local[_e614];
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e652 = local[_e634];
-                    if _e641 {
+                    let _e638 = local[_e620];
+                    if _e627 {
                     } else {
                         break;
                     }
-                    let _e656 = local[_e640];
-                    phi_4976_ = false;
-                    phi_4890_ = _e623;
-                    phi_1234_ = ((3u * _e99) + 1u);
-                    phi_1237_ = (_e625 <= _e623);
-                    phi_1239_ = 0u;
-                    phi_1241_ = type_51(type_24(vec4<f32>((f32(_e631) * _e150), (f32(_e637) * _e150), (f32(_e643) * _e150), 0f), vec4<f32>((f32(_e648) * _e150), (f32(_e652) * _e150), (f32(_e656) * _e150), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
+                    let _e642 = local[_e626];
+                    phi_5075_ = false;
+                    phi_4988_ = _e609;
+                    phi_1255_ = ((3u * _e100) + 1u);
+                    phi_1258_ = (_e611 <= _e609);
+                    phi_1260_ = 0u;
+                    phi_1262_ = type_52(type_24(vec4<f32>((f32(_e617) * _e151), (f32(_e623) * _e151), (f32(_e629) * _e151), 0f), vec4<f32>((f32(_e634) * _e151), (f32(_e638) * _e151), (f32(_e642) * _e151), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
                     loop {
-                        let _e666 = phi_4976_;
-                        let _e668 = phi_4890_;
-                        let _e670 = phi_1234_;
-                        let _e672 = phi_1237_;
-                        let _e674 = phi_1239_;
-                        let _e676 = phi_1241_;
-                        if _e672 {
-                            phi_1252_ = true;
+                        let _e652 = phi_5075_;
+                        let _e654 = phi_4988_;
+                        let _e656 = phi_1255_;
+                        let _e658 = phi_1258_;
+                        let _e660 = phi_1260_;
+                        let _e662 = phi_1262_;
+                        if _e658 {
+                            phi_1273_ = true;
                         } else {
-                            phi_1252_ = (_e674 > 0u);
+                            phi_1273_ = (_e660 > 0u);
                         }
-                        let _e679 = phi_1252_;
-                        if _e679 {
-                            let _e680 = (_e670 > 0u);
-                            if _e680 {
-                                if _e672 {
-                                    phi_1339_ = _e672;
-                                    phi_1340_ = _e674;
-                                    phi_1341_ = _e676;
+                        let _e665 = phi_1273_;
+                        if _e665 {
+                            let _e666 = (_e656 > 0u);
+                            if _e666 {
+                                if _e658 {
+                                    phi_1360_ = _e658;
+                                    phi_1361_ = _e660;
+                                    phi_1362_ = _e662;
                                 } else {
-                                    let _e681 = (_e674 - 1u);
-                                    let _e682 = (_e681 % 128u);
-                                    let _e683 = (_e682 < 128u);
-                                    if _e683 {
+                                    let _e667 = (_e660 - 1u);
+                                    let _e668 = (_e667 % 128u);
+                                    let _e669 = (_e668 < 128u);
+                                    if _e669 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e685 = local_7[_e682];
-                                    if _e683 {
+                                    let _e671 = local_7[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e687 = local_6[_e682];
-                                    if _e683 {
+                                    let _e673 = local_6[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e689 = local_5[_e682];
-                                    if _e683 {
+                                    let _e675 = local_5[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e691 = local_4[_e682];
-                                    if _e683 {
+                                    let _e677 = local_4[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e693 = local_3[_e682];
-                                    if _e683 {
+                                    let _e679 = local_3[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e695 = local_2[_e682];
-                                    if _e683 {
+                                    let _e681 = local_2[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e700 = local_8[_e682];
-                                    if _e683 {
+                                    let _e686 = local_8[_e668];
+                                    if _e669 {
                                     } else {
-                                        phi_5307_ = true;
+                                        phi_5415_ = true;
                                         break;
                                     }
-                                    let _e703 = local_10[_e682];
-                                    phi_1339_ = (_e703 <= _e668);
-                                    phi_1340_ = _e681;
-                                    phi_1341_ = type_51(type_24(vec4<f32>(_e685, _e687, _e689, 0f), vec4<f32>(_e691, _e693, _e695, 0f)), _e700);
+                                    let _e689 = local_10[_e668];
+                                    phi_1360_ = (_e689 <= _e654);
+                                    phi_1361_ = _e667;
+                                    phi_1362_ = type_52(type_24(vec4<f32>(_e671, _e673, _e675, 0f), vec4<f32>(_e677, _e679, _e681, 0f)), _e686);
                                 }
-                                let _e706 = phi_1339_;
-                                let _e708 = phi_1340_;
-                                let _e710 = phi_1341_;
-                                if _e706 {
-                                    let _e714 = ((_e710.member_1 & 2147483648u) != 0u);
-                                    let _e715 = (_e710.member_1 & 268435455u);
-                                    if _e714 {
-                                        phi_4973_ = _e666;
-                                        phi_4915_ = _e668;
-                                        phi_1360_ = type_8(0u, ((_e710.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e692 = phi_1360_;
+                                let _e694 = phi_1361_;
+                                let _e696 = phi_1362_;
+                                if _e692 {
+                                    let _e700 = ((_e696.member_1 & 2147483648u) != 0u);
+                                    let _e701 = (_e696.member_1 & 268435455u);
+                                    if _e700 {
+                                        phi_5072_ = _e652;
+                                        phi_5013_ = _e654;
+                                        phi_1381_ = type_8(0u, ((_e696.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e722 = phi_4973_;
-                                            let _e724 = phi_4915_;
-                                            let _e726 = phi_1360_;
-                                            if (_e726.member < _e726.member_1) {
-                                                phi_1361_ = type_8((_e726.member + 1u), _e726.member_1);
-                                                phi_1384_ = type_8(1u, _e726.member);
+                                            let _e708 = phi_5072_;
+                                            let _e710 = phi_5013_;
+                                            let _e712 = phi_1381_;
+                                            if (_e712.member < _e712.member_1) {
+                                                phi_1382_ = type_8((_e712.member + 1u), _e712.member_1);
+                                                phi_1405_ = type_8(1u, _e712.member);
                                             } else {
-                                                phi_1361_ = _e726;
-                                                phi_1384_ = type_8(0u, type_8().member_1);
+                                                phi_1382_ = _e712;
+                                                phi_1405_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e739 = phi_1361_;
-                                            let _e741 = phi_1384_;
-                                            let _e745 = (bitcast<i32>(_e741.member) != 0i);
-                                            if _e745 {
-                                                let _e750 = (_e710.member.member_1.x - _e710.member.member.x);
-                                                let _e753 = (_e710.member.member_1.y - _e710.member.member.y);
-                                                let _e756 = (_e710.member.member_1.z - _e710.member.member.z);
-                                                let _e758 = select(_e753, _e750, (_e750 > _e753));
-                                                let _e760 = select(_e756, _e758, (_e758 > _e756));
-                                                let _e762 = (_e760 < (1024f * _e150));
-                                                if _e762 {
-                                                    phi_1425_ = 0u;
+                                            let _e725 = phi_1382_;
+                                            let _e727 = phi_1405_;
+                                            let _e731 = (bitcast<i32>(_e727.member) != 0i);
+                                            if _e731 {
+                                                let _e736 = (_e696.member.member_1.x - _e696.member.member.x);
+                                                let _e739 = (_e696.member.member_1.y - _e696.member.member.y);
+                                                let _e742 = (_e696.member.member_1.z - _e696.member.member.z);
+                                                let _e744 = select(_e739, _e736, (_e736 > _e739));
+                                                let _e746 = select(_e742, _e744, (_e744 > _e742));
+                                                let _e748 = (_e746 < (1024f * _e151));
+                                                if _e748 {
+                                                    phi_1446_ = 0u;
                                                 } else {
-                                                    phi_1425_ = select(2u, 1u, (_e760 < (2097152f * _e150)));
+                                                    phi_1446_ = select(2u, 1u, (_e746 < (2097152f * _e151)));
                                                 }
-                                                let _e767 = phi_1425_;
-                                                switch bitcast<i32>(_e767) {
+                                                let _e753 = phi_1446_;
+                                                switch bitcast<i32>(_e753) {
                                                     case 0: {
-                                                        phi_1431_ = 1u;
+                                                        phi_1452_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1431_ = 2u;
+                                                        phi_1452_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1431_ = 3u;
+                                                        phi_1452_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1431_ = u32();
+                                                        phi_1452_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e770 = phi_1431_;
-                                                switch bitcast<i32>(_e767) {
+                                                let _e756 = phi_1452_;
+                                                switch bitcast<i32>(_e753) {
                                                     case 0: {
-                                                        phi_1441_ = 1u;
+                                                        phi_1462_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1441_ = 2u;
+                                                        phi_1462_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1441_ = 3u;
+                                                        phi_1462_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1441_ = u32();
+                                                        phi_1462_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e777 = phi_1441_;
-                                                let _e779 = ((_e715 + (_e741.member_1 * ((3u * _e770) + 1u))) + (3u * _e777));
-                                                let _e780 = (_e779 < _e102);
-                                                if _e780 {
-                                                    if _e780 {
+                                                let _e763 = phi_1462_;
+                                                let _e765 = ((_e701 + (_e727.member_1 * ((3u * _e756) + 1u))) + (3u * _e763));
+                                                let _e766 = (_e765 < _e103);
+                                                if _e766 {
+                                                    if _e766 {
                                                     } else {
-                                                        phi_5214_ = _e724;
-                                                        phi_5151_ = true;
+                                                        phi_5317_ = _e710;
+                                                        phi_5254_ = true;
                                                         break;
                                                     }
-                                                    let _e782 = global_5.member[_e779];
-                                                    phi_1457_ = _e782;
+                                                    let _e768 = global_5.member[_e765];
+                                                    phi_1478_ = _e768;
                                                 } else {
-                                                    phi_1457_ = 4294967295u;
+                                                    phi_1478_ = 4294967295u;
                                                 }
-                                                let _e784 = phi_1457_;
-                                                if _e762 {
-                                                    phi_1490_ = 0u;
+                                                let _e770 = phi_1478_;
+                                                if _e748 {
+                                                    phi_1511_ = 0u;
                                                 } else {
-                                                    phi_1490_ = select(2u, 1u, (_e760 < (2097152f * _e150)));
+                                                    phi_1511_ = select(2u, 1u, (_e746 < (2097152f * _e151)));
                                                 }
-                                                let _e789 = phi_1490_;
-                                                switch bitcast<i32>(_e789) {
+                                                let _e775 = phi_1511_;
+                                                switch bitcast<i32>(_e775) {
                                                     case 0: {
-                                                        phi_1496_ = 1u;
+                                                        phi_1517_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1496_ = 2u;
+                                                        phi_1517_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1496_ = 3u;
+                                                        phi_1517_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1496_ = u32();
+                                                        phi_1517_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e792 = phi_1496_;
-                                                let _e796 = (_e715 + (_e741.member_1 * ((3u * _e792) + 1u)));
-                                                switch bitcast<i32>(_e789) {
+                                                let _e778 = phi_1517_;
+                                                let _e782 = (_e701 + (_e727.member_1 * ((3u * _e778) + 1u)));
+                                                switch bitcast<i32>(_e775) {
                                                     case 0: {
-                                                        let _e1071 = (_e796 < _e102);
-                                                        if _e1071 {
-                                                            if _e1071 {
+                                                        let _e1057 = (_e782 < _e103);
+                                                        if _e1057 {
+                                                            if _e1057 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1073 = global_5.member[_e796];
-                                                            phi_1523_ = _e1073;
+                                                            let _e1059 = global_5.member[_e782];
+                                                            phi_1544_ = _e1059;
                                                         } else {
-                                                            phi_1523_ = 0u;
+                                                            phi_1544_ = 0u;
                                                         }
-                                                        let _e1075 = phi_1523_;
-                                                        let _e1077 = ((10u * _e270) & 31u);
-                                                        let _e1087 = ((10u * _e269) & 31u);
-                                                        let _e1097 = ((10u * _e271) & 31u);
-                                                        let _e1107 = (_e796 + 1u);
-                                                        let _e1108 = (_e1107 < _e102);
-                                                        if _e1108 {
-                                                            if _e1108 {
+                                                        let _e1061 = phi_1544_;
+                                                        let _e1063 = ((10u * _e271) & 31u);
+                                                        let _e1073 = ((10u * _e270) & 31u);
+                                                        let _e1083 = ((10u * _e272) & 31u);
+                                                        let _e1093 = (_e782 + 1u);
+                                                        let _e1094 = (_e1093 < _e103);
+                                                        if _e1094 {
+                                                            if _e1094 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1110 = global_5.member[_e1107];
-                                                            phi_1572_ = _e1110;
+                                                            let _e1096 = global_5.member[_e1093];
+                                                            phi_1593_ = _e1096;
                                                         } else {
-                                                            phi_1572_ = 0u;
+                                                            phi_1593_ = 0u;
                                                         }
-                                                        let _e1112 = phi_1572_;
-                                                        let _e1138 = (_e796 + 2u);
-                                                        let _e1139 = (_e1138 < _e102);
-                                                        if _e1139 {
-                                                            if _e1139 {
+                                                        let _e1098 = phi_1593_;
+                                                        let _e1124 = (_e782 + 2u);
+                                                        let _e1125 = (_e1124 < _e103);
+                                                        if _e1125 {
+                                                            if _e1125 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1141 = global_5.member[_e1138];
-                                                            phi_1621_ = _e1141;
+                                                            let _e1127 = global_5.member[_e1124];
+                                                            phi_1642_ = _e1127;
                                                         } else {
-                                                            phi_1621_ = 0u;
+                                                            phi_1642_ = 0u;
                                                         }
-                                                        let _e1143 = phi_1621_;
-                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1075 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1112 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1077)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1087)) & 1023u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | ((_e1143 >> bitcast<u32>(_e1097)) & 1023u))) - 8388608f) * _e150))));
+                                                        let _e1129 = phi_1642_;
+                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e151))), array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e151))), array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e151))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e885 = (_e796 < _e102);
-                                                        if _e885 {
-                                                            if _e885 {
+                                                        let _e871 = (_e782 < _e103);
+                                                        if _e871 {
+                                                            if _e871 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e887 = global_5.member[_e796];
-                                                            phi_1670_ = _e887;
+                                                            let _e873 = global_5.member[_e782];
+                                                            phi_1691_ = _e873;
                                                         } else {
-                                                            phi_1670_ = 0u;
+                                                            phi_1691_ = 0u;
                                                         }
-                                                        let _e889 = phi_1670_;
-                                                        let _e890 = (_e796 + 1u);
-                                                        let _e891 = (_e890 < _e102);
-                                                        if _e891 {
-                                                            if _e891 {
+                                                        let _e875 = phi_1691_;
+                                                        let _e876 = (_e782 + 1u);
+                                                        let _e877 = (_e876 < _e103);
+                                                        if _e877 {
+                                                            if _e877 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e893 = global_5.member[_e890];
-                                                            phi_1685_ = _e893;
+                                                            let _e879 = global_5.member[_e876];
+                                                            phi_1706_ = _e879;
                                                         } else {
-                                                            phi_1685_ = 0u;
+                                                            phi_1706_ = 0u;
                                                         }
-                                                        let _e895 = phi_1685_;
-                                                        let _e896 = (_e270 == 1u);
-                                                        if _e896 {
-                                                            phi_1695_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
+                                                        let _e881 = phi_1706_;
+                                                        let _e882 = (_e271 == 1u);
+                                                        if _e882 {
+                                                            phi_1716_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1695_ = (_e895 >> bitcast<u32>(10i));
+                                                            phi_1716_ = (_e881 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e905 = phi_1695_;
-                                                        let _e913 = (_e269 == 1u);
-                                                        if _e913 {
-                                                            phi_1716_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
+                                                        let _e891 = phi_1716_;
+                                                        let _e899 = (_e270 == 1u);
+                                                        if _e899 {
+                                                            phi_1737_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1716_ = (_e895 >> bitcast<u32>(10i));
+                                                            phi_1737_ = (_e881 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e922 = phi_1716_;
-                                                        let _e930 = (_e271 == 1u);
-                                                        if _e930 {
-                                                            phi_1737_ = ((_e889 >> bitcast<u32>(21i)) | (_e895 << bitcast<u32>(11i)));
+                                                        let _e908 = phi_1737_;
+                                                        let _e916 = (_e272 == 1u);
+                                                        if _e916 {
+                                                            phi_1758_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1737_ = (_e895 >> bitcast<u32>(10i));
+                                                            phi_1758_ = (_e881 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e939 = phi_1737_;
-                                                        let _e948 = (_e796 + 2u);
-                                                        let _e949 = (_e948 < _e102);
-                                                        if _e949 {
-                                                            if _e949 {
+                                                        let _e925 = phi_1758_;
+                                                        let _e934 = (_e782 + 2u);
+                                                        let _e935 = (_e934 < _e103);
+                                                        if _e935 {
+                                                            if _e935 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e951 = global_5.member[_e948];
-                                                            phi_1767_ = _e951;
+                                                            let _e937 = global_5.member[_e934];
+                                                            phi_1788_ = _e937;
                                                         } else {
-                                                            phi_1767_ = 0u;
+                                                            phi_1788_ = 0u;
                                                         }
-                                                        let _e953 = phi_1767_;
-                                                        let _e954 = (_e796 + 3u);
-                                                        let _e955 = (_e954 < _e102);
-                                                        if _e955 {
-                                                            if _e955 {
+                                                        let _e939 = phi_1788_;
+                                                        let _e940 = (_e782 + 3u);
+                                                        let _e941 = (_e940 < _e103);
+                                                        if _e941 {
+                                                            if _e941 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e957 = global_5.member[_e954];
-                                                            phi_1782_ = _e957;
+                                                            let _e943 = global_5.member[_e940];
+                                                            phi_1803_ = _e943;
                                                         } else {
-                                                            phi_1782_ = 0u;
+                                                            phi_1803_ = 0u;
                                                         }
-                                                        let _e959 = phi_1782_;
-                                                        if _e896 {
-                                                            phi_1792_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
+                                                        let _e945 = phi_1803_;
+                                                        if _e882 {
+                                                            phi_1813_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1792_ = (_e959 >> bitcast<u32>(10i));
+                                                            phi_1813_ = (_e945 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e968 = phi_1792_;
-                                                        if _e913 {
-                                                            phi_1813_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
+                                                        let _e954 = phi_1813_;
+                                                        if _e899 {
+                                                            phi_1834_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1813_ = (_e959 >> bitcast<u32>(10i));
+                                                            phi_1834_ = (_e945 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e984 = phi_1813_;
-                                                        if _e930 {
-                                                            phi_1834_ = ((_e953 >> bitcast<u32>(21i)) | (_e959 << bitcast<u32>(11i)));
+                                                        let _e970 = phi_1834_;
+                                                        if _e916 {
+                                                            phi_1855_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1834_ = (_e959 >> bitcast<u32>(10i));
+                                                            phi_1855_ = (_e945 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1000 = phi_1834_;
-                                                        let _e1009 = (_e796 + 4u);
-                                                        let _e1010 = (_e1009 < _e102);
-                                                        if _e1010 {
-                                                            if _e1010 {
+                                                        let _e986 = phi_1855_;
+                                                        let _e995 = (_e782 + 4u);
+                                                        let _e996 = (_e995 < _e103);
+                                                        if _e996 {
+                                                            if _e996 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1012 = global_5.member[_e1009];
-                                                            phi_1864_ = _e1012;
+                                                            let _e998 = global_5.member[_e995];
+                                                            phi_1885_ = _e998;
                                                         } else {
-                                                            phi_1864_ = 0u;
+                                                            phi_1885_ = 0u;
                                                         }
-                                                        let _e1014 = phi_1864_;
-                                                        let _e1015 = (_e796 + 5u);
-                                                        let _e1016 = (_e1015 < _e102);
-                                                        if _e1016 {
-                                                            if _e1016 {
+                                                        let _e1000 = phi_1885_;
+                                                        let _e1001 = (_e782 + 5u);
+                                                        let _e1002 = (_e1001 < _e103);
+                                                        if _e1002 {
+                                                            if _e1002 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e1018 = global_5.member[_e1015];
-                                                            phi_1879_ = _e1018;
+                                                            let _e1004 = global_5.member[_e1001];
+                                                            phi_1900_ = _e1004;
                                                         } else {
-                                                            phi_1879_ = 0u;
+                                                            phi_1900_ = 0u;
                                                         }
-                                                        let _e1020 = phi_1879_;
-                                                        if _e896 {
-                                                            phi_1889_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
+                                                        let _e1006 = phi_1900_;
+                                                        if _e882 {
+                                                            phi_1910_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1889_ = (_e1020 >> bitcast<u32>(10i));
+                                                            phi_1910_ = (_e1006 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1029 = phi_1889_;
-                                                        if _e913 {
-                                                            phi_1910_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
+                                                        let _e1015 = phi_1910_;
+                                                        if _e899 {
+                                                            phi_1931_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1910_ = (_e1020 >> bitcast<u32>(10i));
+                                                            phi_1931_ = (_e1006 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1045 = phi_1910_;
-                                                        if _e930 {
-                                                            phi_1931_ = ((_e1014 >> bitcast<u32>(21i)) | (_e1020 << bitcast<u32>(11i)));
+                                                        let _e1031 = phi_1931_;
+                                                        if _e916 {
+                                                            phi_1952_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1931_ = (_e1020 >> bitcast<u32>(10i));
+                                                            phi_1952_ = (_e1006 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1061 = phi_1931_;
-                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e905, _e889, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e922, _e889, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e939, _e889, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e968, _e953, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e984, _e953, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1000, _e953, _e446) & 2097151u))) - 8388608f) * _e150))), array<f32, 3>((_e710.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1029, _e1014, _e309) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1045, _e1014, _e378) & 2097151u))) - 8388608f) * _e150)), (_e710.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1061, _e1014, _e446) & 2097151u))) - 8388608f) * _e150))));
+                                                        let _e1047 = phi_1952_;
+                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | (select(_e891, _e875, _e310) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | (select(_e908, _e875, _e377) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | (select(_e925, _e875, _e443) & 2097151u))) - 8388608f) * _e151))), array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | (select(_e954, _e939, _e310) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | (select(_e970, _e939, _e377) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | (select(_e986, _e939, _e443) & 2097151u))) - 8388608f) * _e151))), array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1015, _e1000, _e310) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1031, _e1000, _e377) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1047, _e1000, _e443) & 2097151u))) - 8388608f) * _e151))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e798 = (_e796 + _e270);
-                                                        let _e799 = (_e798 < _e102);
-                                                        if _e799 {
-                                                            if _e799 {
+                                                        let _e784 = (_e782 + _e271);
+                                                        let _e785 = (_e784 < _e103);
+                                                        if _e785 {
+                                                            if _e785 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e801 = global_5.member[_e798];
-                                                            phi_1962_ = _e801;
+                                                            let _e787 = global_5.member[_e784];
+                                                            phi_1983_ = _e787;
                                                         } else {
-                                                            phi_1962_ = 0u;
+                                                            phi_1983_ = 0u;
                                                         }
-                                                        let _e803 = phi_1962_;
-                                                        let _e807 = (_e796 + _e269);
-                                                        let _e808 = (_e807 < _e102);
-                                                        if _e808 {
-                                                            if _e808 {
+                                                        let _e789 = phi_1983_;
+                                                        let _e793 = (_e782 + _e270);
+                                                        let _e794 = (_e793 < _e103);
+                                                        if _e794 {
+                                                            if _e794 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e810 = global_5.member[_e807];
-                                                            phi_1980_ = _e810;
+                                                            let _e796 = global_5.member[_e793];
+                                                            phi_2001_ = _e796;
                                                         } else {
-                                                            phi_1980_ = 0u;
+                                                            phi_2001_ = 0u;
                                                         }
-                                                        let _e812 = phi_1980_;
-                                                        let _e816 = (_e796 + _e271);
-                                                        let _e817 = (_e816 < _e102);
-                                                        if _e817 {
-                                                            if _e817 {
+                                                        let _e798 = phi_2001_;
+                                                        let _e802 = (_e782 + _e272);
+                                                        let _e803 = (_e802 < _e103);
+                                                        if _e803 {
+                                                            if _e803 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e819 = global_5.member[_e816];
-                                                            phi_1998_ = _e819;
+                                                            let _e805 = global_5.member[_e802];
+                                                            phi_2019_ = _e805;
                                                         } else {
-                                                            phi_1998_ = 0u;
+                                                            phi_2019_ = 0u;
                                                         }
-                                                        let _e821 = phi_1998_;
-                                                        let _e826 = (_e796 + 3u);
-                                                        let _e827 = (_e826 + _e270);
-                                                        let _e828 = (_e827 < _e102);
-                                                        if _e828 {
-                                                            if _e828 {
+                                                        let _e807 = phi_2019_;
+                                                        let _e812 = (_e782 + 3u);
+                                                        let _e813 = (_e812 + _e271);
+                                                        let _e814 = (_e813 < _e103);
+                                                        if _e814 {
+                                                            if _e814 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e830 = global_5.member[_e827];
-                                                            phi_2021_ = _e830;
+                                                            let _e816 = global_5.member[_e813];
+                                                            phi_2042_ = _e816;
                                                         } else {
-                                                            phi_2021_ = 0u;
+                                                            phi_2042_ = 0u;
                                                         }
-                                                        let _e832 = phi_2021_;
-                                                        let _e836 = (_e826 + _e269);
-                                                        let _e837 = (_e836 < _e102);
-                                                        if _e837 {
-                                                            if _e837 {
+                                                        let _e818 = phi_2042_;
+                                                        let _e822 = (_e812 + _e270);
+                                                        let _e823 = (_e822 < _e103);
+                                                        if _e823 {
+                                                            if _e823 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e839 = global_5.member[_e836];
-                                                            phi_2039_ = _e839;
+                                                            let _e825 = global_5.member[_e822];
+                                                            phi_2060_ = _e825;
                                                         } else {
-                                                            phi_2039_ = 0u;
+                                                            phi_2060_ = 0u;
                                                         }
-                                                        let _e841 = phi_2039_;
-                                                        let _e845 = (_e826 + _e271);
-                                                        let _e846 = (_e845 < _e102);
-                                                        if _e846 {
-                                                            if _e846 {
+                                                        let _e827 = phi_2060_;
+                                                        let _e831 = (_e812 + _e272);
+                                                        let _e832 = (_e831 < _e103);
+                                                        if _e832 {
+                                                            if _e832 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e848 = global_5.member[_e845];
-                                                            phi_2057_ = _e848;
+                                                            let _e834 = global_5.member[_e831];
+                                                            phi_2078_ = _e834;
                                                         } else {
-                                                            phi_2057_ = 0u;
+                                                            phi_2078_ = 0u;
                                                         }
-                                                        let _e850 = phi_2057_;
-                                                        let _e855 = (_e796 + 6u);
-                                                        let _e856 = (_e855 + _e270);
-                                                        let _e857 = (_e856 < _e102);
-                                                        if _e857 {
-                                                            if _e857 {
+                                                        let _e836 = phi_2078_;
+                                                        let _e841 = (_e782 + 6u);
+                                                        let _e842 = (_e841 + _e271);
+                                                        let _e843 = (_e842 < _e103);
+                                                        if _e843 {
+                                                            if _e843 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e859 = global_5.member[_e856];
-                                                            phi_2080_ = _e859;
+                                                            let _e845 = global_5.member[_e842];
+                                                            phi_2101_ = _e845;
                                                         } else {
-                                                            phi_2080_ = 0u;
+                                                            phi_2101_ = 0u;
                                                         }
-                                                        let _e861 = phi_2080_;
-                                                        let _e865 = (_e855 + _e269);
-                                                        let _e866 = (_e865 < _e102);
-                                                        if _e866 {
-                                                            if _e866 {
+                                                        let _e847 = phi_2101_;
+                                                        let _e851 = (_e841 + _e270);
+                                                        let _e852 = (_e851 < _e103);
+                                                        if _e852 {
+                                                            if _e852 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e868 = global_5.member[_e865];
-                                                            phi_2098_ = _e868;
+                                                            let _e854 = global_5.member[_e851];
+                                                            phi_2119_ = _e854;
                                                         } else {
-                                                            phi_2098_ = 0u;
+                                                            phi_2119_ = 0u;
                                                         }
-                                                        let _e870 = phi_2098_;
-                                                        let _e874 = (_e855 + _e271);
-                                                        let _e875 = (_e874 < _e102);
-                                                        if _e875 {
-                                                            if _e875 {
+                                                        let _e856 = phi_2119_;
+                                                        let _e860 = (_e841 + _e272);
+                                                        let _e861 = (_e860 < _e103);
+                                                        if _e861 {
+                                                            if _e861 {
                                                             } else {
-                                                                phi_5214_ = _e724;
-                                                                phi_5151_ = true;
+                                                                phi_5317_ = _e710;
+                                                                phi_5254_ = true;
                                                                 break;
                                                             }
-                                                            let _e877 = global_5.member[_e874];
-                                                            phi_2116_ = _e877;
+                                                            let _e863 = global_5.member[_e860];
+                                                            phi_2137_ = _e863;
                                                         } else {
-                                                            phi_2116_ = 0u;
+                                                            phi_2137_ = 0u;
                                                         }
-                                                        let _e879 = phi_2116_;
-                                                        phi_2122_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e803)) * _e150), (f32(bitcast<i32>(_e812)) * _e150), (f32(bitcast<i32>(_e821)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e832)) * _e150), (f32(bitcast<i32>(_e841)) * _e150), (f32(bitcast<i32>(_e850)) * _e150)), array<f32, 3>((f32(bitcast<i32>(_e861)) * _e150), (f32(bitcast<i32>(_e870)) * _e150), (f32(bitcast<i32>(_e879)) * _e150)));
+                                                        let _e865 = phi_2137_;
+                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e789)) * _e151), (f32(bitcast<i32>(_e798)) * _e151), (f32(bitcast<i32>(_e807)) * _e151)), array<f32, 3>((f32(bitcast<i32>(_e818)) * _e151), (f32(bitcast<i32>(_e827)) * _e151), (f32(bitcast<i32>(_e836)) * _e151)), array<f32, 3>((f32(bitcast<i32>(_e847)) * _e151), (f32(bitcast<i32>(_e856)) * _e151), (f32(bitcast<i32>(_e865)) * _e151)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2122_ = array<array<f32, 3>, 3>();
+                                                        phi_2143_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1171 = phi_2122_;
-                                                let _e1178 = (_e1171[0][2] - _e471);
-                                                let _e1181 = (((_e1171[0][0] - _e334) * _e510) - (_e1178 * _e374));
-                                                let _e1184 = (((_e1171[0][1] - _e403) * _e510) - (_e1178 * _e442));
-                                                let _e1191 = (_e1171[1][2] - _e471);
-                                                let _e1194 = (((_e1171[1][0] - _e334) * _e510) - (_e1191 * _e374));
-                                                let _e1197 = (((_e1171[1][1] - _e403) * _e510) - (_e1191 * _e442));
-                                                let _e1204 = (_e1171[2][2] - _e471);
-                                                let _e1207 = (((_e1171[2][0] - _e334) * _e510) - (_e1204 * _e374));
-                                                let _e1210 = (((_e1171[2][1] - _e403) * _e510) - (_e1204 * _e442));
-                                                let _e1211 = (_e1207 * _e1197);
-                                                let _e1212 = (_e1210 * _e1194);
-                                                let _e1213 = (_e1181 * _e1210);
-                                                let _e1214 = (_e1184 * _e1207);
-                                                let _e1215 = (_e1194 * _e1184);
-                                                let _e1216 = (_e1197 * _e1181);
-                                                let _e1221 = (((_e1211 >= _e1212) && (_e1213 >= _e1214)) && (_e1215 >= _e1216));
-                                                if (_e1221 || (((_e1211 <= _e1212) && (_e1213 <= _e1214)) && (_e1215 <= _e1216))) {
-                                                    let _e1228 = select(-1f, 1f, _e1221);
-                                                    let _e1230 = ((_e1211 - _e1212) * _e1228);
-                                                    let _e1232 = select(0f, _e1230, (_e1230 > 0f));
-                                                    let _e1234 = ((_e1213 - _e1214) * _e1228);
-                                                    let _e1236 = select(0f, _e1234, (_e1234 > 0f));
-                                                    let _e1238 = ((_e1215 - _e1216) * _e1228);
-                                                    let _e1240 = select(0f, _e1238, (_e1238 > 0f));
-                                                    let _e1242 = ((_e1232 + _e1236) + _e1240);
-                                                    if (_e1242 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3007_ = type_20();
-                                                        phi_3008_ = true;
-                                                        phi_3009_ = false;
+                                                let _e1157 = phi_2143_;
+                                                let _e1172 = (_e1157[0][2] - _e468);
+                                                let _e1175 = (((_e1157[0][0] - _e335) * _e504) - (_e1172 * _e372));
+                                                let _e1178 = (((_e1157[0][1] - _e402) * _e504) - (_e1172 * _e438));
+                                                let _e1181 = (_e1157[1][2] - _e468);
+                                                let _e1184 = (((_e1157[1][0] - _e335) * _e504) - (_e1181 * _e372));
+                                                let _e1187 = (((_e1157[1][1] - _e402) * _e504) - (_e1181 * _e438));
+                                                let _e1190 = (_e1157[2][2] - _e468);
+                                                let _e1193 = (((_e1157[2][0] - _e335) * _e504) - (_e1190 * _e372));
+                                                let _e1196 = (((_e1157[2][1] - _e402) * _e504) - (_e1190 * _e438));
+                                                let _e1197 = (_e1193 * _e1187);
+                                                let _e1198 = (_e1196 * _e1184);
+                                                let _e1199 = (_e1175 * _e1196);
+                                                let _e1200 = (_e1178 * _e1193);
+                                                let _e1201 = (_e1184 * _e1178);
+                                                let _e1202 = (_e1187 * _e1175);
+                                                let _e1207 = (((_e1197 >= _e1198) && (_e1199 >= _e1200)) && (_e1201 >= _e1202));
+                                                let _e1213 = (_e1207 || (((_e1197 <= _e1198) && (_e1199 <= _e1200)) && (_e1201 <= _e1202)));
+                                                if _e1213 {
+                                                    let _e1215 = select(-1f, 1f, _e1207);
+                                                    let _e1217 = ((_e1197 - _e1198) * _e1215);
+                                                    let _e1219 = select(0f, _e1217, (_e1217 > 0f));
+                                                    let _e1221 = ((_e1199 - _e1200) * _e1215);
+                                                    let _e1223 = select(0f, _e1221, (_e1221 > 0f));
+                                                    let _e1225 = ((_e1201 - _e1202) * _e1215);
+                                                    let _e1227 = select(0f, _e1225, (_e1225 > 0f));
+                                                    let _e1229 = ((_e1219 + _e1223) + _e1227);
+                                                    let _e1231 = select(_e1157[1][0], _e1157[0][0], (_e1157[0][0] < _e1157[1][0]));
+                                                    let _e1235 = select(_e1157[1][0], _e1157[0][0], (_e1157[0][0] > _e1157[1][0]));
+                                                    let _e1239 = select(_e1157[1][1], _e1157[0][1], (_e1157[0][1] < _e1157[1][1]));
+                                                    let _e1243 = select(_e1157[1][1], _e1157[0][1], (_e1157[0][1] > _e1157[1][1]));
+                                                    let _e1247 = select(_e1157[1][2], _e1157[0][2], (_e1157[0][2] < _e1157[1][2]));
+                                                    let _e1251 = select(_e1157[1][2], _e1157[0][2], (_e1157[0][2] > _e1157[1][2]));
+                                                    let _e1256 = ((select(_e1157[2][0], _e1231, (_e1231 < _e1157[2][0])) - _e373) * _e376);
+                                                    let _e1257 = ((select(_e1157[2][0], _e1235, (_e1235 > _e1157[2][0])) - _e374) * _e376);
+                                                    let _e1260 = ((select(_e1157[2][1], _e1239, (_e1239 < _e1157[2][1])) - _e439) * _e442);
+                                                    let _e1261 = ((select(_e1157[2][1], _e1243, (_e1243 > _e1157[2][1])) - _e440) * _e442);
+                                                    let _e1264 = ((select(_e1157[2][2], _e1247, (_e1247 < _e1157[2][2])) - _e505) * _e508);
+                                                    let _e1265 = ((select(_e1157[2][2], _e1251, (_e1251 > _e1157[2][2])) - _e506) * _e508);
+                                                    let _e1267 = select(_e1265, _e1264, (_e1264 < _e1265));
+                                                    let _e1269 = select(_e1265, _e1264, (_e1264 > _e1265));
+                                                    let _e1271 = select(_e1257, _e1256, (_e1256 < _e1257));
+                                                    let _e1273 = select(_e1261, _e1260, (_e1260 < _e1261));
+                                                    let _e1275 = select(_e1273, _e1271, (_e1271 > _e1273));
+                                                    let _e1277 = select(_e1267, _e1275, (_e1275 > _e1267));
+                                                    let _e1279 = select(_e1257, _e1256, (_e1256 > _e1257));
+                                                    let _e1281 = select(_e1261, _e1260, (_e1260 > _e1261));
+                                                    let _e1283 = select(_e1281, _e1279, (_e1279 < _e1281));
+                                                    let _e1285 = select(_e1269, _e1283, (_e1283 < _e1269));
+                                                    let _e1286 = -(_e1267);
+                                                    let _e1292 = select(_e611, _e1277, (_e1277 > _e611));
+                                                    let _e1296 = select(_e1184, _e1175, (_e1175 < _e1184));
+                                                    let _e1301 = select(_e1184, _e1175, (_e1175 > _e1184));
+                                                    let _e1308 = select(_e1187, _e1178, (_e1178 < _e1187));
+                                                    let _e1313 = select(_e1187, _e1178, (_e1178 > _e1187));
+                                                    let _e1322 = (((((_e1213 && (_e1229 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1193, _e1296, (_e1296 < _e1193)) <= 0f) && (select(_e1193, _e1301, (_e1301 > _e1193)) >= 0f))) && ((select(_e1196, _e1308, (_e1308 < _e1196)) <= 0f) && (select(_e1196, _e1313, (_e1313 > _e1196)) >= 0f))) && (_e1292 <= (_e1285 + (select(_e1286, _e1269, (_e1269 > _e1286)) * 0.0000019073523f)))) && (_e1292 <= _e710));
+                                                    if _e1322 {
+                                                        let _e1327 = (_e1157[1][0] - _e1157[0][0]);
+                                                        let _e1328 = (_e1157[1][1] - _e1157[0][1]);
+                                                        let _e1329 = (_e1157[1][2] - _e1157[0][2]);
+                                                        let _e1330 = vec3<f32>(_e1327, _e1328, _e1329);
+                                                        let _e1331 = (_e1157[2][0] - _e1157[1][0]);
+                                                        let _e1332 = (_e1157[2][1] - _e1157[1][1]);
+                                                        let _e1333 = (_e1157[2][2] - _e1157[1][2]);
+                                                        let _e1334 = vec3<f32>(_e1331, _e1332, _e1333);
+                                                        let _e1335 = (_e1157[0][0] - _e1157[2][0]);
+                                                        let _e1336 = (_e1157[0][1] - _e1157[2][1]);
+                                                        let _e1337 = (_e1157[0][2] - _e1157[2][2]);
+                                                        let _e1338 = vec3<f32>(_e1335, _e1336, _e1337);
+                                                        let _e1339 = abs(_e1327);
+                                                        let _e1340 = abs(_e1328);
+                                                        if (_e1339 != _e1339) {
+                                                            phi_4544_ = true;
+                                                        } else {
+                                                            phi_4544_ = (_e1340 >= _e1339);
+                                                        }
+                                                        let _e1344 = phi_4544_;
+                                                        let _e1345 = select(_e1339, _e1340, _e1344);
+                                                        let _e1346 = abs(_e1329);
+                                                        if (_e1345 != _e1345) {
+                                                            phi_4559_ = true;
+                                                        } else {
+                                                            phi_4559_ = (_e1346 >= _e1345);
+                                                        }
+                                                        let _e1350 = phi_4559_;
+                                                        let _e1351 = select(_e1345, _e1346, _e1350);
+                                                        let _e1352 = abs(_e1331);
+                                                        let _e1353 = abs(_e1332);
+                                                        if (_e1352 != _e1352) {
+                                                            phi_4574_ = true;
+                                                        } else {
+                                                            phi_4574_ = (_e1353 >= _e1352);
+                                                        }
+                                                        let _e1357 = phi_4574_;
+                                                        let _e1358 = select(_e1352, _e1353, _e1357);
+                                                        let _e1359 = abs(_e1333);
+                                                        if (_e1358 != _e1358) {
+                                                            phi_4589_ = true;
+                                                        } else {
+                                                            phi_4589_ = (_e1359 >= _e1358);
+                                                        }
+                                                        let _e1363 = phi_4589_;
+                                                        let _e1364 = select(_e1358, _e1359, _e1363);
+                                                        let _e1365 = abs(_e1335);
+                                                        let _e1366 = abs(_e1336);
+                                                        if (_e1365 != _e1365) {
+                                                            phi_4604_ = true;
+                                                        } else {
+                                                            phi_4604_ = (_e1366 >= _e1365);
+                                                        }
+                                                        let _e1370 = phi_4604_;
+                                                        let _e1371 = select(_e1365, _e1366, _e1370);
+                                                        let _e1372 = abs(_e1337);
+                                                        if (_e1371 != _e1371) {
+                                                            phi_4619_ = true;
+                                                        } else {
+                                                            phi_4619_ = (_e1372 >= _e1371);
+                                                        }
+                                                        let _e1376 = phi_4619_;
+                                                        let _e1377 = select(_e1371, _e1372, _e1376);
+                                                        let _e1379 = select(_e1364, _e1351, (_e1351 > _e1364));
+                                                        let _e1381 = select(_e1377, _e1379, (_e1379 > _e1377));
+                                                        if (_e1351 == _e1381) {
+                                                            phi_2686_ = _e1187;
+                                                            phi_2687_ = _e1184;
+                                                            phi_2688_ = _e1178;
+                                                            phi_2689_ = _e1175;
+                                                            phi_2690_ = vec3<f32>(_e1157[0][0], _e1157[0][1], _e1157[0][2]);
+                                                            phi_2691_ = _e1338;
+                                                            phi_2692_ = _e1334;
+                                                            phi_2693_ = _e1330;
+                                                        } else {
+                                                            let _e1383 = (_e1364 == _e1381);
+                                                            let _e1388 = vec3(_e1383);
+                                                            phi_2686_ = select(_e1178, _e1196, _e1383);
+                                                            phi_2687_ = select(_e1175, _e1193, _e1383);
+                                                            phi_2688_ = select(_e1196, _e1187, _e1383);
+                                                            phi_2689_ = select(_e1193, _e1184, _e1383);
+                                                            phi_2690_ = select(vec3<f32>(_e1157[2][0], _e1157[2][1], _e1157[2][2]), vec3<f32>(_e1157[1][0], _e1157[1][1], _e1157[1][2]), _e1388);
+                                                            phi_2691_ = select(_e1334, _e1330, _e1388);
+                                                            phi_2692_ = select(_e1330, _e1338, _e1388);
+                                                            phi_2693_ = select(_e1338, _e1334, _e1388);
+                                                        }
+                                                        let _e1394 = phi_2686_;
+                                                        let _e1396 = phi_2687_;
+                                                        let _e1398 = phi_2688_;
+                                                        let _e1400 = phi_2689_;
+                                                        let _e1402 = phi_2690_;
+                                                        let _e1404 = phi_2691_;
+                                                        let _e1406 = phi_2692_;
+                                                        let _e1408 = phi_2693_;
+                                                        let _e1415 = ((_e1406.y * _e1404.z) - (_e1404.y * _e1406.z));
+                                                        let _e1420 = ((_e1406.z * _e1404.x) - (_e1404.z * _e1406.x));
+                                                        let _e1423 = ((_e1406.x * _e1404.y) - (_e1404.x * _e1406.y));
+                                                        let _e1426 = ((_e1219 >= _e1223) && (_e1219 >= _e1227));
+                                                        let _e1427 = (_e1223 >= _e1227);
+                                                        let _e1441 = (((_e1415 * (select(select(_e1157[2][0], _e1157[1][0], _e1427), _e1157[0][0], _e1426) - _e335)) + (_e1420 * (select(select(_e1157[2][1], _e1157[1][1], _e1427), _e1157[0][1], _e1426) - _e402))) + (_e1423 * (select(select(_e1157[2][2], _e1157[1][2], _e1427), _e1157[0][2], _e1426) - _e468)));
+                                                        let _e1446 = (((_e1415 * _e372) + (_e1420 * _e438)) + (_e1423 * _e504));
+                                                        let _e1447 = (_e1396 - _e1400);
+                                                        let _e1448 = (_e1394 - _e1398);
+                                                        let _e1451 = ((_e1447 * _e1447) + (_e1448 * _e1448));
+                                                        let _e1458 = (-(((_e1400 * _e1447) + (_e1398 * _e1448))) / select(0.000000000000000000000000000000000000011754944f, _e1451, (_e1451 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1460 = select(1f, _e1458, (_e1458 < 1f));
+                                                        let _e1462 = select(0f, _e1460, (_e1460 > 0f));
+                                                        let _e1471 = ((_e1402.x + (_e1408.x * _e1462)) - _e335);
+                                                        let _e1474 = ((_e1402.y + (_e1408.y * _e1462)) - _e402);
+                                                        let _e1477 = ((_e1402.z + (_e1408.z * _e1462)) - _e468);
+                                                        let _e1480 = bitcast<f32>((bitcast<u32>(_e1471) & 2147483647u));
+                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u));
+                                                        let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
+                                                        let _e1488 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
+                                                        let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
+                                                        let _e1494 = abs(_e1415);
+                                                        let _e1495 = abs(_e1420);
+                                                        if (_e1494 != _e1494) {
+                                                            phi_4634_ = true;
+                                                        } else {
+                                                            phi_4634_ = (_e1495 >= _e1494);
+                                                        }
+                                                        let _e1499 = phi_4634_;
+                                                        let _e1500 = select(_e1494, _e1495, _e1499);
+                                                        let _e1501 = abs(_e1423);
+                                                        if (_e1500 != _e1500) {
+                                                            phi_4649_ = true;
+                                                        } else {
+                                                            phi_4649_ = (_e1501 >= _e1500);
+                                                        }
+                                                        let _e1505 = phi_4649_;
+                                                        let _e1521 = abs(_e1406.x);
+                                                        let _e1522 = abs(_e1406.y);
+                                                        if (_e1521 != _e1521) {
+                                                            phi_4664_ = true;
+                                                        } else {
+                                                            phi_4664_ = (_e1522 >= _e1521);
+                                                        }
+                                                        let _e1526 = phi_4664_;
+                                                        let _e1527 = select(_e1521, _e1522, _e1526);
+                                                        let _e1528 = abs(_e1406.z);
+                                                        if (_e1527 != _e1527) {
+                                                            phi_4679_ = true;
+                                                        } else {
+                                                            phi_4679_ = (_e1528 >= _e1527);
+                                                        }
+                                                        let _e1532 = phi_4679_;
+                                                        let _e1535 = abs(_e1404.x);
+                                                        let _e1536 = abs(_e1404.y);
+                                                        if (_e1535 != _e1535) {
+                                                            phi_4694_ = true;
+                                                        } else {
+                                                            phi_4694_ = (_e1536 >= _e1535);
+                                                        }
+                                                        let _e1540 = phi_4694_;
+                                                        let _e1541 = select(_e1535, _e1536, _e1540);
+                                                        let _e1542 = abs(_e1404.z);
+                                                        if (_e1541 != _e1541) {
+                                                            phi_4709_ = true;
+                                                        } else {
+                                                            phi_4709_ = (_e1542 >= _e1541);
+                                                        }
+                                                        let _e1546 = phi_4709_;
+                                                        let _e1551 = ((bitcast<f32>((bitcast<u32>(((((_e1415 * _e1471) + (_e1420 * _e1474)) + (_e1423 * _e1477)) - _e1441)) & 2147483647u)) <= ((0.0000009536743f * select(_e1381, _e1490, (_e1490 > _e1381))) * select(_e1500, _e1501, _e1505))) && !((bitcast<f32>((bitcast<u32>(_e1446) & 2147483647u)) <= ((0.0000038146973f * select(_e1527, _e1528, _e1532)) * select(_e1541, _e1542, _e1546)))));
+                                                        let _e1552 = (_e1441 / _e1446);
+                                                        if (_e1322 && !(_e1551)) {
+                                                            let _e1555 = (_e1477 / _e504);
+                                                            let _e1563 = (((_e1415 * (_e1471 - (_e372 * _e1555))) + (_e1420 * (_e1474 - (_e438 * _e1555)))) / _e1446);
+                                                            phi_2901_ = select(select(_e1555, (_e1555 + _e1563), (bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u)) <= _e1381)), _e1552, _e1551);
+                                                        } else {
+                                                            phi_2901_ = _e1552;
+                                                        }
+                                                        let _e1572 = phi_2901_;
+                                                        let _e1574 = select(_e1285, _e1572, (_e1572 < _e1285));
+                                                        let _e1576 = select(_e1277, _e1574, (_e1574 > _e1277));
+                                                        let _e1577 = (1f / _e1229);
+                                                        phi_2921_ = type_31(_e1576, (_e1223 * _e1577), (_e1227 * _e1577), ((_e1322 && (_e1576 >= _e611)) && (_e1576 <= _e710)));
+                                                        phi_2922_ = type_31();
                                                     } else {
-                                                        let _e1245 = select(_e1194, _e1181, (_e1181 < _e1194));
-                                                        if (select(_e1207, _e1245, (_e1245 < _e1207)) > 0f) {
-                                                            phi_2275_ = true;
-                                                        } else {
-                                                            let _e1250 = select(_e1194, _e1181, (_e1181 > _e1194));
-                                                            phi_2275_ = (select(_e1207, _e1250, (_e1250 > _e1207)) < 0f);
-                                                        }
-                                                        let _e1255 = phi_2275_;
-                                                        if _e1255 {
-                                                            phi_3004_ = type_20();
-                                                            phi_3005_ = true;
-                                                            phi_3006_ = false;
-                                                        } else {
-                                                            let _e1257 = select(_e1197, _e1184, (_e1184 < _e1197));
-                                                            if (select(_e1210, _e1257, (_e1257 < _e1210)) > 0f) {
-                                                                phi_2304_ = true;
-                                                            } else {
-                                                                let _e1262 = select(_e1197, _e1184, (_e1184 > _e1197));
-                                                                phi_2304_ = (select(_e1210, _e1262, (_e1262 > _e1210)) < 0f);
-                                                            }
-                                                            let _e1267 = phi_2304_;
-                                                            if _e1267 {
-                                                                phi_3002_ = type_20();
-                                                                phi_3003_ = false;
-                                                            } else {
-                                                                let _e1269 = select(_e1171[1][0], _e1171[0][0], (_e1171[0][0] < _e1171[1][0]));
-                                                                let _e1273 = select(_e1171[1][0], _e1171[0][0], (_e1171[0][0] > _e1171[1][0]));
-                                                                let _e1277 = select(_e1171[1][1], _e1171[0][1], (_e1171[0][1] < _e1171[1][1]));
-                                                                let _e1281 = select(_e1171[1][1], _e1171[0][1], (_e1171[0][1] > _e1171[1][1]));
-                                                                let _e1285 = select(_e1171[1][2], _e1171[0][2], (_e1171[0][2] < _e1171[1][2]));
-                                                                let _e1289 = select(_e1171[1][2], _e1171[0][2], (_e1171[0][2] > _e1171[1][2]));
-                                                                let _e1294 = ((select(_e1171[2][0], _e1269, (_e1269 < _e1171[2][0])) - _e372) * _e377);
-                                                                let _e1295 = ((select(_e1171[2][0], _e1273, (_e1273 > _e1171[2][0])) - _e373) * _e377);
-                                                                let _e1298 = ((select(_e1171[2][1], _e1277, (_e1277 < _e1171[2][1])) - _e440) * _e445);
-                                                                let _e1299 = ((select(_e1171[2][1], _e1281, (_e1281 > _e1171[2][1])) - _e441) * _e445);
-                                                                let _e1302 = ((select(_e1171[2][2], _e1285, (_e1285 < _e1171[2][2])) - _e508) * _e513);
-                                                                let _e1303 = ((select(_e1171[2][2], _e1289, (_e1289 > _e1171[2][2])) - _e509) * _e513);
-                                                                let _e1305 = select(_e1303, _e1302, (_e1302 < _e1303));
-                                                                let _e1307 = select(_e1303, _e1302, (_e1302 > _e1303));
-                                                                let _e1309 = select(_e1295, _e1294, (_e1294 < _e1295));
-                                                                let _e1311 = select(_e1299, _e1298, (_e1298 < _e1299));
-                                                                let _e1313 = select(_e1311, _e1309, (_e1309 > _e1311));
-                                                                let _e1315 = select(_e1305, _e1313, (_e1313 > _e1305));
-                                                                let _e1317 = select(_e1295, _e1294, (_e1294 > _e1295));
-                                                                let _e1319 = select(_e1299, _e1298, (_e1298 > _e1299));
-                                                                let _e1321 = select(_e1319, _e1317, (_e1317 < _e1319));
-                                                                let _e1323 = select(_e1307, _e1321, (_e1321 < _e1307));
-                                                                let _e1324 = -(_e1305);
-                                                                let _e1330 = select(_e625, _e1315, (_e1315 > _e625));
-                                                                if (_e1330 > (_e1323 + (select(_e1324, _e1307, (_e1307 > _e1324)) * 0.0000019073523f))) {
-                                                                    phi_2997_ = type_20();
-                                                                    phi_2998_ = true;
-                                                                } else {
-                                                                    let _e1332 = (_e1330 > _e724);
-                                                                    if _e1332 {
-                                                                        phi_2996_ = type_20();
-                                                                    } else {
-                                                                        let _e1333 = vec3<f32>(_e1171[0][0], _e1171[0][1], _e1171[0][2]);
-                                                                        let _e1334 = vec3<f32>(_e1171[1][0], _e1171[1][1], _e1171[1][2]);
-                                                                        let _e1335 = vec3<f32>(_e1171[2][0], _e1171[2][1], _e1171[2][2]);
-                                                                        let _e1336 = (_e1171[1][0] - _e1171[0][0]);
-                                                                        let _e1337 = (_e1171[1][1] - _e1171[0][1]);
-                                                                        let _e1338 = (_e1171[1][2] - _e1171[0][2]);
-                                                                        let _e1339 = vec3<f32>(_e1336, _e1337, _e1338);
-                                                                        let _e1340 = (_e1171[2][0] - _e1171[1][0]);
-                                                                        let _e1341 = (_e1171[2][1] - _e1171[1][1]);
-                                                                        let _e1342 = (_e1171[2][2] - _e1171[1][2]);
-                                                                        let _e1343 = vec3<f32>(_e1340, _e1341, _e1342);
-                                                                        let _e1344 = (_e1171[0][0] - _e1171[2][0]);
-                                                                        let _e1345 = (_e1171[0][1] - _e1171[2][1]);
-                                                                        let _e1346 = (_e1171[0][2] - _e1171[2][2]);
-                                                                        let _e1347 = vec3<f32>(_e1344, _e1345, _e1346);
-                                                                        let _e1350 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
-                                                                        let _e1353 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
-                                                                        let _e1355 = select(_e1353, _e1350, (_e1350 > _e1353));
-                                                                        let _e1358 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
-                                                                        let _e1360 = select(_e1358, _e1355, (_e1355 > _e1358));
-                                                                        let _e1363 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
-                                                                        let _e1366 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
-                                                                        let _e1368 = select(_e1366, _e1363, (_e1363 > _e1366));
-                                                                        let _e1371 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
-                                                                        let _e1373 = select(_e1371, _e1368, (_e1368 > _e1371));
-                                                                        let _e1376 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
-                                                                        let _e1379 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
-                                                                        let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
-                                                                        let _e1384 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
-                                                                        let _e1386 = select(_e1384, _e1381, (_e1381 > _e1384));
-                                                                        let _e1388 = select(_e1373, _e1360, (_e1360 > _e1373));
-                                                                        let _e1390 = select(_e1386, _e1388, (_e1388 > _e1386));
-                                                                        if (_e1360 == _e1390) {
-                                                                            phi_2723_ = _e1197;
-                                                                            phi_2724_ = _e1194;
-                                                                            phi_2725_ = _e1184;
-                                                                            phi_2726_ = _e1181;
-                                                                            phi_2727_ = _e1333;
-                                                                            phi_2728_ = _e1347;
-                                                                            phi_2729_ = _e1343;
-                                                                            phi_2730_ = _e1339;
-                                                                        } else {
-                                                                            let _e1392 = (_e1373 == _e1390);
-                                                                            let _e1397 = vec3(_e1392);
-                                                                            phi_2723_ = select(_e1184, _e1210, _e1392);
-                                                                            phi_2724_ = select(_e1181, _e1207, _e1392);
-                                                                            phi_2725_ = select(_e1210, _e1197, _e1392);
-                                                                            phi_2726_ = select(_e1207, _e1194, _e1392);
-                                                                            phi_2727_ = select(_e1335, _e1334, _e1397);
-                                                                            phi_2728_ = select(_e1343, _e1339, _e1397);
-                                                                            phi_2729_ = select(_e1339, _e1347, _e1397);
-                                                                            phi_2730_ = select(_e1347, _e1343, _e1397);
-                                                                        }
-                                                                        let _e1403 = phi_2723_;
-                                                                        let _e1405 = phi_2724_;
-                                                                        let _e1407 = phi_2725_;
-                                                                        let _e1409 = phi_2726_;
-                                                                        let _e1411 = phi_2727_;
-                                                                        let _e1413 = phi_2728_;
-                                                                        let _e1415 = phi_2729_;
-                                                                        let _e1417 = phi_2730_;
-                                                                        let _e1424 = ((_e1415.y * _e1413.z) - (_e1413.y * _e1415.z));
-                                                                        let _e1429 = ((_e1415.z * _e1413.x) - (_e1413.z * _e1415.x));
-                                                                        let _e1432 = ((_e1415.x * _e1413.y) - (_e1413.x * _e1415.y));
-                                                                        if (_e1232 >= _e1236) {
-                                                                            phi_2767_ = select(true, false, (_e1232 >= _e1240));
-                                                                        } else {
-                                                                            phi_2767_ = true;
-                                                                        }
-                                                                        let _e1437 = phi_2767_;
-                                                                        if _e1437 {
-                                                                            phi_2776_ = select(_e1335, _e1334, vec3((_e1236 >= _e1240)));
-                                                                        } else {
-                                                                            phi_2776_ = _e1333;
-                                                                        }
-                                                                        let _e1442 = phi_2776_;
-                                                                        let _e1453 = (((_e1424 * (_e1442.x - _e334)) + (_e1429 * (_e1442.y - _e403))) + (_e1432 * (_e1442.z - _e471)));
-                                                                        let _e1458 = (((_e1424 * _e374) + (_e1429 * _e442)) + (_e1432 * _e510));
-                                                                        let _e1459 = (_e1405 - _e1409);
-                                                                        let _e1460 = (_e1403 - _e1407);
-                                                                        let _e1468 = (-(((_e1409 * _e1459) + (_e1407 * _e1460))) / ((_e1459 * _e1459) + (_e1460 * _e1460)));
-                                                                        let _e1470 = select(1f, _e1468, (_e1468 < 1f));
-                                                                        let _e1472 = select(0f, _e1470, (_e1470 > 0f));
-                                                                        let _e1485 = ((_e1411.x + (_e1417.x * _e1472)) - _e334);
-                                                                        let _e1486 = ((_e1411.y + (_e1417.y * _e1472)) - _e403);
-                                                                        let _e1487 = ((_e1411.z + (_e1417.z * _e1472)) - _e471);
-                                                                        let _e1488 = (_e1487 / _e510);
-                                                                        let _e1500 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
-                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
-                                                                        let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
-                                                                        let _e1508 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
-                                                                        let _e1510 = select(_e1508, _e1505, (_e1505 > _e1508));
-                                                                        let _e1516 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
-                                                                        let _e1519 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
-                                                                        let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
-                                                                        let _e1524 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1424 * _e1485) + (_e1429 * _e1486)) + (_e1432 * _e1487)) - _e1453)) & 2147483647u)) <= ((0.0000009536743f * select(_e1390, _e1510, (_e1510 > _e1390))) * select(_e1524, _e1521, (_e1521 > _e1524)))) {
-                                                                            let _e1534 = bitcast<f32>((bitcast<u32>(_e1415.x) & 2147483647u));
-                                                                            let _e1537 = bitcast<f32>((bitcast<u32>(_e1415.y) & 2147483647u));
-                                                                            let _e1539 = select(_e1537, _e1534, (_e1534 > _e1537));
-                                                                            let _e1542 = bitcast<f32>((bitcast<u32>(_e1415.z) & 2147483647u));
-                                                                            let _e1548 = bitcast<f32>((bitcast<u32>(_e1413.x) & 2147483647u));
-                                                                            let _e1551 = bitcast<f32>((bitcast<u32>(_e1413.y) & 2147483647u));
-                                                                            let _e1553 = select(_e1551, _e1548, (_e1548 > _e1551));
-                                                                            let _e1556 = bitcast<f32>((bitcast<u32>(_e1413.z) & 2147483647u));
-                                                                            let _e1560 = (bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u)) > ((0.0000038146973f * select(_e1542, _e1539, (_e1539 > _e1542))) * select(_e1556, _e1553, (_e1553 > _e1556))));
-                                                                            if _e1560 {
-                                                                                phi_2941_ = (_e1453 / _e1458);
-                                                                            } else {
-                                                                                phi_2941_ = f32();
-                                                                            }
-                                                                            let _e1563 = phi_2941_;
-                                                                            phi_2943_ = _e1563;
-                                                                            phi_2944_ = select(true, false, _e1560);
-                                                                        } else {
-                                                                            phi_2943_ = f32();
-                                                                            phi_2944_ = true;
-                                                                        }
-                                                                        let _e1566 = phi_2943_;
-                                                                        let _e1568 = phi_2944_;
-                                                                        if _e1568 {
-                                                                            let _e1576 = (((_e1424 * (_e1485 - (_e374 * _e1488))) + (_e1429 * (_e1486 - (_e442 * _e1488)))) / _e1458);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1576) & 2147483647u)) <= _e1390) {
-                                                                                phi_2964_ = (_e1488 + _e1576);
-                                                                            } else {
-                                                                                phi_2964_ = _e1488;
-                                                                            }
-                                                                            let _e1583 = phi_2964_;
-                                                                            phi_2965_ = _e1583;
-                                                                        } else {
-                                                                            phi_2965_ = _e1566;
-                                                                        }
-                                                                        let _e1585 = phi_2965_;
-                                                                        let _e1587 = select(_e1323, _e1585, (_e1585 < _e1323));
-                                                                        let _e1589 = select(_e1315, _e1587, (_e1587 > _e1315));
-                                                                        if (_e1589 >= _e625) {
-                                                                            let _e1591 = (_e1589 <= _e724);
-                                                                            if _e1591 {
-                                                                                let _e1592 = (1f / _e1242);
-                                                                                phi_2988_ = type_20(_e1589, (_e1236 * _e1592), (_e1240 * _e1592), _e784);
-                                                                            } else {
-                                                                                phi_2988_ = type_20();
-                                                                            }
-                                                                            let _e1597 = phi_2988_;
-                                                                            phi_2990_ = _e1597;
-                                                                            phi_2991_ = select(true, false, _e1591);
-                                                                        } else {
-                                                                            phi_2990_ = type_20();
-                                                                            phi_2991_ = true;
-                                                                        }
-                                                                        let _e1600 = phi_2990_;
-                                                                        let _e1602 = phi_2991_;
-                                                                        if _e1602 {
-                                                                            phi_2995_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2995_ = _e1600;
-                                                                        }
-                                                                        let _e1604 = phi_2995_;
-                                                                        phi_2996_ = _e1604;
-                                                                    }
-                                                                    let _e1606 = phi_2996_;
-                                                                    phi_2997_ = _e1606;
-                                                                    phi_2998_ = _e1332;
-                                                                }
-                                                                let _e1608 = phi_2997_;
-                                                                let _e1610 = phi_2998_;
-                                                                phi_3002_ = _e1608;
-                                                                phi_3003_ = _e1610;
-                                                            }
-                                                            let _e1612 = phi_3002_;
-                                                            let _e1614 = phi_3003_;
-                                                            phi_3004_ = _e1612;
-                                                            phi_3005_ = _e1267;
-                                                            phi_3006_ = _e1614;
-                                                        }
-                                                        let _e1616 = phi_3004_;
-                                                        let _e1618 = phi_3005_;
-                                                        let _e1620 = phi_3006_;
-                                                        phi_3007_ = _e1616;
-                                                        phi_3008_ = _e1618;
-                                                        phi_3009_ = _e1620;
+                                                        phi_2921_ = type_31();
+                                                        phi_2922_ = type_31(0f, 0f, 0f, _e1322);
                                                     }
-                                                    let _e1622 = phi_3007_;
-                                                    let _e1624 = phi_3008_;
-                                                    let _e1626 = phi_3009_;
-                                                    phi_3017_ = _e1622;
-                                                    phi_3018_ = select(_e1626, true, _e1624);
+                                                    let _e1586 = phi_2921_;
+                                                    let _e1588 = phi_2922_;
+                                                    phi_2925_ = _e1586;
+                                                    phi_2926_ = _e1588;
+                                                    phi_2927_ = select(true, false, _e1322);
                                                 } else {
-                                                    phi_3017_ = type_20();
-                                                    phi_3018_ = true;
+                                                    phi_2925_ = type_31();
+                                                    phi_2926_ = type_31(0f, 0f, 0f, _e1213);
+                                                    phi_2927_ = true;
                                                 }
-                                                let _e1629 = phi_3017_;
-                                                let _e1631 = phi_3018_;
-                                                if _e1631 {
-                                                    phi_3022_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1591 = phi_2925_;
+                                                let _e1593 = phi_2926_;
+                                                let _e1595 = phi_2927_;
+                                                if _e1595 {
+                                                    phi_2931_ = _e1593;
                                                 } else {
-                                                    phi_3022_ = _e1629;
+                                                    phi_2931_ = _e1591;
                                                 }
-                                                let _e1633 = phi_3022_;
-                                                if (_e1633.member_3 != 4294967295u) {
-                                                    if (_e784 != 4294967295u) {
-                                                        phi_3034_ = type_8(0u, 8u);
-                                                        phi_3037_ = _e1633;
+                                                let _e1597 = phi_2931_;
+                                                if _e1597.member_3 {
+                                                    phi_2940_ = type_20(_e1597.member, _e1597.member_1, _e1597.member_2, _e770);
+                                                } else {
+                                                    phi_2940_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1604 = phi_2940_;
+                                                if (_e1604.member_3 != 4294967295u) {
+                                                    if (_e770 != 4294967295u) {
+                                                        phi_2952_ = type_8(0u, 8u);
+                                                        phi_2955_ = _e1604;
                                                         loop {
-                                                            let _e1638 = phi_3034_;
-                                                            let _e1640 = phi_3037_;
-                                                            if (_e1638.member < _e1638.member_1) {
-                                                                phi_3035_ = type_8((_e1638.member + 1u), _e1638.member_1);
-                                                                phi_3060_ = type_8(1u, _e1638.member);
+                                                            let _e1609 = phi_2952_;
+                                                            let _e1611 = phi_2955_;
+                                                            if (_e1609.member < _e1609.member_1) {
+                                                                phi_2953_ = type_8((_e1609.member + 1u), _e1609.member_1);
+                                                                phi_2978_ = type_8(1u, _e1609.member);
                                                             } else {
-                                                                phi_3035_ = _e1638;
-                                                                phi_3060_ = type_8(0u, type_8().member_1);
+                                                                phi_2953_ = _e1609;
+                                                                phi_2978_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1653 = phi_3035_;
-                                                            let _e1655 = phi_3060_;
-                                                            let _e1659 = (bitcast<i32>(_e1655.member) != 0i);
-                                                            if _e1659 {
-                                                                let _e1660 = (_e1655.member_1 < 8u);
-                                                                if _e1660 {
+                                                            let _e1624 = phi_2953_;
+                                                            let _e1626 = phi_2978_;
+                                                            let _e1630 = (bitcast<i32>(_e1626.member) != 0i);
+                                                            if _e1630 {
+                                                                let _e1631 = (_e1626.member_1 < 8u);
+                                                                if _e1631 {
                                                                 } else {
-                                                                    phi_4944_ = true;
+                                                                    phi_5042_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1665 = local_9[_e1655.member_1].member;
-                                                                if (_e1640.member < _e1665) {
-                                                                    phi_3093_ = true;
+                                                                let _e1636 = local_9[_e1626.member_1].member;
+                                                                if (_e1611.member < _e1636) {
+                                                                    phi_3011_ = true;
                                                                 } else {
-                                                                    let _e1667 = local_9[_e1655.member_1].member;
-                                                                    if (_e1640.member == _e1667) {
-                                                                        let _e1672 = local_9[_e1655.member_1].member_3;
-                                                                        phi_3092_ = (_e1640.member_3 < _e1672);
+                                                                    let _e1638 = local_9[_e1626.member_1].member;
+                                                                    if (_e1611.member == _e1638) {
+                                                                        let _e1643 = local_9[_e1626.member_1].member_3;
+                                                                        phi_3010_ = (_e1611.member_3 < _e1643);
                                                                     } else {
-                                                                        phi_3092_ = false;
+                                                                        phi_3010_ = false;
                                                                     }
-                                                                    let _e1675 = phi_3092_;
-                                                                    phi_3093_ = _e1675;
+                                                                    let _e1646 = phi_3010_;
+                                                                    phi_3011_ = _e1646;
                                                                 }
-                                                                let _e1677 = phi_3093_;
-                                                                if _e1677 {
-                                                                    if _e1660 {
+                                                                let _e1648 = phi_3011_;
+                                                                if _e1648 {
+                                                                    if _e1631 {
                                                                     } else {
-                                                                        phi_4944_ = true;
+                                                                        phi_5042_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1678 = local_9[_e1655.member_1];
-                                                                    local_9[_e1655.member_1] = type_20(_e1640.member, _e1640.member_1, _e1640.member_2, _e1640.member_3);
-                                                                    phi_3114_ = type_20(_e1678.member, _e1678.member_1, _e1678.member_2, _e1678.member_3);
+                                                                    let _e1649 = local_9[_e1626.member_1];
+                                                                    local_9[_e1626.member_1] = type_20(_e1611.member, _e1611.member_1, _e1611.member_2, _e1611.member_3);
+                                                                    phi_3032_ = type_20(_e1649.member, _e1649.member_1, _e1649.member_2, _e1649.member_3);
                                                                 } else {
-                                                                    phi_3114_ = _e1640;
+                                                                    phi_3032_ = _e1611;
                                                                 }
-                                                                let _e1689 = phi_3114_;
-                                                                phi_3038_ = _e1689;
+                                                                let _e1660 = phi_3032_;
+                                                                phi_2956_ = _e1660;
                                                             } else {
-                                                                phi_3038_ = type_20();
+                                                                phi_2956_ = type_20();
                                                             }
-                                                            let _e1691 = phi_3038_;
+                                                            let _e1662 = phi_2956_;
                                                             continue;
                                                             continuing {
-                                                                phi_3034_ = _e1653;
-                                                                phi_3037_ = _e1691;
-                                                                phi_4944_ = _e722;
-                                                                break if !(_e1659);
+                                                                phi_2952_ = _e1624;
+                                                                phi_2955_ = _e1662;
+                                                                phi_5042_ = _e708;
+                                                                break if !(_e1630);
                                                             }
                                                         }
-                                                        let _e1694 = phi_4944_;
-                                                        phi_5214_ = _e724;
-                                                        phi_5151_ = _e1694;
-                                                        if _e1694 {
+                                                        let _e1665 = phi_5042_;
+                                                        phi_5317_ = _e710;
+                                                        phi_5254_ = _e1665;
+                                                        if _e1665 {
                                                             break;
                                                         }
-                                                        let _e1697 = local_9[7u].member_3;
-                                                        if (_e1697 != 4294967295u) {
-                                                            let _e1701 = local_9[7u].member;
-                                                            phi_5305_ = _e1701;
+                                                        let _e1668 = local_9[7u].member_3;
+                                                        if (_e1668 != 4294967295u) {
+                                                            let _e1672 = local_9[7u].member;
+                                                            phi_5413_ = _e1672;
                                                         } else {
-                                                            phi_5305_ = _e724;
+                                                            phi_5413_ = _e710;
                                                         }
-                                                        let _e1703 = phi_5305_;
-                                                        phi_5304_ = _e1703;
-                                                        phi_5154_ = _e1694;
+                                                        let _e1674 = phi_5413_;
+                                                        phi_5412_ = _e1674;
+                                                        phi_5257_ = _e1665;
                                                     } else {
-                                                        phi_5304_ = _e724;
-                                                        phi_5154_ = _e722;
+                                                        phi_5412_ = _e710;
+                                                        phi_5257_ = _e708;
                                                     }
-                                                    let _e1705 = phi_5304_;
-                                                    let _e1707 = phi_5154_;
-                                                    phi_5303_ = _e1705;
-                                                    phi_5153_ = _e1707;
+                                                    let _e1676 = phi_5412_;
+                                                    let _e1678 = phi_5257_;
+                                                    phi_5411_ = _e1676;
+                                                    phi_5256_ = _e1678;
                                                 } else {
-                                                    phi_5303_ = _e724;
-                                                    phi_5153_ = _e722;
+                                                    phi_5411_ = _e710;
+                                                    phi_5256_ = _e708;
                                                 }
-                                                let _e1709 = phi_5303_;
-                                                let _e1711 = phi_5153_;
-                                                phi_5302_ = _e1709;
-                                                phi_5152_ = _e1711;
+                                                let _e1680 = phi_5411_;
+                                                let _e1682 = phi_5256_;
+                                                phi_5410_ = _e1680;
+                                                phi_5255_ = _e1682;
                                             } else {
-                                                phi_5302_ = _e724;
-                                                phi_5152_ = _e722;
+                                                phi_5410_ = _e710;
+                                                phi_5255_ = _e708;
                                             }
-                                            let _e1713 = phi_5302_;
-                                            let _e1715 = phi_5152_;
+                                            let _e1684 = phi_5410_;
+                                            let _e1686 = phi_5255_;
                                             continue;
                                             continuing {
-                                                phi_4973_ = _e1715;
-                                                phi_4915_ = _e1713;
-                                                phi_1360_ = _e739;
-                                                phi_5214_ = _e1713;
-                                                phi_5151_ = _e1715;
-                                                break if !(_e745);
+                                                phi_5072_ = _e1686;
+                                                phi_5013_ = _e1684;
+                                                phi_1381_ = _e725;
+                                                phi_5317_ = _e1684;
+                                                phi_5254_ = _e1686;
+                                                break if !(_e731);
                                             }
                                         }
-                                        let _e1718 = phi_5214_;
-                                        let _e1720 = phi_5151_;
-                                        phi_5307_ = _e1720;
-                                        if _e1720 {
+                                        let _e1689 = phi_5317_;
+                                        let _e1691 = phi_5254_;
+                                        phi_5415_ = _e1691;
+                                        if _e1691 {
                                             break;
                                         }
-                                        phi_5398_ = _e1720;
-                                        phi_5213_ = _e1718;
+                                        phi_5506_ = _e1691;
+                                        phi_5316_ = _e1689;
                                     } else {
-                                        phi_5398_ = _e666;
-                                        phi_5213_ = _e668;
+                                        phi_5506_ = _e652;
+                                        phi_5316_ = _e654;
                                     }
-                                    let _e1722 = phi_5398_;
-                                    let _e1724 = phi_5213_;
-                                    if _e714 {
-                                        phi_4391_ = bool();
-                                        phi_4392_ = u32();
-                                        phi_4393_ = type_51();
+                                    let _e1693 = phi_5506_;
+                                    let _e1695 = phi_5316_;
+                                    if _e700 {
+                                        phi_4309_ = bool();
+                                        phi_4310_ = u32();
+                                        phi_4311_ = type_52();
                                     } else {
-                                        if (_e710.member_1 >= _e99) {
-                                            phi_3926_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e696.member_1 >= _e100) {
+                                            phi_3844_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e710.member_1 < _e99) {
+                                            if (_e696.member_1 < _e100) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1727 = (_e270 * 2u);
-                                            let _e1729 = ((1u + _e1727) % 7u);
-                                            if (_e1729 < 7u) {
+                                            let _e1698 = (_e271 * 2u);
+                                            let _e1700 = ((1u + _e1698) % 7u);
+                                            if (_e1700 < 7u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1734 = global_4.member[_e710.member_1][_e1729];
-                                            let _e1736 = ((_e1727 + 2u) % 7u);
-                                            if (_e1736 < 7u) {
+                                            let _e1705 = global_4.member[_e696.member_1][_e1700];
+                                            let _e1707 = ((_e1698 + 2u) % 7u);
+                                            if (_e1707 < 7u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1741 = global_4.member[_e710.member_1][_e1736];
-                                            let _e1742 = (_e269 * 2u);
-                                            let _e1744 = ((1u + _e1742) % 7u);
-                                            if (_e1744 < 7u) {
+                                            let _e1712 = global_4.member[_e696.member_1][_e1707];
+                                            let _e1713 = (_e270 * 2u);
+                                            let _e1715 = ((1u + _e1713) % 7u);
+                                            if (_e1715 < 7u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1749 = global_4.member[_e710.member_1][_e1744];
-                                            let _e1751 = ((_e1742 + 2u) % 7u);
-                                            if (_e1751 < 7u) {
+                                            let _e1720 = global_4.member[_e696.member_1][_e1715];
+                                            let _e1722 = ((_e1713 + 2u) % 7u);
+                                            if (_e1722 < 7u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1756 = global_4.member[_e710.member_1][_e1751];
-                                            let _e1757 = (_e271 * 2u);
-                                            let _e1759 = ((1u + _e1757) % 7u);
-                                            if (_e1759 < 7u) {
+                                            let _e1727 = global_4.member[_e696.member_1][_e1722];
+                                            let _e1728 = (_e272 * 2u);
+                                            let _e1730 = ((1u + _e1728) % 7u);
+                                            if (_e1730 < 7u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1764 = global_4.member[_e710.member_1][_e1759];
-                                            let _e1766 = ((_e1757 + 2u) % 7u);
-                                            if (_e1766 < 7u) {
+                                            let _e1735 = global_4.member[_e696.member_1][_e1730];
+                                            let _e1737 = ((_e1728 + 2u) % 7u);
+                                            if (_e1737 < 7u) {
                                             } else {
-                                                phi_5307_ = true;
+                                                phi_5415_ = true;
                                                 break;
                                             }
-                                            let _e1771 = global_4.member[_e710.member_1][_e1766];
-                                            let _e1794 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.x - _e710.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1795 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.y - _e710.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1796 = (bitcast<f32>((bitcast<u32>((_e710.member.member_1.z - _e710.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1798 = select(_e150, _e1794, (_e1794 > _e150));
-                                            let _e1800 = select(_e150, _e1795, (_e1795 > _e150));
-                                            let _e1802 = select(_e150, _e1796, (_e1796 > _e150));
-                                            let _e1833 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1734 & 2097151u))) - 8388608f) * _e1798));
-                                            let _e1838 = (bitcast<i32>((_e1734 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1841 = bitcast<f32>((_e1833 & bitcast<u32>(_e1838)));
-                                            let _e1842 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1749 & 2097151u))) - 8388608f) * _e1800));
-                                            let _e1847 = (bitcast<i32>((_e1749 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1850 = bitcast<f32>((_e1842 & bitcast<u32>(_e1847)));
-                                            let _e1851 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1764 & 2097151u))) - 8388608f) * _e1802));
-                                            let _e1856 = (bitcast<i32>((_e1764 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1859 = bitcast<f32>((_e1851 & bitcast<u32>(_e1856)));
-                                            let _e1863 = bitcast<f32>((_e1833 & bitcast<u32>(~(_e1838))));
-                                            let _e1867 = bitcast<f32>((_e1842 & bitcast<u32>(~(_e1847))));
-                                            let _e1871 = bitcast<f32>((_e1851 & bitcast<u32>(~(_e1856))));
-                                            let _e1872 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1741 & 2097151u))) - 8388608f) * _e1798));
-                                            let _e1877 = (bitcast<i32>((_e1741 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1880 = bitcast<f32>((_e1872 & bitcast<u32>(_e1877)));
-                                            let _e1881 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1756 & 2097151u))) - 8388608f) * _e1800));
-                                            let _e1886 = (bitcast<i32>((_e1756 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1889 = bitcast<f32>((_e1881 & bitcast<u32>(_e1886)));
-                                            let _e1890 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1771 & 2097151u))) - 8388608f) * _e1802));
-                                            let _e1895 = (bitcast<i32>((_e1771 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1898 = bitcast<f32>((_e1890 & bitcast<u32>(_e1895)));
-                                            let _e1902 = bitcast<f32>((_e1872 & bitcast<u32>(~(_e1877))));
-                                            let _e1906 = bitcast<f32>((_e1881 & bitcast<u32>(~(_e1886))));
-                                            let _e1910 = bitcast<f32>((_e1890 & bitcast<u32>(~(_e1895))));
-                                            let _e1911 = (_e710.member.member.x + _e1841);
-                                            let _e1912 = (_e710.member.member.y + _e1850);
-                                            let _e1913 = (_e710.member.member.z + _e1859);
-                                            let _e1916 = (_e710.member.member_1.x - _e1880);
-                                            let _e1917 = (_e710.member.member_1.y - _e1889);
-                                            let _e1918 = (_e710.member.member_1.z - _e1898);
-                                            let _e1937 = (_e1916 - _e1911);
-                                            let _e1938 = (_e1917 - _e1912);
-                                            let _e1939 = (_e1918 - _e1913);
-                                            let _e1941 = select(_e1938, _e1937, (_e1937 > _e1938));
-                                            let _e1943 = select(_e1939, _e1941, (_e1941 > _e1939));
-                                            if (_e1943 < (1024f * _e150)) {
-                                                phi_3627_ = 0u;
+                                            let _e1742 = global_4.member[_e696.member_1][_e1737];
+                                            let _e1765 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.x - _e696.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1766 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.y - _e696.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1767 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.z - _e696.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e1769 = select(_e151, _e1765, (_e1765 > _e151));
+                                            let _e1771 = select(_e151, _e1766, (_e1766 > _e151));
+                                            let _e1773 = select(_e151, _e1767, (_e1767 > _e151));
+                                            let _e1804 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1705 & 2097151u))) - 8388608f) * _e1769));
+                                            let _e1809 = (bitcast<i32>((_e1705 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1812 = bitcast<f32>((_e1804 & bitcast<u32>(_e1809)));
+                                            let _e1813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1720 & 2097151u))) - 8388608f) * _e1771));
+                                            let _e1818 = (bitcast<i32>((_e1720 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1821 = bitcast<f32>((_e1813 & bitcast<u32>(_e1818)));
+                                            let _e1822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1735 & 2097151u))) - 8388608f) * _e1773));
+                                            let _e1827 = (bitcast<i32>((_e1735 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1830 = bitcast<f32>((_e1822 & bitcast<u32>(_e1827)));
+                                            let _e1834 = bitcast<f32>((_e1804 & bitcast<u32>(~(_e1809))));
+                                            let _e1838 = bitcast<f32>((_e1813 & bitcast<u32>(~(_e1818))));
+                                            let _e1842 = bitcast<f32>((_e1822 & bitcast<u32>(~(_e1827))));
+                                            let _e1843 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1712 & 2097151u))) - 8388608f) * _e1769));
+                                            let _e1848 = (bitcast<i32>((_e1712 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1851 = bitcast<f32>((_e1843 & bitcast<u32>(_e1848)));
+                                            let _e1852 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1727 & 2097151u))) - 8388608f) * _e1771));
+                                            let _e1857 = (bitcast<i32>((_e1727 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1860 = bitcast<f32>((_e1852 & bitcast<u32>(_e1857)));
+                                            let _e1861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1742 & 2097151u))) - 8388608f) * _e1773));
+                                            let _e1866 = (bitcast<i32>((_e1742 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1869 = bitcast<f32>((_e1861 & bitcast<u32>(_e1866)));
+                                            let _e1873 = bitcast<f32>((_e1843 & bitcast<u32>(~(_e1848))));
+                                            let _e1877 = bitcast<f32>((_e1852 & bitcast<u32>(~(_e1857))));
+                                            let _e1881 = bitcast<f32>((_e1861 & bitcast<u32>(~(_e1866))));
+                                            let _e1882 = (_e696.member.member.x + _e1812);
+                                            let _e1883 = (_e696.member.member.y + _e1821);
+                                            let _e1884 = (_e696.member.member.z + _e1830);
+                                            let _e1887 = (_e696.member.member_1.x - _e1851);
+                                            let _e1888 = (_e696.member.member_1.y - _e1860);
+                                            let _e1889 = (_e696.member.member_1.z - _e1869);
+                                            let _e1908 = (_e1887 - _e1882);
+                                            let _e1909 = (_e1888 - _e1883);
+                                            let _e1910 = (_e1889 - _e1884);
+                                            let _e1912 = select(_e1909, _e1908, (_e1908 > _e1909));
+                                            let _e1914 = select(_e1910, _e1912, (_e1912 > _e1910));
+                                            if (_e1914 < (1024f * _e151)) {
+                                                phi_3545_ = 0u;
                                             } else {
-                                                phi_3627_ = select(2u, 1u, (_e1943 < (2097152f * _e150)));
+                                                phi_3545_ = select(2u, 1u, (_e1914 < (2097152f * _e151)));
                                             }
-                                            let _e1950 = phi_3627_;
-                                            switch bitcast<i32>(_e1950) {
+                                            let _e1921 = phi_3545_;
+                                            switch bitcast<i32>(_e1921) {
                                                 case 0: {
-                                                    phi_3633_ = 1u;
+                                                    phi_3551_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3633_ = 2u;
+                                                    phi_3551_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3633_ = 3u;
+                                                    phi_3551_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3633_ = u32();
+                                                    phi_3551_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1953 = phi_3633_;
-                                            let _e1959 = global_4.member[_e710.member_1][0u];
-                                            let _e1963 = global_4.member[_e710.member_1][2u];
-                                            let _e1967 = global_4.member[_e710.member_1][4u];
-                                            let _e1971 = global_4.member[_e710.member_1][6u];
-                                            let _e1983 = (((_e1963 >> bitcast<u32>(22i)) | ((_e1967 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1971 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1984 = (_e1959 & 268435455u);
-                                            let _e1985 = (_e1983 & 268435455u);
-                                            let _e1988 = ((_e1959 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1996 = ((_e1959 >> bitcast<u32>(31i)) | (((_e1983 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1997 = (_e1988 != 0u);
-                                            if (_e1988 == 0u) {
-                                                phi_3888_ = _e1984;
+                                            let _e1924 = phi_3551_;
+                                            let _e1930 = global_4.member[_e696.member_1][0u];
+                                            let _e1934 = global_4.member[_e696.member_1][2u];
+                                            let _e1938 = global_4.member[_e696.member_1][4u];
+                                            let _e1942 = global_4.member[_e696.member_1][6u];
+                                            let _e1954 = (((_e1934 >> bitcast<u32>(22i)) | ((_e1938 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1942 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1955 = (_e1930 & 268435455u);
+                                            let _e1956 = (_e1954 & 268435455u);
+                                            let _e1959 = ((_e1930 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1967 = ((_e1930 >> bitcast<u32>(31i)) | (((_e1954 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1968 = (_e1959 != 0u);
+                                            if (_e1959 == 0u) {
+                                                phi_3806_ = _e1955;
                                             } else {
-                                                if (_e1988 == 7u) {
-                                                    phi_3887_ = 2147483648u;
+                                                if (_e1959 == 7u) {
+                                                    phi_3805_ = 2147483648u;
                                                 } else {
-                                                    phi_3887_ = ((2147483648u | (_e1988 << bitcast<u32>(28u))) | (_e1985 & 268435455u));
+                                                    phi_3805_ = ((2147483648u | (_e1959 << bitcast<u32>(28u))) | (_e1956 & 268435455u));
                                                 }
-                                                let _e2006 = phi_3887_;
-                                                phi_3888_ = _e2006;
+                                                let _e1977 = phi_3805_;
+                                                phi_3806_ = _e1977;
                                             }
-                                            let _e2008 = phi_3888_;
-                                            if _e1997 {
-                                                let _e2009 = (_e1988 != 7u);
-                                                if _e2009 {
-                                                    phi_3898_ = (_e1985 + (_e1988 * ((3u * _e1953) + 1u)));
+                                            let _e1979 = phi_3806_;
+                                            if _e1968 {
+                                                let _e1980 = (_e1959 != 7u);
+                                                if _e1980 {
+                                                    phi_3816_ = (_e1956 + (_e1959 * ((3u * _e1924) + 1u)));
                                                 } else {
-                                                    phi_3898_ = u32();
+                                                    phi_3816_ = u32();
                                                 }
-                                                let _e2013 = phi_3898_;
-                                                phi_3900_ = _e2013;
-                                                phi_3901_ = select(true, false, _e2009);
+                                                let _e1984 = phi_3816_;
+                                                phi_3818_ = _e1984;
+                                                phi_3819_ = select(true, false, _e1980);
                                             } else {
-                                                phi_3900_ = u32();
-                                                phi_3901_ = true;
+                                                phi_3818_ = u32();
+                                                phi_3819_ = true;
                                             }
-                                            let _e2016 = phi_3900_;
-                                            let _e2018 = phi_3901_;
-                                            if (_e1996 == 0u) {
-                                                phi_3922_ = (_e1984 + select(0u, 1u, !(_e1997)));
+                                            let _e1987 = phi_3818_;
+                                            let _e1989 = phi_3819_;
+                                            if (_e1967 == 0u) {
+                                                phi_3840_ = (_e1955 + select(0u, 1u, !(_e1968)));
                                             } else {
-                                                if (_e1996 == 7u) {
-                                                    phi_3921_ = 2147483648u;
+                                                if (_e1967 == 7u) {
+                                                    phi_3839_ = 2147483648u;
                                                 } else {
-                                                    phi_3921_ = ((2147483648u | (_e1996 << bitcast<u32>(28u))) | (select(_e2016, _e1985, _e2018) & 268435455u));
+                                                    phi_3839_ = ((2147483648u | (_e1967 << bitcast<u32>(28u))) | (select(_e1987, _e1956, _e1989) & 268435455u));
                                                 }
-                                                let _e2031 = phi_3921_;
-                                                phi_3922_ = _e2031;
+                                                let _e2002 = phi_3839_;
+                                                phi_3840_ = _e2002;
                                             }
-                                            let _e2033 = phi_3922_;
-                                            phi_3926_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e1911, (_e710.member.member.x + _e1863), _e1916, (_e710.member.member_1.x - _e1902)), vec4<f32>(_e1912, (_e710.member.member.y + _e1867), _e1917, (_e710.member.member_1.y - _e1906)), vec4<f32>(_e1913, (_e710.member.member.z + _e1871), _e1918, (_e710.member.member_1.z - _e1910))), type_51(type_24((_e710.member.member + vec4<f32>(_e1841, _e1850, _e1859, 0f)), (_e710.member.member_1 - vec4<f32>(_e1880, _e1889, _e1898, 0f))), _e2008), type_51(type_24((_e710.member.member + vec4<f32>(_e1863, _e1867, _e1871, 0f)), (_e710.member.member_1 - vec4<f32>(_e1902, _e1906, _e1910, 0f))), _e2033));
+                                            let _e2004 = phi_3840_;
+                                            phi_3844_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e1882, (_e696.member.member.x + _e1834), _e1887, (_e696.member.member_1.x - _e1873)), vec4<f32>(_e1883, (_e696.member.member.y + _e1838), _e1888, (_e696.member.member_1.y - _e1877)), vec4<f32>(_e1884, (_e696.member.member.z + _e1842), _e1889, (_e696.member.member_1.z - _e1881))), type_52(type_24((_e696.member.member + vec4<f32>(_e1812, _e1821, _e1830, 0f)), (_e696.member.member_1 - vec4<f32>(_e1851, _e1860, _e1869, 0f))), _e1979), type_52(type_24((_e696.member.member + vec4<f32>(_e1834, _e1838, _e1842, 0f)), (_e696.member.member_1 - vec4<f32>(_e1873, _e1877, _e1881, 0f))), _e2004));
                                         }
-                                        let _e2038 = phi_3926_;
-                                        let _e2049 = ((_e2038.member[0].x - _e372) * _e377);
-                                        let _e2050 = ((_e2038.member[0].y - _e372) * _e377);
-                                        let _e2051 = ((_e2038.member[0].z - _e373) * _e377);
-                                        let _e2052 = ((_e2038.member[0].w - _e373) * _e377);
-                                        let _e2062 = ((_e2038.member[1].x - _e440) * _e445);
-                                        let _e2063 = ((_e2038.member[1].y - _e440) * _e445);
-                                        let _e2064 = ((_e2038.member[1].z - _e441) * _e445);
-                                        let _e2065 = ((_e2038.member[1].w - _e441) * _e445);
-                                        let _e2075 = ((_e2038.member[2].x - _e508) * _e513);
-                                        let _e2076 = ((_e2038.member[2].y - _e508) * _e513);
-                                        let _e2077 = ((_e2038.member[2].z - _e509) * _e513);
-                                        let _e2078 = ((_e2038.member[2].w - _e509) * _e513);
-                                        let _e2080 = select(_e2077, _e2075, (_e2075 < _e2077));
-                                        let _e2082 = select(_e2078, _e2076, (_e2076 < _e2078));
-                                        let _e2084 = select(_e2077, _e2075, (_e2075 > _e2077));
-                                        let _e2086 = select(_e2078, _e2076, (_e2076 > _e2078));
-                                        let _e2088 = select(_e2051, _e2049, (_e2049 < _e2051));
-                                        let _e2090 = select(_e2052, _e2050, (_e2050 < _e2052));
-                                        let _e2092 = select(_e2064, _e2062, (_e2062 < _e2064));
-                                        let _e2094 = select(_e2065, _e2063, (_e2063 < _e2065));
-                                        let _e2096 = select(_e2092, _e2088, (_e2088 > _e2092));
-                                        let _e2098 = select(_e2094, _e2090, (_e2090 > _e2094));
-                                        let _e2100 = select(_e2080, _e2096, (_e2096 > _e2080));
-                                        let _e2102 = select(_e2082, _e2098, (_e2098 > _e2082));
-                                        let _e2104 = select(_e2051, _e2049, (_e2049 > _e2051));
-                                        let _e2106 = select(_e2052, _e2050, (_e2050 > _e2052));
-                                        let _e2108 = select(_e2064, _e2062, (_e2062 > _e2064));
-                                        let _e2110 = select(_e2065, _e2063, (_e2063 > _e2065));
-                                        let _e2112 = select(_e2108, _e2104, (_e2104 < _e2108));
-                                        let _e2114 = select(_e2110, _e2106, (_e2106 < _e2110));
-                                        let _e2119 = -(_e2080);
-                                        let _e2120 = -(_e2082);
-                                        let _e2127 = (select(_e2084, _e2112, (_e2112 < _e2084)) + (select(_e2119, _e2084, (_e2084 > _e2119)) * 0.0000019073523f));
-                                        let _e2128 = (select(_e2086, _e2114, (_e2114 < _e2086)) + (select(_e2120, _e2086, (_e2086 > _e2120)) * 0.0000019073523f));
-                                        let _e2130 = select(_e625, _e2100, (_e2100 > _e625));
-                                        let _e2132 = select(_e625, _e2102, (_e2102 > _e625));
-                                        let _e2137 = (_e2130 <= select(_e1724, _e2127, (_e2127 < _e1724)));
-                                        let _e2138 = (_e2132 <= select(_e1724, _e2128, (_e2128 < _e1724)));
-                                        let _e2139 = (_e2130 <= _e2132);
-                                        if _e2137 {
-                                            if _e2138 {
-                                                if _e2139 {
-                                                    phi_4289_ = _e2038.member_2;
+                                        let _e2009 = phi_3844_;
+                                        let _e2020 = ((_e2009.member[0].x - _e373) * _e376);
+                                        let _e2021 = ((_e2009.member[0].y - _e373) * _e376);
+                                        let _e2022 = ((_e2009.member[0].z - _e374) * _e376);
+                                        let _e2023 = ((_e2009.member[0].w - _e374) * _e376);
+                                        let _e2033 = ((_e2009.member[1].x - _e439) * _e442);
+                                        let _e2034 = ((_e2009.member[1].y - _e439) * _e442);
+                                        let _e2035 = ((_e2009.member[1].z - _e440) * _e442);
+                                        let _e2036 = ((_e2009.member[1].w - _e440) * _e442);
+                                        let _e2046 = ((_e2009.member[2].x - _e505) * _e508);
+                                        let _e2047 = ((_e2009.member[2].y - _e505) * _e508);
+                                        let _e2048 = ((_e2009.member[2].z - _e506) * _e508);
+                                        let _e2049 = ((_e2009.member[2].w - _e506) * _e508);
+                                        let _e2051 = select(_e2048, _e2046, (_e2046 < _e2048));
+                                        let _e2053 = select(_e2049, _e2047, (_e2047 < _e2049));
+                                        let _e2055 = select(_e2048, _e2046, (_e2046 > _e2048));
+                                        let _e2057 = select(_e2049, _e2047, (_e2047 > _e2049));
+                                        let _e2059 = select(_e2022, _e2020, (_e2020 < _e2022));
+                                        let _e2061 = select(_e2023, _e2021, (_e2021 < _e2023));
+                                        let _e2063 = select(_e2035, _e2033, (_e2033 < _e2035));
+                                        let _e2065 = select(_e2036, _e2034, (_e2034 < _e2036));
+                                        let _e2067 = select(_e2063, _e2059, (_e2059 > _e2063));
+                                        let _e2069 = select(_e2065, _e2061, (_e2061 > _e2065));
+                                        let _e2071 = select(_e2051, _e2067, (_e2067 > _e2051));
+                                        let _e2073 = select(_e2053, _e2069, (_e2069 > _e2053));
+                                        let _e2075 = select(_e2022, _e2020, (_e2020 > _e2022));
+                                        let _e2077 = select(_e2023, _e2021, (_e2021 > _e2023));
+                                        let _e2079 = select(_e2035, _e2033, (_e2033 > _e2035));
+                                        let _e2081 = select(_e2036, _e2034, (_e2034 > _e2036));
+                                        let _e2083 = select(_e2079, _e2075, (_e2075 < _e2079));
+                                        let _e2085 = select(_e2081, _e2077, (_e2077 < _e2081));
+                                        let _e2090 = -(_e2051);
+                                        let _e2091 = -(_e2053);
+                                        let _e2098 = (select(_e2055, _e2083, (_e2083 < _e2055)) + (select(_e2090, _e2055, (_e2055 > _e2090)) * 0.0000019073523f));
+                                        let _e2099 = (select(_e2057, _e2085, (_e2085 < _e2057)) + (select(_e2091, _e2057, (_e2057 > _e2091)) * 0.0000019073523f));
+                                        let _e2101 = select(_e611, _e2071, (_e2071 > _e611));
+                                        let _e2103 = select(_e611, _e2073, (_e2073 > _e611));
+                                        let _e2108 = (_e2101 <= select(_e1695, _e2098, (_e2098 < _e1695)));
+                                        let _e2109 = (_e2103 <= select(_e1695, _e2099, (_e2099 < _e1695)));
+                                        let _e2110 = (_e2101 <= _e2103);
+                                        if _e2108 {
+                                            if _e2109 {
+                                                if _e2110 {
+                                                    phi_4207_ = _e2009.member_2;
                                                 } else {
-                                                    phi_4289_ = _e2038.member_1;
+                                                    phi_4207_ = _e2009.member_1;
                                                 }
-                                                let _e2143 = phi_4289_;
-                                                let _e2164 = (_e708 % 128u);
-                                                let _e2165 = (_e2164 < 128u);
-                                                if _e2165 {
+                                                let _e2114 = phi_4207_;
+                                                let _e2135 = (_e694 % 128u);
+                                                let _e2136 = (_e2135 < 128u);
+                                                if _e2136 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_8[_e2164] = _e2143.member_1;
-                                                if _e2165 {
+                                                local_8[_e2135] = _e2114.member_1;
+                                                if _e2136 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_7[_e2164] = _e2143.member.member.x;
-                                                if _e2165 {
+                                                local_7[_e2135] = _e2114.member.member.x;
+                                                if _e2136 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_6[_e2164] = _e2143.member.member.y;
-                                                if _e2165 {
+                                                local_6[_e2135] = _e2114.member.member.y;
+                                                if _e2136 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_5[_e2164] = _e2143.member.member.z;
-                                                if _e2165 {
+                                                local_5[_e2135] = _e2114.member.member.z;
+                                                if _e2136 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_4[_e2164] = _e2143.member.member_1.x;
-                                                if _e2165 {
+                                                local_4[_e2135] = _e2114.member.member_1.x;
+                                                if _e2136 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_3[_e2164] = _e2143.member.member_1.y;
-                                                if _e2165 {
+                                                local_3[_e2135] = _e2114.member.member_1.y;
+                                                if _e2136 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2164] = _e2143.member.member_1.z;
-                                                if _e2165 {
+                                                local_2[_e2135] = _e2114.member.member_1.z;
+                                                if _e2136 {
                                                 } else {
-                                                    phi_5307_ = true;
+                                                    phi_5415_ = true;
                                                     break;
                                                 }
-                                                local_10[_e2164] = select(_e2130, _e2132, _e2139);
-                                                if _e2139 {
-                                                    phi_4365_ = _e2038.member_1;
+                                                local_10[_e2135] = select(_e2101, _e2103, _e2110);
+                                                if _e2110 {
+                                                    phi_4283_ = _e2009.member_1;
                                                 } else {
-                                                    phi_4365_ = _e2038.member_2;
+                                                    phi_4283_ = _e2009.member_2;
                                                 }
-                                                let _e2178 = phi_4365_;
-                                                phi_4366_ = (_e708 + 1u);
-                                                phi_4367_ = _e2178;
+                                                let _e2149 = phi_4283_;
+                                                phi_4284_ = (_e694 + 1u);
+                                                phi_4285_ = _e2149;
                                             } else {
-                                                phi_4366_ = u32();
-                                                phi_4367_ = type_51();
+                                                phi_4284_ = u32();
+                                                phi_4285_ = type_52();
                                             }
-                                            let _e2180 = phi_4366_;
-                                            let _e2182 = phi_4367_;
-                                            phi_4369_ = _e2180;
-                                            phi_4370_ = _e2182;
-                                            phi_4371_ = select(true, false, _e2138);
+                                            let _e2151 = phi_4284_;
+                                            let _e2153 = phi_4285_;
+                                            phi_4287_ = _e2151;
+                                            phi_4288_ = _e2153;
+                                            phi_4289_ = select(true, false, _e2109);
                                         } else {
-                                            phi_4369_ = u32();
-                                            phi_4370_ = type_51();
-                                            phi_4371_ = true;
+                                            phi_4287_ = u32();
+                                            phi_4288_ = type_52();
+                                            phi_4289_ = true;
                                         }
-                                        let _e2185 = phi_4369_;
-                                        let _e2187 = phi_4370_;
-                                        let _e2189 = phi_4371_;
-                                        if _e2189 {
-                                            if _e2137 {
-                                                phi_4380_ = _e2038.member_1;
+                                        let _e2156 = phi_4287_;
+                                        let _e2158 = phi_4288_;
+                                        let _e2160 = phi_4289_;
+                                        if _e2160 {
+                                            if _e2108 {
+                                                phi_4298_ = _e2009.member_1;
                                             } else {
-                                                phi_4380_ = _e2038.member_2;
+                                                phi_4298_ = _e2009.member_2;
                                             }
-                                            let _e2193 = phi_4380_;
-                                            phi_4385_ = select(_e2138, true, _e2137);
-                                            phi_4387_ = _e2193;
+                                            let _e2164 = phi_4298_;
+                                            phi_4303_ = select(_e2109, true, _e2108);
+                                            phi_4305_ = _e2164;
                                         } else {
-                                            phi_4385_ = _e706;
-                                            phi_4387_ = _e2187;
+                                            phi_4303_ = _e692;
+                                            phi_4305_ = _e2158;
                                         }
-                                        let _e2196 = phi_4385_;
-                                        let _e2198 = phi_4387_;
-                                        phi_4391_ = _e2196;
-                                        phi_4392_ = select(_e2185, _e708, _e2189);
-                                        phi_4393_ = _e2198;
+                                        let _e2167 = phi_4303_;
+                                        let _e2169 = phi_4305_;
+                                        phi_4309_ = _e2167;
+                                        phi_4310_ = select(_e2156, _e694, _e2160);
+                                        phi_4311_ = _e2169;
                                     }
-                                    let _e2201 = phi_4391_;
-                                    let _e2203 = phi_4392_;
-                                    let _e2205 = phi_4393_;
-                                    if _e714 {
-                                        phi_4403_ = _e710;
+                                    let _e2172 = phi_4309_;
+                                    let _e2174 = phi_4310_;
+                                    let _e2176 = phi_4311_;
+                                    if _e700 {
+                                        phi_4321_ = _e696;
                                     } else {
-                                        phi_4403_ = _e2205;
+                                        phi_4321_ = _e2176;
                                     }
-                                    let _e2207 = phi_4403_;
-                                    phi_5426_ = _e1724;
-                                    phi_5310_ = _e1722;
-                                    phi_4404_ = (_e670 - 1u);
-                                    phi_4405_ = select(_e2201, false, _e714);
-                                    phi_4406_ = select(_e2203, _e708, _e714);
-                                    phi_4407_ = _e2207;
+                                    let _e2178 = phi_4321_;
+                                    phi_5534_ = _e1695;
+                                    phi_5418_ = _e1693;
+                                    phi_4322_ = (_e656 - 1u);
+                                    phi_4323_ = select(_e2172, false, _e700);
+                                    phi_4324_ = select(_e2174, _e694, _e700);
+                                    phi_4325_ = _e2178;
                                 } else {
-                                    phi_5426_ = _e668;
-                                    phi_5310_ = _e666;
-                                    phi_4404_ = _e670;
-                                    phi_4405_ = _e706;
-                                    phi_4406_ = _e708;
-                                    phi_4407_ = _e710;
+                                    phi_5534_ = _e654;
+                                    phi_5418_ = _e652;
+                                    phi_4322_ = _e656;
+                                    phi_4323_ = _e692;
+                                    phi_4324_ = _e694;
+                                    phi_4325_ = _e696;
                                 }
-                                let _e2211 = phi_5426_;
-                                let _e2213 = phi_5310_;
-                                let _e2215 = phi_4404_;
-                                let _e2217 = phi_4405_;
-                                let _e2219 = phi_4406_;
-                                let _e2221 = phi_4407_;
-                                phi_5425_ = _e2211;
-                                phi_5309_ = _e2213;
-                                phi_4408_ = _e2215;
-                                phi_4409_ = _e2217;
-                                phi_4410_ = _e2219;
-                                phi_4411_ = _e2221;
+                                let _e2182 = phi_5534_;
+                                let _e2184 = phi_5418_;
+                                let _e2186 = phi_4322_;
+                                let _e2188 = phi_4323_;
+                                let _e2190 = phi_4324_;
+                                let _e2192 = phi_4325_;
+                                phi_5533_ = _e2182;
+                                phi_5417_ = _e2184;
+                                phi_4326_ = _e2186;
+                                phi_4327_ = _e2188;
+                                phi_4328_ = _e2190;
+                                phi_4329_ = _e2192;
                             } else {
-                                phi_5425_ = _e668;
-                                phi_5309_ = _e666;
-                                phi_4408_ = u32();
-                                phi_4409_ = bool();
-                                phi_4410_ = u32();
-                                phi_4411_ = type_51();
+                                phi_5533_ = _e654;
+                                phi_5417_ = _e652;
+                                phi_4326_ = u32();
+                                phi_4327_ = bool();
+                                phi_4328_ = u32();
+                                phi_4329_ = type_52();
                             }
-                            let _e2223 = phi_5425_;
-                            let _e2225 = phi_5309_;
-                            let _e2227 = phi_4408_;
-                            let _e2229 = phi_4409_;
-                            let _e2231 = phi_4410_;
-                            let _e2233 = phi_4411_;
-                            phi_5424_ = _e2223;
-                            phi_5308_ = _e2225;
-                            phi_1235_ = _e2227;
-                            phi_1238_ = _e2229;
-                            phi_1240_ = _e2231;
-                            phi_1242_ = _e2233;
-                            phi_4412_ = _e680;
+                            let _e2194 = phi_5533_;
+                            let _e2196 = phi_5417_;
+                            let _e2198 = phi_4326_;
+                            let _e2200 = phi_4327_;
+                            let _e2202 = phi_4328_;
+                            let _e2204 = phi_4329_;
+                            phi_5532_ = _e2194;
+                            phi_5416_ = _e2196;
+                            phi_1256_ = _e2198;
+                            phi_1259_ = _e2200;
+                            phi_1261_ = _e2202;
+                            phi_1263_ = _e2204;
+                            phi_4330_ = _e666;
                         } else {
-                            phi_5424_ = _e668;
-                            phi_5308_ = _e666;
-                            phi_1235_ = u32();
-                            phi_1238_ = bool();
-                            phi_1240_ = u32();
-                            phi_1242_ = type_51();
-                            phi_4412_ = false;
+                            phi_5532_ = _e654;
+                            phi_5416_ = _e652;
+                            phi_1256_ = u32();
+                            phi_1259_ = bool();
+                            phi_1261_ = u32();
+                            phi_1263_ = type_52();
+                            phi_4330_ = false;
                         }
-                        let _e2235 = phi_5424_;
-                        let _e2237 = phi_5308_;
-                        let _e2239 = phi_1235_;
-                        let _e2241 = phi_1238_;
-                        let _e2243 = phi_1240_;
-                        let _e2245 = phi_1242_;
-                        let _e2247 = phi_4412_;
+                        let _e2206 = phi_5532_;
+                        let _e2208 = phi_5416_;
+                        let _e2210 = phi_1256_;
+                        let _e2212 = phi_1259_;
+                        let _e2214 = phi_1261_;
+                        let _e2216 = phi_1263_;
+                        let _e2218 = phi_4330_;
                         continue;
                         continuing {
-                            phi_4976_ = _e2237;
-                            phi_4890_ = _e2235;
-                            phi_1234_ = _e2239;
-                            phi_1237_ = _e2241;
-                            phi_1239_ = _e2243;
-                            phi_1241_ = _e2245;
-                            phi_5307_ = _e2237;
-                            break if !(_e2247);
+                            phi_5075_ = _e2208;
+                            phi_4988_ = _e2206;
+                            phi_1255_ = _e2210;
+                            phi_1258_ = _e2212;
+                            phi_1260_ = _e2214;
+                            phi_1262_ = _e2216;
+                            phi_5415_ = _e2208;
+                            break if !(_e2218);
                         }
                     }
-                    let _e2250 = phi_5307_;
-                    if _e2250 {
+                    let _e2221 = phi_5415_;
+                    if _e2221 {
                         break;
                     }
-                    phi_4419_ = type_8(0u, 8u);
+                    phi_4337_ = type_8(0u, 8u);
                     loop {
-                        let _e2252 = phi_4419_;
-                        if (_e2252.member < _e2252.member_1) {
-                            phi_4420_ = type_8((_e2252.member + 1u), _e2252.member_1);
-                            phi_4443_ = type_8(1u, _e2252.member);
+                        let _e2223 = phi_4337_;
+                        if (_e2223.member < _e2223.member_1) {
+                            phi_4338_ = type_8((_e2223.member + 1u), _e2223.member_1);
+                            phi_4361_ = type_8(1u, _e2223.member);
                         } else {
-                            phi_4420_ = _e2252;
-                            phi_4443_ = type_8(0u, type_8().member_1);
+                            phi_4338_ = _e2223;
+                            phi_4361_ = type_8(0u, type_8().member_1);
                         }
-                        let _e2265 = phi_4420_;
-                        let _e2267 = phi_4443_;
-                        let _e2271 = (bitcast<i32>(_e2267.member) != 0i);
-                        if _e2271 {
-                            let _e2272 = (_e2267.member_1 < 8u);
-                            if _e2272 {
+                        let _e2236 = phi_4338_;
+                        let _e2238 = phi_4361_;
+                        let _e2242 = (bitcast<i32>(_e2238.member) != 0i);
+                        if _e2242 {
+                            let _e2243 = (_e2238.member_1 < 8u);
+                            if _e2243 {
                             } else {
-                                phi_5406_ = true;
+                                phi_5514_ = true;
                                 break;
                             }
-                            let _e2274 = local_9[_e2267.member_1];
-                            if (_e2274.member_3 != 4294967295u) {
-                                let _e2280 = -(_e527);
-                                let _e2281 = bitcast<u32>(_e2274.member);
-                                let _e2285 = (bitcast<i32>((_e2281 >> bitcast<u32>(23i))) & 255i);
-                                let _e2286 = (_e2285 + _e2280);
-                                if (_e2285 == 255i) {
-                                    phi_4516_ = _e2274.member;
+                            let _e2245 = local_9[_e2238.member_1];
+                            if (_e2245.member_3 != 4294967295u) {
+                                let _e2251 = -(_e513);
+                                let _e2252 = bitcast<u32>(_e2245.member);
+                                let _e2256 = (bitcast<i32>((_e2252 >> bitcast<u32>(23i))) & 255i);
+                                let _e2257 = (_e2256 + _e2251);
+                                if (_e2256 == 255i) {
+                                    phi_4434_ = _e2245.member;
                                 } else {
-                                    if (_e2285 > 0i) {
-                                        if (_e2286 > 0i) {
-                                            let _e2290 = (_e2286 < 255i);
-                                            if _e2290 {
-                                                phi_4495_ = bitcast<f32>((_e2281 + bitcast<u32>((_e2280 << bitcast<u32>(23i)))));
+                                    if (_e2256 > 0i) {
+                                        if (_e2257 > 0i) {
+                                            let _e2261 = (_e2257 < 255i);
+                                            if _e2261 {
+                                                phi_4413_ = bitcast<f32>((_e2252 + bitcast<u32>((_e2251 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_4495_ = f32();
+                                                phi_4413_ = f32();
                                             }
-                                            let _e2297 = phi_4495_;
-                                            phi_4497_ = _e2297;
-                                            phi_4498_ = select(true, false, _e2290);
+                                            let _e2268 = phi_4413_;
+                                            phi_4415_ = _e2268;
+                                            phi_4416_ = select(true, false, _e2261);
                                         } else {
-                                            phi_4497_ = f32();
-                                            phi_4498_ = true;
+                                            phi_4415_ = f32();
+                                            phi_4416_ = true;
                                         }
-                                        let _e2300 = phi_4497_;
-                                        let _e2302 = phi_4498_;
-                                        phi_4499_ = _e2300;
-                                        phi_4500_ = _e2302;
+                                        let _e2271 = phi_4415_;
+                                        let _e2273 = phi_4416_;
+                                        phi_4417_ = _e2271;
+                                        phi_4418_ = _e2273;
                                     } else {
-                                        phi_4499_ = f32();
-                                        phi_4500_ = true;
+                                        phi_4417_ = f32();
+                                        phi_4418_ = true;
                                     }
-                                    let _e2304 = phi_4499_;
-                                    let _e2306 = phi_4500_;
-                                    if _e2306 {
-                                        let _e2307 = (_e2281 & 2147483648u);
-                                        let _e2314 = ((_e2281 & 8388607u) | (select(0u, 1u, ((_e2281 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e2318 = (_e2314 == 0u);
-                                        if _e2318 {
-                                            phi_4837_ = bitcast<f32>(_e2307);
+                                    let _e2275 = phi_4417_;
+                                    let _e2277 = phi_4418_;
+                                    if _e2277 {
+                                        let _e2278 = (_e2252 & 2147483648u);
+                                        let _e2285 = ((_e2252 & 8388607u) | (select(0u, 1u, ((_e2252 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e2289 = (_e2285 == 0u);
+                                        if _e2289 {
+                                            phi_4935_ = bitcast<f32>(_e2278);
                                         } else {
-                                            let _e2323 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2314)), 32u, _e2318) - 8u);
-                                            let _e2326 = (_e2314 << bitcast<u32>((_e2323 & 31u)));
-                                            let _e2328 = ((_e2286 + select(0i, 1i, (_e2285 == 0i))) - bitcast<i32>(_e2323));
-                                            if (_e2328 >= 255i) {
-                                                phi_4827_ = bitcast<f32>((_e2307 | 2139095040u));
-                                                phi_4828_ = f32();
-                                                phi_4829_ = true;
+                                            let _e2294 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2285)), 32u, _e2289) - 8u);
+                                            let _e2297 = (_e2285 << bitcast<u32>((_e2294 & 31u)));
+                                            let _e2299 = ((_e2257 + select(0i, 1i, (_e2256 == 0i))) - bitcast<i32>(_e2294));
+                                            if (_e2299 >= 255i) {
+                                                phi_4925_ = bitcast<f32>((_e2278 | 2139095040u));
+                                                phi_4926_ = f32();
+                                                phi_4927_ = true;
                                             } else {
-                                                let _e2330 = (_e2328 > 0i);
-                                                if _e2330 {
-                                                    phi_4821_ = bitcast<f32>(((_e2307 | (bitcast<u32>(_e2328) << bitcast<u32>(23i))) | (_e2326 & 8388607u)));
-                                                    phi_4822_ = f32();
+                                                let _e2301 = (_e2299 > 0i);
+                                                if _e2301 {
+                                                    phi_4919_ = bitcast<f32>(((_e2278 | (bitcast<u32>(_e2299) << bitcast<u32>(23i))) | (_e2297 & 8388607u)));
+                                                    phi_4920_ = f32();
                                                 } else {
-                                                    if (_e2328 < -24i) {
-                                                        phi_4787_ = 26u;
+                                                    if (_e2299 < -24i) {
+                                                        phi_4885_ = 26u;
                                                     } else {
-                                                        phi_4787_ = bitcast<u32>((1i - _e2328));
+                                                        phi_4885_ = bitcast<u32>((1i - _e2299));
                                                     }
-                                                    let _e2335 = phi_4787_;
-                                                    let _e2336 = (_e2335 & 31u);
-                                                    let _e2338 = (_e2326 >> bitcast<u32>(_e2336));
-                                                    let _e2342 = (_e2326 & ((1u << bitcast<u32>(_e2336)) - 1u));
-                                                    let _e2346 = (1u << bitcast<u32>(((_e2335 - 1u) & 31u)));
-                                                    if (_e2342 > _e2346) {
-                                                        phi_4808_ = true;
+                                                    let _e2306 = phi_4885_;
+                                                    let _e2307 = (_e2306 & 31u);
+                                                    let _e2309 = (_e2297 >> bitcast<u32>(_e2307));
+                                                    let _e2313 = (_e2297 & ((1u << bitcast<u32>(_e2307)) - 1u));
+                                                    let _e2317 = (1u << bitcast<u32>(((_e2306 - 1u) & 31u)));
+                                                    if (_e2313 > _e2317) {
+                                                        phi_4906_ = true;
                                                     } else {
-                                                        if (_e2342 == _e2346) {
-                                                            phi_4805_ = ((_e2338 & 1u) == 1u);
+                                                        if (_e2313 == _e2317) {
+                                                            phi_4903_ = ((_e2309 & 1u) == 1u);
                                                         } else {
-                                                            phi_4805_ = false;
+                                                            phi_4903_ = false;
                                                         }
-                                                        let _e2352 = phi_4805_;
-                                                        phi_4808_ = _e2352;
+                                                        let _e2323 = phi_4903_;
+                                                        phi_4906_ = _e2323;
                                                     }
-                                                    let _e2354 = phi_4808_;
-                                                    phi_4821_ = f32();
-                                                    phi_4822_ = bitcast<f32>((_e2307 | (_e2338 + select(0u, 1u, _e2354))));
+                                                    let _e2325 = phi_4906_;
+                                                    phi_4919_ = f32();
+                                                    phi_4920_ = bitcast<f32>((_e2278 | (_e2309 + select(0u, 1u, _e2325))));
                                                 }
-                                                let _e2367 = phi_4821_;
-                                                let _e2369 = phi_4822_;
-                                                phi_4827_ = _e2367;
-                                                phi_4828_ = _e2369;
-                                                phi_4829_ = _e2330;
+                                                let _e2338 = phi_4919_;
+                                                let _e2340 = phi_4920_;
+                                                phi_4925_ = _e2338;
+                                                phi_4926_ = _e2340;
+                                                phi_4927_ = _e2301;
                                             }
-                                            let _e2373 = phi_4827_;
-                                            let _e2375 = phi_4828_;
-                                            let _e2377 = phi_4829_;
-                                            phi_4837_ = select(_e2375, _e2373, _e2377);
+                                            let _e2344 = phi_4925_;
+                                            let _e2346 = phi_4926_;
+                                            let _e2348 = phi_4927_;
+                                            phi_4935_ = select(_e2346, _e2344, _e2348);
                                         }
-                                        let _e2381 = phi_4837_;
-                                        phi_4515_ = _e2381;
+                                        let _e2352 = phi_4935_;
+                                        phi_4433_ = _e2352;
                                     } else {
-                                        phi_4515_ = _e2304;
+                                        phi_4433_ = _e2275;
                                     }
-                                    let _e2383 = phi_4515_;
-                                    phi_4516_ = _e2383;
+                                    let _e2354 = phi_4433_;
+                                    phi_4434_ = _e2354;
                                 }
-                                let _e2385 = phi_4516_;
-                                let _e2386 = bitcast<u32>(_e2385);
-                                if ((_e2386 & 2147483647u) >= 2139095040u) {
-                                    phi_4528_ = bitcast<f32>(((_e2386 & 2147483648u) | 2139095039u));
+                                let _e2356 = phi_4434_;
+                                let _e2357 = bitcast<u32>(_e2356);
+                                if ((_e2357 & 2147483647u) >= 2139095040u) {
+                                    phi_4446_ = bitcast<f32>(((_e2357 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_4528_ = _e2385;
+                                    phi_4446_ = _e2356;
                                 }
-                                let _e2393 = phi_4528_;
-                                phi_4533_ = type_20(_e2393, _e2274.member_1, _e2274.member_2, _e2274.member_3);
+                                let _e2364 = phi_4446_;
+                                phi_4451_ = type_20(_e2364, _e2245.member_1, _e2245.member_2, _e2245.member_3);
                             } else {
-                                phi_4533_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_4451_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2396 = phi_4533_;
-                            if _e2272 {
+                            let _e2367 = phi_4451_;
+                            if _e2243 {
                             } else {
-                                phi_5406_ = true;
+                                phi_5514_ = true;
                                 break;
                             }
-                            local_9[_e2267.member_1] = type_20(_e2396.member, _e2396.member_1, _e2396.member_2, _e2396.member_3);
+                            local_9[_e2238.member_1] = type_20(_e2367.member, _e2367.member_1, _e2367.member_2, _e2367.member_3);
                         }
                         continue;
                         continuing {
-                            phi_4419_ = _e2265;
-                            phi_5406_ = _e2250;
-                            break if !(_e2271);
+                            phi_4337_ = _e2236;
+                            phi_5514_ = _e2221;
+                            break if !(_e2242);
                         }
                     }
-                    let _e2404 = phi_5406_;
-                    if _e2404 {
+                    let _e2375 = phi_5514_;
+                    if _e2375 {
                         break;
                     }
-                    let _e2405 = local_9;
-                    if _e158 {
+                    let _e2376 = local_9;
+                    if _e159 {
                     } else {
                         break;
                     }
-                    global_6.member[_e156] = array<type_20, 8>(type_20(_e2405[0].member, _e2405[0].member_1, _e2405[0].member_2, _e2405[0].member_3), type_20(_e2405[1].member, _e2405[1].member_1, _e2405[1].member_2, _e2405[1].member_3), type_20(_e2405[2].member, _e2405[2].member_1, _e2405[2].member_2, _e2405[2].member_3), type_20(_e2405[3].member, _e2405[3].member_1, _e2405[3].member_2, _e2405[3].member_3), type_20(_e2405[4].member, _e2405[4].member_1, _e2405[4].member_2, _e2405[4].member_3), type_20(_e2405[5].member, _e2405[5].member_1, _e2405[5].member_2, _e2405[5].member_3), type_20(_e2405[6].member, _e2405[6].member_1, _e2405[6].member_2, _e2405[6].member_3), type_20(_e2405[7].member, _e2405[7].member_1, _e2405[7].member_2, _e2405[7].member_3));
+                    global_6.member[_e157] = array<type_20, 8>(type_20(_e2376[0].member, _e2376[0].member_1, _e2376[0].member_2, _e2376[0].member_3), type_20(_e2376[1].member, _e2376[1].member_1, _e2376[1].member_2, _e2376[1].member_3), type_20(_e2376[2].member, _e2376[2].member_1, _e2376[2].member_2, _e2376[2].member_3), type_20(_e2376[3].member, _e2376[3].member_1, _e2376[3].member_2, _e2376[3].member_3), type_20(_e2376[4].member, _e2376[4].member_1, _e2376[4].member_2, _e2376[4].member_3), type_20(_e2376[5].member, _e2376[5].member_1, _e2376[5].member_2, _e2376[5].member_3), type_20(_e2376[6].member, _e2376[6].member_1, _e2376[6].member_2, _e2376[6].member_3), type_20(_e2376[7].member, _e2376[7].member_1, _e2376[7].member_2, _e2376[7].member_3));
                 }
             }
             break;

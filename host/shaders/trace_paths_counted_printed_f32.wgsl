@@ -52,37 +52,44 @@ struct type_38 {
 }
 
 struct type_41 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_42 {
     member: type_38,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_45 {
+struct type_46 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_47 {
-    member: array<type_45>,
+struct type_48 {
+    member: array<type_46>,
 }
 
-struct type_50 {
+struct type_51 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_52 {
-    member: type_50,
+struct type_53 {
+    member: type_51,
     member_1: u32,
 }
 
-struct type_57 {
+struct type_58 {
     member: array<atomic<u32>>,
 }
 
@@ -92,15 +99,15 @@ var<storage> global_1: type_16;
 @group(0) @binding(4) 
 var<storage, read_write> global_2: type_25;
 @group(0) @binding(0) 
-var<uniform> global_3: type_43;
+var<uniform> global_3: type_44;
 @group(0) @binding(3) 
 var<storage> global_4: type_30;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_4;
 @group(0) @binding(6) 
-var<storage, read_write> global_6: type_57;
+var<storage, read_write> global_6: type_58;
 @group(0) @binding(1) 
-var<storage> global_7: type_47;
+var<storage> global_7: type_48;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -113,158 +120,145 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_435_: i32;
-    var phi_436_: i32;
-    var phi_446_: bool;
-    var phi_456_: u32;
-    var phi_457_: u32;
-    var phi_459_: bool;
-    var phi_464_: u32;
-    var phi_497_: i32;
-    var phi_515_: f32;
-    var phi_521_: f32;
-    var phi_561_: f32;
-    var phi_567_: f32;
-    var phi_619_: f32;
-    var phi_631_: f32;
-    var phi_640_: f32;
-    var phi_646_: f32;
-    var phi_686_: f32;
-    var phi_692_: f32;
-    var phi_744_: f32;
-    var phi_756_: f32;
-    var phi_765_: f32;
-    var phi_771_: f32;
-    var phi_811_: f32;
-    var phi_817_: f32;
-    var phi_869_: f32;
-    var phi_881_: f32;
-    var phi_936_: i32;
-    var phi_958_: u32;
-    var phi_959_: u32;
-    var phi_996_: i32;
-    var phi_1018_: u32;
-    var phi_1019_: u32;
-    var phi_1027_: f32;
-    var phi_1028_: f32;
-    var phi_3674_: bool;
-    var phi_1120_: type_41;
-    var phi_1123_: u32;
-    var phi_1125_: bool;
-    var phi_1127_: u32;
-    var phi_1129_: type_52;
-    var phi_1140_: bool;
-    var phi_1226_: bool;
-    var phi_1227_: u32;
-    var phi_1228_: type_52;
-    var phi_1246_: type_41;
-    var phi_1249_: type_7;
-    var phi_1250_: type_7;
-    var phi_1272_: type_7;
-    var phi_1296_: u32;
-    var phi_1388_: array<array<f32, 3>, 3>;
-    var phi_1540_: bool;
-    var phi_1569_: bool;
-    var phi_1988_: f32;
-    var phi_1989_: f32;
-    var phi_1990_: f32;
-    var phi_1991_: f32;
-    var phi_1992_: vec3<f32>;
-    var phi_1993_: vec3<f32>;
-    var phi_1994_: vec3<f32>;
-    var phi_1995_: vec3<f32>;
-    var phi_2032_: bool;
-    var phi_2041_: vec3<f32>;
-    var phi_2206_: f32;
-    var phi_2208_: f32;
-    var phi_2209_: bool;
-    var phi_2229_: f32;
-    var phi_2230_: f32;
-    var phi_2253_: type_23;
-    var phi_2255_: type_23;
-    var phi_2256_: bool;
-    var phi_2260_: type_23;
-    var phi_2261_: type_23;
-    var phi_2262_: type_23;
-    var phi_2263_: bool;
-    var phi_2267_: type_23;
-    var phi_2268_: bool;
-    var phi_2269_: type_23;
-    var phi_2270_: bool;
-    var phi_2271_: bool;
-    var phi_2272_: type_23;
-    var phi_2273_: bool;
-    var phi_2274_: bool;
-    var phi_2282_: type_23;
-    var phi_2283_: bool;
-    var phi_2287_: type_23;
-    var phi_2312_: bool;
-    var phi_2313_: bool;
-    var phi_2320_: type_41;
-    var phi_2321_: type_41;
-    var phi_2322_: type_41;
-    var phi_1247_: type_41;
-    var phi_3668_: bool;
-    var phi_3887_: bool;
-    var phi_2323_: type_41;
-    var phi_2344_: type_45;
-    var phi_3233_: type_52;
-    var phi_3309_: type_52;
-    var phi_3310_: u32;
-    var phi_3311_: type_52;
-    var phi_3313_: u32;
-    var phi_3314_: type_52;
-    var phi_3315_: bool;
-    var phi_3322_: type_52;
-    var phi_3327_: bool;
-    var phi_3329_: type_52;
-    var phi_3334_: type_41;
-    var phi_3335_: bool;
-    var phi_3336_: u32;
-    var phi_3337_: type_52;
-    var phi_3345_: type_41;
-    var phi_3348_: type_52;
-    var phi_3831_: bool;
-    var phi_3349_: type_41;
-    var phi_3350_: u32;
-    var phi_3351_: bool;
-    var phi_3352_: u32;
-    var phi_3353_: type_52;
-    var phi_3830_: bool;
-    var phi_3354_: type_41;
-    var phi_3355_: u32;
-    var phi_3356_: bool;
-    var phi_3357_: u32;
-    var phi_3358_: type_52;
-    var phi_3829_: bool;
-    var phi_1121_: type_41;
-    var phi_1124_: u32;
-    var phi_1126_: bool;
-    var phi_1128_: u32;
-    var phi_1130_: type_52;
-    var phi_3359_: bool;
-    var phi_3828_: bool;
-    var local_10: type_41;
-    var phi_3397_: f32;
-    var phi_3399_: f32;
-    var phi_3400_: bool;
-    var phi_3401_: f32;
-    var phi_3402_: bool;
-    var phi_3588_: u32;
-    var phi_3606_: bool;
-    var phi_3609_: bool;
-    var phi_3622_: f32;
-    var phi_3623_: f32;
-    var phi_3628_: f32;
-    var phi_3629_: f32;
-    var phi_3630_: bool;
-    var phi_3638_: f32;
-    var phi_3417_: f32;
-    var phi_3418_: f32;
-    var phi_3430_: f32;
-    var phi_3435_: type_23;
-    var local_11: type_41;
-    var local_12: type_41;
+    var phi_455_: i32;
+    var phi_456_: i32;
+    var phi_466_: bool;
+    var phi_476_: u32;
+    var phi_477_: u32;
+    var phi_479_: bool;
+    var phi_484_: u32;
+    var phi_517_: i32;
+    var phi_535_: f32;
+    var phi_541_: f32;
+    var phi_581_: f32;
+    var phi_587_: f32;
+    var phi_660_: f32;
+    var phi_666_: f32;
+    var phi_706_: f32;
+    var phi_712_: f32;
+    var phi_785_: f32;
+    var phi_791_: f32;
+    var phi_831_: f32;
+    var phi_837_: f32;
+    var phi_956_: i32;
+    var phi_978_: u32;
+    var phi_979_: u32;
+    var phi_1016_: i32;
+    var phi_1038_: u32;
+    var phi_1039_: u32;
+    var phi_1047_: f32;
+    var phi_1048_: f32;
+    var phi_3771_: bool;
+    var phi_1140_: type_42;
+    var phi_1143_: u32;
+    var phi_1145_: bool;
+    var phi_1147_: u32;
+    var phi_1149_: type_53;
+    var phi_1160_: bool;
+    var phi_1246_: bool;
+    var phi_1247_: u32;
+    var phi_1248_: type_53;
+    var phi_1266_: type_42;
+    var phi_1269_: type_7;
+    var phi_1270_: type_7;
+    var phi_1292_: type_7;
+    var phi_1316_: u32;
+    var phi_1408_: array<array<f32, 3>, 3>;
+    var phi_3492_: bool;
+    var phi_3507_: bool;
+    var phi_3522_: bool;
+    var phi_3537_: bool;
+    var phi_3552_: bool;
+    var phi_3567_: bool;
+    var phi_1950_: f32;
+    var phi_1951_: f32;
+    var phi_1952_: f32;
+    var phi_1953_: f32;
+    var phi_1954_: vec3<f32>;
+    var phi_1955_: vec3<f32>;
+    var phi_1956_: vec3<f32>;
+    var phi_1957_: vec3<f32>;
+    var phi_3582_: bool;
+    var phi_3597_: bool;
+    var phi_3612_: bool;
+    var phi_3627_: bool;
+    var phi_3642_: bool;
+    var phi_3657_: bool;
+    var phi_2165_: f32;
+    var phi_2185_: type_41;
+    var phi_2186_: type_41;
+    var phi_2189_: type_41;
+    var phi_2190_: type_41;
+    var phi_2191_: bool;
+    var phi_2195_: type_41;
+    var phi_2204_: type_23;
+    var phi_2229_: bool;
+    var phi_2230_: bool;
+    var phi_2237_: type_42;
+    var phi_2238_: type_42;
+    var phi_2239_: type_42;
+    var phi_1267_: type_42;
+    var phi_3765_: bool;
+    var phi_3989_: bool;
+    var phi_2240_: type_42;
+    var phi_2261_: type_46;
+    var phi_3150_: type_53;
+    var phi_3226_: type_53;
+    var phi_3227_: u32;
+    var phi_3228_: type_53;
+    var phi_3230_: u32;
+    var phi_3231_: type_53;
+    var phi_3232_: bool;
+    var phi_3239_: type_53;
+    var phi_3244_: bool;
+    var phi_3246_: type_53;
+    var phi_3251_: type_42;
+    var phi_3252_: bool;
+    var phi_3253_: u32;
+    var phi_3254_: type_53;
+    var phi_3262_: type_42;
+    var phi_3265_: type_53;
+    var phi_3933_: bool;
+    var phi_3266_: type_42;
+    var phi_3267_: u32;
+    var phi_3268_: bool;
+    var phi_3269_: u32;
+    var phi_3270_: type_53;
+    var phi_3932_: bool;
+    var phi_3271_: type_42;
+    var phi_3272_: u32;
+    var phi_3273_: bool;
+    var phi_3274_: u32;
+    var phi_3275_: type_53;
+    var phi_3931_: bool;
+    var phi_1141_: type_42;
+    var phi_1144_: u32;
+    var phi_1146_: bool;
+    var phi_1148_: u32;
+    var phi_1150_: type_53;
+    var phi_3276_: bool;
+    var phi_3930_: bool;
+    var local_10: type_42;
+    var phi_3314_: f32;
+    var phi_3316_: f32;
+    var phi_3317_: bool;
+    var phi_3318_: f32;
+    var phi_3319_: bool;
+    var phi_3685_: u32;
+    var phi_3703_: bool;
+    var phi_3706_: bool;
+    var phi_3719_: f32;
+    var phi_3720_: f32;
+    var phi_3725_: f32;
+    var phi_3726_: f32;
+    var phi_3727_: bool;
+    var phi_3735_: f32;
+    var phi_3334_: f32;
+    var phi_3335_: f32;
+    var phi_3347_: f32;
+    var phi_3352_: type_23;
+    var local_11: type_42;
+    var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -317,267 +311,237 @@ fn function_() {
                         if _e224 {
                             let _e227 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
                             if (_e227 >= 8388608u) {
-                                phi_435_ = (bitcast<i32>((_e227 >> bitcast<u32>(23i))) - 127i);
+                                phi_455_ = (bitcast<i32>((_e227 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_435_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
+                                phi_455_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
                             }
-                            let _e241 = phi_435_;
-                            phi_436_ = _e241;
+                            let _e241 = phi_455_;
+                            phi_456_ = _e241;
                         } else {
-                            phi_436_ = 0i;
+                            phi_456_ = 0i;
                         }
-                        let _e243 = phi_436_;
+                        let _e243 = phi_456_;
                         let _e244 = (_e153 == _e197);
                         if _e244 {
-                            phi_446_ = true;
+                            phi_466_ = true;
                         } else {
-                            phi_446_ = (_e161 == _e197);
+                            phi_466_ = (_e161 == _e197);
                         }
-                        let _e247 = phi_446_;
+                        let _e247 = phi_466_;
                         let _e248 = select(1u, 0u, _e244);
                         if _e247 {
                             let _e249 = (_e248 + 1u);
-                            phi_456_ = _e249;
-                            phi_457_ = _e249;
-                            phi_459_ = select(true, false, (_e249 == 2u));
+                            phi_476_ = _e249;
+                            phi_477_ = _e249;
+                            phi_479_ = select(true, false, (_e249 == 2u));
                         } else {
-                            phi_456_ = u32();
-                            phi_457_ = 0u;
-                            phi_459_ = true;
+                            phi_476_ = u32();
+                            phi_477_ = 0u;
+                            phi_479_ = true;
                         }
-                        let _e253 = phi_456_;
-                        let _e255 = phi_457_;
-                        let _e257 = phi_459_;
+                        let _e253 = phi_476_;
+                        let _e255 = phi_477_;
+                        let _e257 = phi_479_;
                         if _e257 {
-                            phi_464_ = (_e255 + 1u);
+                            phi_484_ = (_e255 + 1u);
                         } else {
-                            phi_464_ = 0u;
+                            phi_484_ = 0u;
                         }
-                        let _e261 = phi_464_;
+                        let _e261 = phi_484_;
                         let _e262 = select(_e253, _e255, _e257);
                         let _e263 = select(_e248, select(2u, _e248, _e247), _e257);
                         let _e264 = -(_e243);
                         if (_e264 < -126i) {
-                            phi_497_ = -126i;
+                            phi_517_ = -126i;
                         } else {
-                            phi_497_ = select(_e264, 127i, (_e264 > 127i));
+                            phi_517_ = select(_e264, 127i, (_e264 > 127i));
                         }
-                        let _e269 = phi_497_;
+                        let _e269 = phi_517_;
                         let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
                         let _e280 = bitcast<f32>((bitcast<u32>(((_e264 - _e269) + 127i)) << bitcast<u32>(23i)));
                         let _e285 = global_4.member[_e132].member.member;
                         let _e286 = (_e262 == 0u);
                         if _e286 {
-                            phi_515_ = _e285[0];
+                            phi_535_ = _e285[0];
                         } else {
-                            phi_515_ = _e285[1];
+                            phi_535_ = _e285[1];
                         }
-                        let _e290 = phi_515_;
+                        let _e290 = phi_535_;
                         let _e291 = (_e262 == 2u);
                         if _e291 {
-                            phi_521_ = _e285[2];
+                            phi_541_ = _e285[2];
                         } else {
-                            phi_521_ = _e290;
+                            phi_541_ = _e290;
                         }
-                        let _e294 = phi_521_;
+                        let _e294 = phi_541_;
                         let _e295 = bitcast<u32>(_e294);
                         let _e297 = ((_e295 & 2139095040u) != 0u);
                         let _e309 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e295 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e295 & 2147483648u))), _e294, _e297) * select(0.00000011920929f, 1f, _e297));
                         let _e310 = global_4.member[_e132].member.member_2;
                         if _e286 {
-                            phi_561_ = _e310[0];
+                            phi_581_ = _e310[0];
                         } else {
-                            phi_561_ = _e310[1];
+                            phi_581_ = _e310[1];
                         }
-                        let _e314 = phi_561_;
+                        let _e314 = phi_581_;
                         if _e291 {
-                            phi_567_ = _e310[2];
+                            phi_587_ = _e310[2];
                         } else {
-                            phi_567_ = _e314;
+                            phi_587_ = _e314;
                         }
-                        let _e317 = phi_567_;
+                        let _e317 = phi_587_;
                         let _e318 = bitcast<u32>(_e317);
                         let _e320 = ((_e318 & 2139095040u) != 0u);
                         let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e274) * select(0.00000011920929f, 1f, _e320)) * _e280);
-                        let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e338 {
-                            let _e342 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                            phi_619_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
+                        let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e341 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                        let _e342 = (_e341 * 0.00000011920929f);
+                        let _e345 = select(select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f)), 0f, _e338);
+                        let _e346 = select(0f, _e334, _e338);
+                        let _e347 = (_e309 + _e345);
+                        let _e348 = (_e309 - _e345);
+                        let _e350 = select(38685626000000000000000000f, (1f / _e334), _e338);
+                        let _e351 = (_e261 == 0u);
+                        if _e351 {
+                            phi_660_ = _e285[0];
                         } else {
-                            phi_619_ = 0f;
+                            phi_660_ = _e285[1];
                         }
-                        let _e346 = phi_619_;
-                        let _e347 = (_e309 + _e346);
-                        let _e348 = (_e309 - _e346);
-                        let _e349 = select(_e334, 0f, _e338);
-                        if _e338 {
-                            phi_631_ = 38685626000000000000000000f;
+                        let _e355 = phi_660_;
+                        let _e356 = (_e261 == 2u);
+                        if _e356 {
+                            phi_666_ = _e285[2];
                         } else {
-                            phi_631_ = (1f / _e334);
+                            phi_666_ = _e355;
                         }
-                        let _e352 = phi_631_;
-                        let _e353 = (_e261 == 0u);
-                        if _e353 {
-                            phi_640_ = _e285[0];
+                        let _e359 = phi_666_;
+                        let _e360 = bitcast<u32>(_e359);
+                        let _e362 = ((_e360 & 2139095040u) != 0u);
+                        let _e374 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e360 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e360 & 2147483648u))), _e359, _e362) * select(0.00000011920929f, 1f, _e362));
+                        if _e351 {
+                            phi_706_ = _e310[0];
                         } else {
-                            phi_640_ = _e285[1];
+                            phi_706_ = _e310[1];
                         }
-                        let _e357 = phi_640_;
-                        let _e358 = (_e261 == 2u);
-                        if _e358 {
-                            phi_646_ = _e285[2];
+                        let _e378 = phi_706_;
+                        if _e356 {
+                            phi_712_ = _e310[2];
                         } else {
-                            phi_646_ = _e357;
+                            phi_712_ = _e378;
                         }
-                        let _e361 = phi_646_;
-                        let _e362 = bitcast<u32>(_e361);
-                        let _e364 = ((_e362 & 2139095040u) != 0u);
-                        let _e376 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e362 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e362 & 2147483648u))), _e361, _e364) * select(0.00000011920929f, 1f, _e364));
-                        if _e353 {
-                            phi_686_ = _e310[0];
+                        let _e381 = phi_712_;
+                        let _e382 = bitcast<u32>(_e381);
+                        let _e384 = ((_e382 & 2139095040u) != 0u);
+                        let _e398 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e382 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e382 & 2147483648u))), _e381, _e384) * _e274) * select(0.00000011920929f, 1f, _e384)) * _e280);
+                        let _e402 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e405 = bitcast<f32>((bitcast<u32>(_e374) & 2147483647u));
+                        let _e406 = (_e405 * 0.00000011920929f);
+                        let _e409 = select(select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f)), 0f, _e402);
+                        let _e410 = select(0f, _e398, _e402);
+                        let _e411 = (_e374 + _e409);
+                        let _e412 = (_e374 - _e409);
+                        let _e414 = select(38685626000000000000000000f, (1f / _e398), _e402);
+                        let _e415 = (_e263 == 0u);
+                        if _e415 {
+                            phi_785_ = _e285[0];
                         } else {
-                            phi_686_ = _e310[1];
+                            phi_785_ = _e285[1];
                         }
-                        let _e380 = phi_686_;
-                        if _e358 {
-                            phi_692_ = _e310[2];
+                        let _e419 = phi_785_;
+                        let _e420 = (_e263 == 2u);
+                        if _e420 {
+                            phi_791_ = _e285[2];
                         } else {
-                            phi_692_ = _e380;
+                            phi_791_ = _e419;
                         }
-                        let _e383 = phi_692_;
-                        let _e384 = bitcast<u32>(_e383);
-                        let _e386 = ((_e384 & 2139095040u) != 0u);
-                        let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e274) * select(0.00000011920929f, 1f, _e386)) * _e280);
-                        let _e404 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e404 {
-                            let _e408 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) * 0.00000011920929f);
-                            phi_744_ = select(0.00000000000011368684f, _e408, (_e408 > 0.00000000000011368684f));
+                        let _e423 = phi_791_;
+                        let _e424 = bitcast<u32>(_e423);
+                        let _e426 = ((_e424 & 2139095040u) != 0u);
+                        let _e438 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e424 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e424 & 2147483648u))), _e423, _e426) * select(0.00000011920929f, 1f, _e426));
+                        if _e415 {
+                            phi_831_ = _e310[0];
                         } else {
-                            phi_744_ = 0f;
+                            phi_831_ = _e310[1];
                         }
-                        let _e412 = phi_744_;
-                        let _e413 = (_e376 + _e412);
-                        let _e414 = (_e376 - _e412);
-                        let _e415 = select(_e400, 0f, _e404);
-                        if _e404 {
-                            phi_756_ = 38685626000000000000000000f;
+                        let _e442 = phi_831_;
+                        if _e420 {
+                            phi_837_ = _e310[2];
                         } else {
-                            phi_756_ = (1f / _e400);
+                            phi_837_ = _e442;
                         }
-                        let _e418 = phi_756_;
-                        let _e419 = (_e263 == 0u);
-                        if _e419 {
-                            phi_765_ = _e285[0];
-                        } else {
-                            phi_765_ = _e285[1];
-                        }
-                        let _e423 = phi_765_;
-                        let _e424 = (_e263 == 2u);
-                        if _e424 {
-                            phi_771_ = _e285[2];
-                        } else {
-                            phi_771_ = _e423;
-                        }
-                        let _e427 = phi_771_;
-                        let _e428 = bitcast<u32>(_e427);
-                        let _e430 = ((_e428 & 2139095040u) != 0u);
-                        let _e442 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e428 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e428 & 2147483648u))), _e427, _e430) * select(0.00000011920929f, 1f, _e430));
-                        if _e419 {
-                            phi_811_ = _e310[0];
-                        } else {
-                            phi_811_ = _e310[1];
-                        }
-                        let _e446 = phi_811_;
-                        if _e424 {
-                            phi_817_ = _e310[2];
-                        } else {
-                            phi_817_ = _e446;
-                        }
-                        let _e449 = phi_817_;
-                        let _e450 = bitcast<u32>(_e449);
-                        let _e452 = ((_e450 & 2139095040u) != 0u);
-                        let _e466 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e450 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e450 & 2147483648u))), _e449, _e452) * _e274) * select(0.00000011920929f, 1f, _e452)) * _e280);
-                        let _e470 = (bitcast<f32>((bitcast<u32>(_e466) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e470 {
-                            let _e474 = (bitcast<f32>((bitcast<u32>(_e442) & 2147483647u)) * 0.00000011920929f);
-                            phi_869_ = select(0.00000000000011368684f, _e474, (_e474 > 0.00000000000011368684f));
-                        } else {
-                            phi_869_ = 0f;
-                        }
-                        let _e478 = phi_869_;
-                        let _e479 = (_e442 + _e478);
-                        let _e480 = (_e442 - _e478);
-                        let _e481 = select(_e466, 0f, _e470);
-                        if _e470 {
-                            phi_881_ = 38685626000000000000000000f;
-                        } else {
-                            phi_881_ = (1f / _e466);
-                        }
-                        let _e484 = phi_881_;
-                        let _e487 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
-                        let _e490 = bitcast<f32>((bitcast<u32>(_e376) & 2147483647u));
-                        let _e492 = select(_e490, _e487, (_e487 > _e490));
-                        let _e495 = bitcast<f32>((bitcast<u32>(_e442) & 2147483647u));
-                        if (_e224 && (select(_e495, _e492, (_e492 > _e495)) <= 1099511600000f)) {
-                            let _e507 = ((_e210 & 8388607u) | (select(0u, 1u, ((_e210 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e510 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
-                            let _e514 = (_e507 == 0u);
-                            let _e517 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e507)), 32u, _e514)) - 8i);
-                            if (_e510 == 255i) {
-                                phi_936_ = 255i;
+                        let _e445 = phi_837_;
+                        let _e446 = bitcast<u32>(_e445);
+                        let _e448 = ((_e446 & 2139095040u) != 0u);
+                        let _e462 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e446 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e446 & 2147483648u))), _e445, _e448) * _e274) * select(0.00000011920929f, 1f, _e448)) * _e280);
+                        let _e466 = (bitcast<f32>((bitcast<u32>(_e462) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e469 = bitcast<f32>((bitcast<u32>(_e438) & 2147483647u));
+                        let _e470 = (_e469 * 0.00000011920929f);
+                        let _e473 = select(select(0.00000000000011368684f, _e470, (_e470 > 0.00000000000011368684f)), 0f, _e466);
+                        let _e474 = select(0f, _e462, _e466);
+                        let _e475 = (_e438 + _e473);
+                        let _e476 = (_e438 - _e473);
+                        let _e478 = select(38685626000000000000000000f, (1f / _e462), _e466);
+                        let _e480 = select(_e405, _e341, (_e341 > _e405));
+                        if (_e224 && (select(_e469, _e480, (_e480 > _e469)) <= 1099511600000f)) {
+                            let _e492 = ((_e210 & 8388607u) | (select(0u, 1u, ((_e210 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e495 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
+                            let _e499 = (_e492 == 0u);
+                            let _e502 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e492)), 32u, _e499)) - 8i);
+                            if (_e495 == 255i) {
+                                phi_956_ = 255i;
                             } else {
-                                phi_936_ = (((_e510 + select(0i, 1i, (_e510 == 0i))) - _e517) + _e243);
+                                phi_956_ = (((_e495 + select(0i, 1i, (_e495 == 0i))) - _e502) + _e243);
                             }
-                            let _e525 = phi_936_;
-                            let _e535 = (_e525 <= 0i);
-                            if _e535 {
-                                phi_959_ = u32();
+                            let _e510 = phi_956_;
+                            let _e520 = (_e510 <= 0i);
+                            if _e520 {
+                                phi_979_ = u32();
                             } else {
-                                if _e514 {
-                                    phi_958_ = u32();
+                                if _e499 {
+                                    phi_978_ = u32();
                                 } else {
-                                    phi_958_ = select(((bitcast<u32>(_e525) << bitcast<u32>(23i)) | ((_e507 << bitcast<u32>(((_e517 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e525 >= 255i));
+                                    phi_978_ = select(((bitcast<u32>(_e510) << bitcast<u32>(23i)) | ((_e492 << bitcast<u32>(((_e502 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e510 >= 255i));
                                 }
-                                let _e539 = phi_958_;
-                                phi_959_ = _e539;
+                                let _e524 = phi_978_;
+                                phi_979_ = _e524;
                             }
-                            let _e541 = phi_959_;
-                            let _e553 = ((_e220 & 8388607u) | (select(0u, 1u, ((_e220 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e556 = bitcast<i32>((_e220 >> bitcast<u32>(23i)));
-                            let _e560 = (_e553 == 0u);
-                            let _e563 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e553)), 32u, _e560)) - 8i);
-                            if (_e556 == 255i) {
-                                phi_996_ = 255i;
+                            let _e526 = phi_979_;
+                            let _e538 = ((_e220 & 8388607u) | (select(0u, 1u, ((_e220 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e541 = bitcast<i32>((_e220 >> bitcast<u32>(23i)));
+                            let _e545 = (_e538 == 0u);
+                            let _e548 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e538)), 32u, _e545)) - 8i);
+                            if (_e541 == 255i) {
+                                phi_1016_ = 255i;
                             } else {
-                                phi_996_ = (((_e556 + select(0i, 1i, (_e556 == 0i))) - _e563) + _e243);
+                                phi_1016_ = (((_e541 + select(0i, 1i, (_e541 == 0i))) - _e548) + _e243);
                             }
-                            let _e571 = phi_996_;
-                            let _e581 = (_e571 <= 0i);
-                            if _e581 {
-                                phi_1019_ = u32();
+                            let _e556 = phi_1016_;
+                            let _e566 = (_e556 <= 0i);
+                            if _e566 {
+                                phi_1039_ = u32();
                             } else {
-                                if _e560 {
-                                    phi_1018_ = u32();
+                                if _e545 {
+                                    phi_1038_ = u32();
                                 } else {
-                                    phi_1018_ = select(((bitcast<u32>(_e571) << bitcast<u32>(23i)) | ((_e553 << bitcast<u32>(((_e563 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e571 >= 255i));
+                                    phi_1038_ = select(((bitcast<u32>(_e556) << bitcast<u32>(23i)) | ((_e538 << bitcast<u32>(((_e548 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e556 >= 255i));
                                 }
-                                let _e585 = phi_1018_;
-                                phi_1019_ = _e585;
+                                let _e570 = phi_1038_;
+                                phi_1039_ = _e570;
                             }
-                            let _e587 = phi_1019_;
-                            phi_1027_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e587, 0u, select(_e560, true, _e581))));
-                            phi_1028_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e541, 0u, select(_e514, true, _e535))));
+                            let _e572 = phi_1039_;
+                            phi_1047_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e572, 0u, select(_e545, true, _e566))));
+                            phi_1048_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e526, 0u, select(_e499, true, _e520))));
                         } else {
-                            phi_1027_ = 0f;
-                            phi_1028_ = 1f;
+                            phi_1047_ = 0f;
+                            phi_1048_ = 1f;
                         }
-                        let _e593 = phi_1027_;
-                        let _e595 = phi_1028_;
+                        let _e578 = phi_1047_;
+                        let _e580 = phi_1048_;
                         if _e139 {
                         } else {
                             break;
                         }
-                        let _e601 = global_4.member[_e132].member_2;
+                        let _e586 = global_4.member[_e132].member_2;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -587,1051 +551,1028 @@ fn function_() {
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 3>(bitcast<f32>(_e104), bitcast<f32>(_e108), bitcast<f32>(_e112));
-                        let _e605 = (_e262 % 3u);
-                        let _e606 = (_e605 < 3u);
-                        if _e606 {
+                        let _e590 = (_e262 % 3u);
+                        let _e591 = (_e590 < 3u);
+                        if _e591 {
                         } else {
                             break;
                         }
-                        let _e608 = local_9[_e605];
-                        let _e609 = (_e261 % 3u);
-                        let _e610 = (_e609 < 3u);
-                        if _e610 {
+                        let _e593 = local_9[_e590];
+                        let _e594 = (_e261 % 3u);
+                        let _e595 = (_e594 < 3u);
+                        if _e595 {
                         } else {
                             break;
                         }
-                        let _e612 = local_9[_e609];
-                        let _e613 = (_e263 % 3u);
-                        let _e614 = (_e613 < 3u);
-                        if _e614 {
+                        let _e597 = local_9[_e594];
+                        let _e598 = (_e263 % 3u);
+                        let _e599 = (_e598 < 3u);
+                        if _e599 {
                         } else {
                             break;
                         }
-                        let _e616 = local_9[_e613];
+                        let _e601 = local_9[_e598];
                         local_8 = array<f32, 3>(bitcast<f32>(_e116), bitcast<f32>(_e120), bitcast<f32>(_e124));
-                        if _e606 {
+                        if _e591 {
                         } else {
                             break;
                         }
-                        let _e620 = local_8[_e605];
-                        if _e610 {
+                        let _e605 = local_8[_e590];
+                        if _e595 {
                         } else {
                             break;
                         }
-                        let _e622 = local_8[_e609];
-                        if _e614 {
+                        let _e607 = local_8[_e594];
+                        if _e599 {
                         } else {
                             break;
                         }
-                        let _e624 = local_8[_e613];
-                        phi_3674_ = false;
-                        phi_1120_ = type_41(type_38(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e593), 0u, 0u);
-                        phi_1123_ = ((3u * _e90) + 1u);
-                        phi_1125_ = (_e595 <= _e593);
-                        phi_1127_ = 0u;
-                        phi_1129_ = type_52(type_50(array<f32, 3>(_e608, _e612, _e616), array<f32, 3>(_e620, _e622, _e624)), select(0u, 2147483648u, (_e90 == 0u)));
+                        let _e609 = local_8[_e598];
+                        phi_3771_ = false;
+                        phi_1140_ = type_42(type_38(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e578), 0u, 0u);
+                        phi_1143_ = ((3u * _e90) + 1u);
+                        phi_1145_ = (_e580 <= _e578);
+                        phi_1147_ = 0u;
+                        phi_1149_ = type_53(type_51(array<f32, 3>(_e593, _e597, _e601), array<f32, 3>(_e605, _e607, _e609)), select(0u, 2147483648u, (_e90 == 0u)));
                         loop {
-                            let _e632 = phi_3674_;
-                            let _e634 = phi_1120_;
-                            let _e636 = phi_1123_;
-                            let _e638 = phi_1125_;
-                            let _e640 = phi_1127_;
-                            let _e642 = phi_1129_;
-                            local_10 = _e634;
-                            local_11 = _e634;
-                            if _e638 {
-                                phi_1140_ = true;
+                            let _e617 = phi_3771_;
+                            let _e619 = phi_1140_;
+                            let _e621 = phi_1143_;
+                            let _e623 = phi_1145_;
+                            let _e625 = phi_1147_;
+                            let _e627 = phi_1149_;
+                            local_10 = _e619;
+                            local_11 = _e619;
+                            if _e623 {
+                                phi_1160_ = true;
                             } else {
-                                phi_1140_ = (_e640 > 0u);
+                                phi_1160_ = (_e625 > 0u);
                             }
-                            let _e645 = phi_1140_;
-                            if _e645 {
-                                let _e646 = (_e636 > 0u);
-                                if _e646 {
-                                    if _e638 {
-                                        phi_1226_ = _e638;
-                                        phi_1227_ = _e640;
-                                        phi_1228_ = _e642;
+                            let _e630 = phi_1160_;
+                            if _e630 {
+                                let _e631 = (_e621 > 0u);
+                                if _e631 {
+                                    if _e623 {
+                                        phi_1246_ = _e623;
+                                        phi_1247_ = _e625;
+                                        phi_1248_ = _e627;
                                     } else {
-                                        let _e647 = (_e640 - 1u);
-                                        let _e648 = (_e647 % 128u);
-                                        let _e649 = (_e648 < 128u);
-                                        if _e649 {
+                                        let _e632 = (_e625 - 1u);
+                                        let _e633 = (_e632 % 128u);
+                                        let _e634 = (_e633 < 128u);
+                                        if _e634 {
                                         } else {
-                                            phi_3828_ = true;
+                                            phi_3930_ = true;
                                             break;
                                         }
-                                        let _e651 = local_6[_e648];
-                                        if _e649 {
+                                        let _e636 = local_6[_e633];
+                                        if _e634 {
                                         } else {
-                                            phi_3828_ = true;
+                                            phi_3930_ = true;
                                             break;
                                         }
-                                        let _e653 = local_5[_e648];
-                                        if _e649 {
+                                        let _e638 = local_5[_e633];
+                                        if _e634 {
                                         } else {
-                                            phi_3828_ = true;
+                                            phi_3930_ = true;
                                             break;
                                         }
-                                        let _e655 = local_4[_e648];
-                                        if _e649 {
+                                        let _e640 = local_4[_e633];
+                                        if _e634 {
                                         } else {
-                                            phi_3828_ = true;
+                                            phi_3930_ = true;
                                             break;
                                         }
-                                        let _e657 = local_3[_e648];
-                                        if _e649 {
+                                        let _e642 = local_3[_e633];
+                                        if _e634 {
                                         } else {
-                                            phi_3828_ = true;
+                                            phi_3930_ = true;
                                             break;
                                         }
-                                        let _e660 = local_2[_e648];
-                                        if _e649 {
+                                        let _e645 = local_2[_e633];
+                                        if _e634 {
                                         } else {
-                                            phi_3828_ = true;
+                                            phi_3930_ = true;
                                             break;
                                         }
-                                        let _e662 = local_1[_e648];
-                                        if _e649 {
+                                        let _e647 = local_1[_e633];
+                                        if _e634 {
                                         } else {
-                                            phi_3828_ = true;
+                                            phi_3930_ = true;
                                             break;
                                         }
-                                        let _e664 = local[_e648];
-                                        if _e649 {
+                                        let _e649 = local[_e633];
+                                        if _e634 {
                                         } else {
-                                            phi_3828_ = true;
+                                            phi_3930_ = true;
                                             break;
                                         }
-                                        let _e669 = local_7[_e648];
-                                        phi_1226_ = (_e669 <= _e634.member.member_1);
-                                        phi_1227_ = _e647;
-                                        phi_1228_ = type_52(type_50(array<f32, 3>(_e653, _e655, _e657), array<f32, 3>(_e660, _e662, _e664)), _e651);
+                                        let _e654 = local_7[_e633];
+                                        phi_1246_ = (_e654 <= _e619.member.member_1);
+                                        phi_1247_ = _e632;
+                                        phi_1248_ = type_53(type_51(array<f32, 3>(_e638, _e640, _e642), array<f32, 3>(_e645, _e647, _e649)), _e636);
                                     }
-                                    let _e674 = phi_1226_;
-                                    let _e676 = phi_1227_;
-                                    let _e678 = phi_1228_;
-                                    if _e674 {
-                                        let _e682 = ((_e678.member_1 & 2147483648u) != 0u);
-                                        if _e682 {
-                                            phi_1246_ = _e634;
-                                            phi_1249_ = type_7(0u, ((_e678.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e659 = phi_1246_;
+                                    let _e661 = phi_1247_;
+                                    let _e663 = phi_1248_;
+                                    if _e659 {
+                                        let _e667 = ((_e663.member_1 & 2147483648u) != 0u);
+                                        if _e667 {
+                                            phi_1266_ = _e619;
+                                            phi_1269_ = type_7(0u, ((_e663.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e689 = phi_1246_;
-                                                let _e691 = phi_1249_;
-                                                local_12 = _e689;
-                                                if (_e691.member < _e691.member_1) {
-                                                    phi_1250_ = type_7((_e691.member + 1u), _e691.member_1);
-                                                    phi_1272_ = type_7(1u, _e691.member);
+                                                let _e674 = phi_1266_;
+                                                let _e676 = phi_1269_;
+                                                local_12 = _e674;
+                                                if (_e676.member < _e676.member_1) {
+                                                    phi_1270_ = type_7((_e676.member + 1u), _e676.member_1);
+                                                    phi_1292_ = type_7(1u, _e676.member);
                                                 } else {
-                                                    phi_1250_ = _e691;
-                                                    phi_1272_ = type_7(0u, type_7().member_1);
+                                                    phi_1270_ = _e676;
+                                                    phi_1292_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e704 = phi_1250_;
-                                                let _e706 = phi_1272_;
-                                                let _e710 = (bitcast<i32>(_e706.member) != 0i);
-                                                if _e710 {
-                                                    let _e716 = type_41(_e689.member, _e689.member_1, (_e689.member_2 + 1u));
-                                                    let _e717 = ((_e678.member_1 & 268435455u) + _e706.member_1);
-                                                    let _e718 = (_e717 < _e92);
-                                                    if _e718 {
-                                                        if _e718 {
+                                                let _e689 = phi_1270_;
+                                                let _e691 = phi_1292_;
+                                                let _e695 = (bitcast<i32>(_e691.member) != 0i);
+                                                if _e695 {
+                                                    let _e701 = type_42(_e674.member, _e674.member_1, (_e674.member_2 + 1u));
+                                                    let _e702 = ((_e663.member_1 & 268435455u) + _e691.member_1);
+                                                    let _e703 = (_e702 < _e92);
+                                                    if _e703 {
+                                                        if _e703 {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        let _e722 = global_1.member[_e717].member_1;
-                                                        phi_1296_ = _e722;
+                                                        let _e707 = global_1.member[_e702].member_1;
+                                                        phi_1316_ = _e707;
                                                     } else {
-                                                        phi_1296_ = 4294967295u;
+                                                        phi_1316_ = 4294967295u;
                                                     }
-                                                    let _e724 = phi_1296_;
-                                                    if (_e717 >= _e92) {
-                                                        phi_1388_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e709 = phi_1316_;
+                                                    if (_e702 >= _e92) {
+                                                        phi_1408_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e718 {
+                                                        if _e703 {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        if (_e605 < 9u) {
+                                                        if (_e590 < 9u) {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        let _e731 = global_1.member[_e717].member[_e605];
-                                                        if (_e609 < 9u) {
+                                                        let _e716 = global_1.member[_e702].member[_e590];
+                                                        if (_e594 < 9u) {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        let _e737 = global_1.member[_e717].member[_e609];
-                                                        if (_e613 < 9u) {
+                                                        let _e722 = global_1.member[_e702].member[_e594];
+                                                        if (_e598 < 9u) {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        let _e743 = global_1.member[_e717].member[_e613];
-                                                        let _e745 = (3u + _e605);
-                                                        if (_e745 < 9u) {
+                                                        let _e728 = global_1.member[_e702].member[_e598];
+                                                        let _e730 = (3u + _e590);
+                                                        if (_e730 < 9u) {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        let _e751 = global_1.member[_e717].member[_e745];
-                                                        let _e752 = (3u + _e609);
+                                                        let _e736 = global_1.member[_e702].member[_e730];
+                                                        let _e737 = (3u + _e594);
+                                                        if (_e737 < 9u) {
+                                                        } else {
+                                                            phi_3765_ = true;
+                                                            break;
+                                                        }
+                                                        let _e743 = global_1.member[_e702].member[_e737];
+                                                        let _e744 = (3u + _e598);
+                                                        if (_e744 < 9u) {
+                                                        } else {
+                                                            phi_3765_ = true;
+                                                            break;
+                                                        }
+                                                        let _e750 = global_1.member[_e702].member[_e744];
+                                                        let _e752 = (6u + _e590);
                                                         if (_e752 < 9u) {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        let _e758 = global_1.member[_e717].member[_e752];
-                                                        let _e759 = (3u + _e613);
+                                                        let _e758 = global_1.member[_e702].member[_e752];
+                                                        let _e759 = (6u + _e594);
                                                         if (_e759 < 9u) {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        let _e765 = global_1.member[_e717].member[_e759];
-                                                        let _e767 = (6u + _e605);
-                                                        if (_e767 < 9u) {
+                                                        let _e765 = global_1.member[_e702].member[_e759];
+                                                        let _e766 = (6u + _e598);
+                                                        if (_e766 < 9u) {
                                                         } else {
-                                                            phi_3668_ = true;
+                                                            phi_3765_ = true;
                                                             break;
                                                         }
-                                                        let _e773 = global_1.member[_e717].member[_e767];
-                                                        let _e774 = (6u + _e609);
-                                                        if (_e774 < 9u) {
-                                                        } else {
-                                                            phi_3668_ = true;
-                                                            break;
-                                                        }
-                                                        let _e780 = global_1.member[_e717].member[_e774];
-                                                        let _e781 = (6u + _e613);
-                                                        if (_e781 < 9u) {
-                                                        } else {
-                                                            phi_3668_ = true;
-                                                            break;
-                                                        }
-                                                        let _e787 = global_1.member[_e717].member[_e781];
-                                                        phi_1388_ = array<array<f32, 3>, 3>(array<f32, 3>(_e731, _e737, _e743), array<f32, 3>(_e751, _e758, _e765), array<f32, 3>(_e773, _e780, _e787));
+                                                        let _e772 = global_1.member[_e702].member[_e766];
+                                                        phi_1408_ = array<array<f32, 3>, 3>(array<f32, 3>(_e716, _e722, _e728), array<f32, 3>(_e736, _e743, _e750), array<f32, 3>(_e758, _e765, _e772));
                                                     }
-                                                    let _e791 = phi_1388_;
-                                                    let _e800 = (_e791[0][2] - _e442);
-                                                    let _e803 = (((_e791[0][0] - _e309) * _e481) - (_e800 * _e349));
-                                                    let _e806 = (((_e791[0][1] - _e376) * _e481) - (_e800 * _e415));
-                                                    let _e813 = (_e791[1][2] - _e442);
-                                                    let _e816 = (((_e791[1][0] - _e309) * _e481) - (_e813 * _e349));
-                                                    let _e819 = (((_e791[1][1] - _e376) * _e481) - (_e813 * _e415));
-                                                    let _e826 = (_e791[2][2] - _e442);
-                                                    let _e829 = (((_e791[2][0] - _e309) * _e481) - (_e826 * _e349));
-                                                    let _e832 = (((_e791[2][1] - _e376) * _e481) - (_e826 * _e415));
-                                                    let _e833 = (_e829 * _e819);
-                                                    let _e834 = (_e832 * _e816);
-                                                    let _e835 = (_e803 * _e832);
-                                                    let _e836 = (_e806 * _e829);
-                                                    let _e837 = (_e816 * _e806);
-                                                    let _e838 = (_e819 * _e803);
-                                                    let _e843 = (((_e833 >= _e834) && (_e835 >= _e836)) && (_e837 >= _e838));
-                                                    if (_e843 || (((_e833 <= _e834) && (_e835 <= _e836)) && (_e837 <= _e838))) {
-                                                        let _e850 = select(-1f, 1f, _e843);
-                                                        let _e852 = ((_e833 - _e834) * _e850);
-                                                        let _e854 = select(0f, _e852, (_e852 > 0f));
-                                                        let _e856 = ((_e835 - _e836) * _e850);
-                                                        let _e858 = select(0f, _e856, (_e856 > 0f));
-                                                        let _e860 = ((_e837 - _e838) * _e850);
-                                                        let _e862 = select(0f, _e860, (_e860 > 0f));
-                                                        let _e864 = ((_e854 + _e858) + _e862);
-                                                        if (_e864 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2272_ = type_23();
-                                                            phi_2273_ = true;
-                                                            phi_2274_ = false;
+                                                    let _e776 = phi_1408_;
+                                                    let _e793 = (_e776[0][2] - _e438);
+                                                    let _e796 = (((_e776[0][0] - _e309) * _e474) - (_e793 * _e346));
+                                                    let _e799 = (((_e776[0][1] - _e374) * _e474) - (_e793 * _e410));
+                                                    let _e802 = (_e776[1][2] - _e438);
+                                                    let _e805 = (((_e776[1][0] - _e309) * _e474) - (_e802 * _e346));
+                                                    let _e808 = (((_e776[1][1] - _e374) * _e474) - (_e802 * _e410));
+                                                    let _e811 = (_e776[2][2] - _e438);
+                                                    let _e814 = (((_e776[2][0] - _e309) * _e474) - (_e811 * _e346));
+                                                    let _e817 = (((_e776[2][1] - _e374) * _e474) - (_e811 * _e410));
+                                                    let _e818 = (_e814 * _e808);
+                                                    let _e819 = (_e817 * _e805);
+                                                    let _e820 = (_e796 * _e817);
+                                                    let _e821 = (_e799 * _e814);
+                                                    let _e822 = (_e805 * _e799);
+                                                    let _e823 = (_e808 * _e796);
+                                                    let _e828 = (((_e818 >= _e819) && (_e820 >= _e821)) && (_e822 >= _e823));
+                                                    let _e834 = (_e828 || (((_e818 <= _e819) && (_e820 <= _e821)) && (_e822 <= _e823)));
+                                                    if _e834 {
+                                                        let _e836 = select(-1f, 1f, _e828);
+                                                        let _e838 = ((_e818 - _e819) * _e836);
+                                                        let _e840 = select(0f, _e838, (_e838 > 0f));
+                                                        let _e842 = ((_e820 - _e821) * _e836);
+                                                        let _e844 = select(0f, _e842, (_e842 > 0f));
+                                                        let _e846 = ((_e822 - _e823) * _e836);
+                                                        let _e848 = select(0f, _e846, (_e846 > 0f));
+                                                        let _e850 = ((_e840 + _e844) + _e848);
+                                                        let _e852 = select(_e776[1][0], _e776[0][0], (_e776[0][0] < _e776[1][0]));
+                                                        let _e856 = select(_e776[1][0], _e776[0][0], (_e776[0][0] > _e776[1][0]));
+                                                        let _e860 = select(_e776[1][1], _e776[0][1], (_e776[0][1] < _e776[1][1]));
+                                                        let _e864 = select(_e776[1][1], _e776[0][1], (_e776[0][1] > _e776[1][1]));
+                                                        let _e868 = select(_e776[1][2], _e776[0][2], (_e776[0][2] < _e776[1][2]));
+                                                        let _e872 = select(_e776[1][2], _e776[0][2], (_e776[0][2] > _e776[1][2]));
+                                                        let _e877 = ((select(_e776[2][0], _e852, (_e852 < _e776[2][0])) - _e347) * _e350);
+                                                        let _e878 = ((select(_e776[2][0], _e856, (_e856 > _e776[2][0])) - _e348) * _e350);
+                                                        let _e881 = ((select(_e776[2][1], _e860, (_e860 < _e776[2][1])) - _e411) * _e414);
+                                                        let _e882 = ((select(_e776[2][1], _e864, (_e864 > _e776[2][1])) - _e412) * _e414);
+                                                        let _e885 = ((select(_e776[2][2], _e868, (_e868 < _e776[2][2])) - _e475) * _e478);
+                                                        let _e886 = ((select(_e776[2][2], _e872, (_e872 > _e776[2][2])) - _e476) * _e478);
+                                                        let _e888 = select(_e886, _e885, (_e885 < _e886));
+                                                        let _e890 = select(_e886, _e885, (_e885 > _e886));
+                                                        let _e892 = select(_e878, _e877, (_e877 < _e878));
+                                                        let _e894 = select(_e882, _e881, (_e881 < _e882));
+                                                        let _e896 = select(_e894, _e892, (_e892 > _e894));
+                                                        let _e898 = select(_e888, _e896, (_e896 > _e888));
+                                                        let _e900 = select(_e878, _e877, (_e877 > _e878));
+                                                        let _e902 = select(_e882, _e881, (_e881 > _e882));
+                                                        let _e904 = select(_e902, _e900, (_e900 < _e902));
+                                                        let _e906 = select(_e890, _e904, (_e904 < _e890));
+                                                        let _e907 = -(_e888);
+                                                        let _e913 = select(_e580, _e898, (_e898 > _e580));
+                                                        let _e917 = select(_e805, _e796, (_e796 < _e805));
+                                                        let _e922 = select(_e805, _e796, (_e796 > _e805));
+                                                        let _e929 = select(_e808, _e799, (_e799 < _e808));
+                                                        let _e934 = select(_e808, _e799, (_e799 > _e808));
+                                                        let _e943 = (((((_e834 && (_e850 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e814, _e917, (_e917 < _e814)) <= 0f) && (select(_e814, _e922, (_e922 > _e814)) >= 0f))) && ((select(_e817, _e929, (_e929 < _e817)) <= 0f) && (select(_e817, _e934, (_e934 > _e817)) >= 0f))) && (_e913 <= (_e906 + (select(_e907, _e890, (_e890 > _e907)) * 0.0000019073523f)))) && (_e913 <= _e674.member.member_1));
+                                                        if _e943 {
+                                                            let _e948 = (_e776[1][0] - _e776[0][0]);
+                                                            let _e949 = (_e776[1][1] - _e776[0][1]);
+                                                            let _e950 = (_e776[1][2] - _e776[0][2]);
+                                                            let _e951 = vec3<f32>(_e948, _e949, _e950);
+                                                            let _e952 = (_e776[2][0] - _e776[1][0]);
+                                                            let _e953 = (_e776[2][1] - _e776[1][1]);
+                                                            let _e954 = (_e776[2][2] - _e776[1][2]);
+                                                            let _e955 = vec3<f32>(_e952, _e953, _e954);
+                                                            let _e956 = (_e776[0][0] - _e776[2][0]);
+                                                            let _e957 = (_e776[0][1] - _e776[2][1]);
+                                                            let _e958 = (_e776[0][2] - _e776[2][2]);
+                                                            let _e959 = vec3<f32>(_e956, _e957, _e958);
+                                                            let _e960 = abs(_e948);
+                                                            let _e961 = abs(_e949);
+                                                            if (_e960 != _e960) {
+                                                                phi_3492_ = true;
+                                                            } else {
+                                                                phi_3492_ = (_e961 >= _e960);
+                                                            }
+                                                            let _e965 = phi_3492_;
+                                                            let _e966 = select(_e960, _e961, _e965);
+                                                            let _e967 = abs(_e950);
+                                                            if (_e966 != _e966) {
+                                                                phi_3507_ = true;
+                                                            } else {
+                                                                phi_3507_ = (_e967 >= _e966);
+                                                            }
+                                                            let _e971 = phi_3507_;
+                                                            let _e972 = select(_e966, _e967, _e971);
+                                                            let _e973 = abs(_e952);
+                                                            let _e974 = abs(_e953);
+                                                            if (_e973 != _e973) {
+                                                                phi_3522_ = true;
+                                                            } else {
+                                                                phi_3522_ = (_e974 >= _e973);
+                                                            }
+                                                            let _e978 = phi_3522_;
+                                                            let _e979 = select(_e973, _e974, _e978);
+                                                            let _e980 = abs(_e954);
+                                                            if (_e979 != _e979) {
+                                                                phi_3537_ = true;
+                                                            } else {
+                                                                phi_3537_ = (_e980 >= _e979);
+                                                            }
+                                                            let _e984 = phi_3537_;
+                                                            let _e985 = select(_e979, _e980, _e984);
+                                                            let _e986 = abs(_e956);
+                                                            let _e987 = abs(_e957);
+                                                            if (_e986 != _e986) {
+                                                                phi_3552_ = true;
+                                                            } else {
+                                                                phi_3552_ = (_e987 >= _e986);
+                                                            }
+                                                            let _e991 = phi_3552_;
+                                                            let _e992 = select(_e986, _e987, _e991);
+                                                            let _e993 = abs(_e958);
+                                                            if (_e992 != _e992) {
+                                                                phi_3567_ = true;
+                                                            } else {
+                                                                phi_3567_ = (_e993 >= _e992);
+                                                            }
+                                                            let _e997 = phi_3567_;
+                                                            let _e998 = select(_e992, _e993, _e997);
+                                                            let _e1000 = select(_e985, _e972, (_e972 > _e985));
+                                                            let _e1002 = select(_e998, _e1000, (_e1000 > _e998));
+                                                            if (_e972 == _e1002) {
+                                                                phi_1950_ = _e808;
+                                                                phi_1951_ = _e805;
+                                                                phi_1952_ = _e799;
+                                                                phi_1953_ = _e796;
+                                                                phi_1954_ = vec3<f32>(_e776[0][0], _e776[0][1], _e776[0][2]);
+                                                                phi_1955_ = _e959;
+                                                                phi_1956_ = _e955;
+                                                                phi_1957_ = _e951;
+                                                            } else {
+                                                                let _e1004 = (_e985 == _e1002);
+                                                                let _e1009 = vec3(_e1004);
+                                                                phi_1950_ = select(_e799, _e817, _e1004);
+                                                                phi_1951_ = select(_e796, _e814, _e1004);
+                                                                phi_1952_ = select(_e817, _e808, _e1004);
+                                                                phi_1953_ = select(_e814, _e805, _e1004);
+                                                                phi_1954_ = select(vec3<f32>(_e776[2][0], _e776[2][1], _e776[2][2]), vec3<f32>(_e776[1][0], _e776[1][1], _e776[1][2]), _e1009);
+                                                                phi_1955_ = select(_e955, _e951, _e1009);
+                                                                phi_1956_ = select(_e951, _e959, _e1009);
+                                                                phi_1957_ = select(_e959, _e955, _e1009);
+                                                            }
+                                                            let _e1015 = phi_1950_;
+                                                            let _e1017 = phi_1951_;
+                                                            let _e1019 = phi_1952_;
+                                                            let _e1021 = phi_1953_;
+                                                            let _e1023 = phi_1954_;
+                                                            let _e1025 = phi_1955_;
+                                                            let _e1027 = phi_1956_;
+                                                            let _e1029 = phi_1957_;
+                                                            let _e1036 = ((_e1027.y * _e1025.z) - (_e1025.y * _e1027.z));
+                                                            let _e1041 = ((_e1027.z * _e1025.x) - (_e1025.z * _e1027.x));
+                                                            let _e1044 = ((_e1027.x * _e1025.y) - (_e1025.x * _e1027.y));
+                                                            let _e1047 = ((_e840 >= _e844) && (_e840 >= _e848));
+                                                            let _e1048 = (_e844 >= _e848);
+                                                            let _e1062 = (((_e1036 * (select(select(_e776[2][0], _e776[1][0], _e1048), _e776[0][0], _e1047) - _e309)) + (_e1041 * (select(select(_e776[2][1], _e776[1][1], _e1048), _e776[0][1], _e1047) - _e374))) + (_e1044 * (select(select(_e776[2][2], _e776[1][2], _e1048), _e776[0][2], _e1047) - _e438)));
+                                                            let _e1067 = (((_e1036 * _e346) + (_e1041 * _e410)) + (_e1044 * _e474));
+                                                            let _e1068 = (_e1017 - _e1021);
+                                                            let _e1069 = (_e1015 - _e1019);
+                                                            let _e1072 = ((_e1068 * _e1068) + (_e1069 * _e1069));
+                                                            let _e1079 = (-(((_e1021 * _e1068) + (_e1019 * _e1069))) / select(0.000000000000000000000000000000000000011754944f, _e1072, (_e1072 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1081 = select(1f, _e1079, (_e1079 < 1f));
+                                                            let _e1083 = select(0f, _e1081, (_e1081 > 0f));
+                                                            let _e1092 = ((_e1023.x + (_e1029.x * _e1083)) - _e309);
+                                                            let _e1095 = ((_e1023.y + (_e1029.y * _e1083)) - _e374);
+                                                            let _e1098 = ((_e1023.z + (_e1029.z * _e1083)) - _e438);
+                                                            let _e1101 = bitcast<f32>((bitcast<u32>(_e1092) & 2147483647u));
+                                                            let _e1104 = bitcast<f32>((bitcast<u32>(_e1095) & 2147483647u));
+                                                            let _e1106 = select(_e1104, _e1101, (_e1101 > _e1104));
+                                                            let _e1109 = bitcast<f32>((bitcast<u32>(_e1098) & 2147483647u));
+                                                            let _e1111 = select(_e1109, _e1106, (_e1106 > _e1109));
+                                                            let _e1115 = abs(_e1036);
+                                                            let _e1116 = abs(_e1041);
+                                                            if (_e1115 != _e1115) {
+                                                                phi_3582_ = true;
+                                                            } else {
+                                                                phi_3582_ = (_e1116 >= _e1115);
+                                                            }
+                                                            let _e1120 = phi_3582_;
+                                                            let _e1121 = select(_e1115, _e1116, _e1120);
+                                                            let _e1122 = abs(_e1044);
+                                                            if (_e1121 != _e1121) {
+                                                                phi_3597_ = true;
+                                                            } else {
+                                                                phi_3597_ = (_e1122 >= _e1121);
+                                                            }
+                                                            let _e1126 = phi_3597_;
+                                                            let _e1142 = abs(_e1027.x);
+                                                            let _e1143 = abs(_e1027.y);
+                                                            if (_e1142 != _e1142) {
+                                                                phi_3612_ = true;
+                                                            } else {
+                                                                phi_3612_ = (_e1143 >= _e1142);
+                                                            }
+                                                            let _e1147 = phi_3612_;
+                                                            let _e1148 = select(_e1142, _e1143, _e1147);
+                                                            let _e1149 = abs(_e1027.z);
+                                                            if (_e1148 != _e1148) {
+                                                                phi_3627_ = true;
+                                                            } else {
+                                                                phi_3627_ = (_e1149 >= _e1148);
+                                                            }
+                                                            let _e1153 = phi_3627_;
+                                                            let _e1156 = abs(_e1025.x);
+                                                            let _e1157 = abs(_e1025.y);
+                                                            if (_e1156 != _e1156) {
+                                                                phi_3642_ = true;
+                                                            } else {
+                                                                phi_3642_ = (_e1157 >= _e1156);
+                                                            }
+                                                            let _e1161 = phi_3642_;
+                                                            let _e1162 = select(_e1156, _e1157, _e1161);
+                                                            let _e1163 = abs(_e1025.z);
+                                                            if (_e1162 != _e1162) {
+                                                                phi_3657_ = true;
+                                                            } else {
+                                                                phi_3657_ = (_e1163 >= _e1162);
+                                                            }
+                                                            let _e1167 = phi_3657_;
+                                                            let _e1172 = ((bitcast<f32>((bitcast<u32>(((((_e1036 * _e1092) + (_e1041 * _e1095)) + (_e1044 * _e1098)) - _e1062)) & 2147483647u)) <= ((0.0000009536743f * select(_e1002, _e1111, (_e1111 > _e1002))) * select(_e1121, _e1122, _e1126))) && !((bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u)) <= ((0.0000038146973f * select(_e1148, _e1149, _e1153)) * select(_e1162, _e1163, _e1167)))));
+                                                            let _e1173 = (_e1062 / _e1067);
+                                                            if (_e943 && !(_e1172)) {
+                                                                let _e1176 = (_e1098 / _e474);
+                                                                let _e1184 = (((_e1036 * (_e1092 - (_e346 * _e1176))) + (_e1041 * (_e1095 - (_e410 * _e1176)))) / _e1067);
+                                                                phi_2165_ = select(select(_e1176, (_e1176 + _e1184), (bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u)) <= _e1002)), _e1173, _e1172);
+                                                            } else {
+                                                                phi_2165_ = _e1173;
+                                                            }
+                                                            let _e1193 = phi_2165_;
+                                                            let _e1195 = select(_e906, _e1193, (_e1193 < _e906));
+                                                            let _e1197 = select(_e898, _e1195, (_e1195 > _e898));
+                                                            let _e1198 = (1f / _e850);
+                                                            phi_2185_ = type_41(_e1197, (_e844 * _e1198), (_e848 * _e1198), ((_e943 && (_e1197 >= _e580)) && (_e1197 <= _e674.member.member_1)));
+                                                            phi_2186_ = type_41();
                                                         } else {
-                                                            let _e867 = select(_e816, _e803, (_e803 < _e816));
-                                                            if (select(_e829, _e867, (_e867 < _e829)) > 0f) {
-                                                                phi_1540_ = true;
-                                                            } else {
-                                                                let _e872 = select(_e816, _e803, (_e803 > _e816));
-                                                                phi_1540_ = (select(_e829, _e872, (_e872 > _e829)) < 0f);
-                                                            }
-                                                            let _e877 = phi_1540_;
-                                                            if _e877 {
-                                                                phi_2269_ = type_23();
-                                                                phi_2270_ = true;
-                                                                phi_2271_ = false;
-                                                            } else {
-                                                                let _e879 = select(_e819, _e806, (_e806 < _e819));
-                                                                if (select(_e832, _e879, (_e879 < _e832)) > 0f) {
-                                                                    phi_1569_ = true;
-                                                                } else {
-                                                                    let _e884 = select(_e819, _e806, (_e806 > _e819));
-                                                                    phi_1569_ = (select(_e832, _e884, (_e884 > _e832)) < 0f);
-                                                                }
-                                                                let _e889 = phi_1569_;
-                                                                if _e889 {
-                                                                    phi_2267_ = type_23();
-                                                                    phi_2268_ = false;
-                                                                } else {
-                                                                    let _e891 = select(_e791[1][0], _e791[0][0], (_e791[0][0] < _e791[1][0]));
-                                                                    let _e895 = select(_e791[1][0], _e791[0][0], (_e791[0][0] > _e791[1][0]));
-                                                                    let _e899 = select(_e791[1][1], _e791[0][1], (_e791[0][1] < _e791[1][1]));
-                                                                    let _e903 = select(_e791[1][1], _e791[0][1], (_e791[0][1] > _e791[1][1]));
-                                                                    let _e907 = select(_e791[1][2], _e791[0][2], (_e791[0][2] < _e791[1][2]));
-                                                                    let _e911 = select(_e791[1][2], _e791[0][2], (_e791[0][2] > _e791[1][2]));
-                                                                    let _e916 = ((select(_e791[2][0], _e891, (_e891 < _e791[2][0])) - _e347) * _e352);
-                                                                    let _e917 = ((select(_e791[2][0], _e895, (_e895 > _e791[2][0])) - _e348) * _e352);
-                                                                    let _e920 = ((select(_e791[2][1], _e899, (_e899 < _e791[2][1])) - _e413) * _e418);
-                                                                    let _e921 = ((select(_e791[2][1], _e903, (_e903 > _e791[2][1])) - _e414) * _e418);
-                                                                    let _e924 = ((select(_e791[2][2], _e907, (_e907 < _e791[2][2])) - _e479) * _e484);
-                                                                    let _e925 = ((select(_e791[2][2], _e911, (_e911 > _e791[2][2])) - _e480) * _e484);
-                                                                    let _e927 = select(_e925, _e924, (_e924 < _e925));
-                                                                    let _e929 = select(_e925, _e924, (_e924 > _e925));
-                                                                    let _e931 = select(_e917, _e916, (_e916 < _e917));
-                                                                    let _e933 = select(_e921, _e920, (_e920 < _e921));
-                                                                    let _e935 = select(_e933, _e931, (_e931 > _e933));
-                                                                    let _e937 = select(_e927, _e935, (_e935 > _e927));
-                                                                    let _e939 = select(_e917, _e916, (_e916 > _e917));
-                                                                    let _e941 = select(_e921, _e920, (_e920 > _e921));
-                                                                    let _e943 = select(_e941, _e939, (_e939 < _e941));
-                                                                    let _e945 = select(_e929, _e943, (_e943 < _e929));
-                                                                    let _e946 = -(_e927);
-                                                                    let _e952 = select(_e595, _e937, (_e937 > _e595));
-                                                                    if (_e952 > (_e945 + (select(_e946, _e929, (_e929 > _e946)) * 0.0000019073523f))) {
-                                                                        phi_2262_ = type_23();
-                                                                        phi_2263_ = true;
-                                                                    } else {
-                                                                        let _e954 = (_e952 > _e689.member.member_1);
-                                                                        if _e954 {
-                                                                            phi_2261_ = type_23();
-                                                                        } else {
-                                                                            let _e955 = vec3<f32>(_e791[0][0], _e791[0][1], _e791[0][2]);
-                                                                            let _e956 = vec3<f32>(_e791[1][0], _e791[1][1], _e791[1][2]);
-                                                                            let _e957 = vec3<f32>(_e791[2][0], _e791[2][1], _e791[2][2]);
-                                                                            let _e958 = (_e791[1][0] - _e791[0][0]);
-                                                                            let _e959 = (_e791[1][1] - _e791[0][1]);
-                                                                            let _e960 = (_e791[1][2] - _e791[0][2]);
-                                                                            let _e961 = vec3<f32>(_e958, _e959, _e960);
-                                                                            let _e962 = (_e791[2][0] - _e791[1][0]);
-                                                                            let _e963 = (_e791[2][1] - _e791[1][1]);
-                                                                            let _e964 = (_e791[2][2] - _e791[1][2]);
-                                                                            let _e965 = vec3<f32>(_e962, _e963, _e964);
-                                                                            let _e966 = (_e791[0][0] - _e791[2][0]);
-                                                                            let _e967 = (_e791[0][1] - _e791[2][1]);
-                                                                            let _e968 = (_e791[0][2] - _e791[2][2]);
-                                                                            let _e969 = vec3<f32>(_e966, _e967, _e968);
-                                                                            let _e972 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
-                                                                            let _e975 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
-                                                                            let _e977 = select(_e975, _e972, (_e972 > _e975));
-                                                                            let _e980 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
-                                                                            let _e982 = select(_e980, _e977, (_e977 > _e980));
-                                                                            let _e985 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
-                                                                            let _e988 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
-                                                                            let _e990 = select(_e988, _e985, (_e985 > _e988));
-                                                                            let _e993 = bitcast<f32>((bitcast<u32>(_e964) & 2147483647u));
-                                                                            let _e995 = select(_e993, _e990, (_e990 > _e993));
-                                                                            let _e998 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
-                                                                            let _e1001 = bitcast<f32>((bitcast<u32>(_e967) & 2147483647u));
-                                                                            let _e1003 = select(_e1001, _e998, (_e998 > _e1001));
-                                                                            let _e1006 = bitcast<f32>((bitcast<u32>(_e968) & 2147483647u));
-                                                                            let _e1008 = select(_e1006, _e1003, (_e1003 > _e1006));
-                                                                            let _e1010 = select(_e995, _e982, (_e982 > _e995));
-                                                                            let _e1012 = select(_e1008, _e1010, (_e1010 > _e1008));
-                                                                            if (_e982 == _e1012) {
-                                                                                phi_1988_ = _e819;
-                                                                                phi_1989_ = _e816;
-                                                                                phi_1990_ = _e806;
-                                                                                phi_1991_ = _e803;
-                                                                                phi_1992_ = _e955;
-                                                                                phi_1993_ = _e969;
-                                                                                phi_1994_ = _e965;
-                                                                                phi_1995_ = _e961;
-                                                                            } else {
-                                                                                let _e1014 = (_e995 == _e1012);
-                                                                                let _e1019 = vec3(_e1014);
-                                                                                phi_1988_ = select(_e806, _e832, _e1014);
-                                                                                phi_1989_ = select(_e803, _e829, _e1014);
-                                                                                phi_1990_ = select(_e832, _e819, _e1014);
-                                                                                phi_1991_ = select(_e829, _e816, _e1014);
-                                                                                phi_1992_ = select(_e957, _e956, _e1019);
-                                                                                phi_1993_ = select(_e965, _e961, _e1019);
-                                                                                phi_1994_ = select(_e961, _e969, _e1019);
-                                                                                phi_1995_ = select(_e969, _e965, _e1019);
-                                                                            }
-                                                                            let _e1025 = phi_1988_;
-                                                                            let _e1027 = phi_1989_;
-                                                                            let _e1029 = phi_1990_;
-                                                                            let _e1031 = phi_1991_;
-                                                                            let _e1033 = phi_1992_;
-                                                                            let _e1035 = phi_1993_;
-                                                                            let _e1037 = phi_1994_;
-                                                                            let _e1039 = phi_1995_;
-                                                                            let _e1046 = ((_e1037.y * _e1035.z) - (_e1035.y * _e1037.z));
-                                                                            let _e1051 = ((_e1037.z * _e1035.x) - (_e1035.z * _e1037.x));
-                                                                            let _e1054 = ((_e1037.x * _e1035.y) - (_e1035.x * _e1037.y));
-                                                                            if (_e854 >= _e858) {
-                                                                                phi_2032_ = select(true, false, (_e854 >= _e862));
-                                                                            } else {
-                                                                                phi_2032_ = true;
-                                                                            }
-                                                                            let _e1059 = phi_2032_;
-                                                                            if _e1059 {
-                                                                                phi_2041_ = select(_e957, _e956, vec3((_e858 >= _e862)));
-                                                                            } else {
-                                                                                phi_2041_ = _e955;
-                                                                            }
-                                                                            let _e1064 = phi_2041_;
-                                                                            let _e1075 = (((_e1046 * (_e1064.x - _e309)) + (_e1051 * (_e1064.y - _e376))) + (_e1054 * (_e1064.z - _e442)));
-                                                                            let _e1080 = (((_e1046 * _e349) + (_e1051 * _e415)) + (_e1054 * _e481));
-                                                                            let _e1081 = (_e1027 - _e1031);
-                                                                            let _e1082 = (_e1025 - _e1029);
-                                                                            let _e1090 = (-(((_e1031 * _e1081) + (_e1029 * _e1082))) / ((_e1081 * _e1081) + (_e1082 * _e1082)));
-                                                                            let _e1092 = select(1f, _e1090, (_e1090 < 1f));
-                                                                            let _e1094 = select(0f, _e1092, (_e1092 > 0f));
-                                                                            let _e1107 = ((_e1033.x + (_e1039.x * _e1094)) - _e309);
-                                                                            let _e1108 = ((_e1033.y + (_e1039.y * _e1094)) - _e376);
-                                                                            let _e1109 = ((_e1033.z + (_e1039.z * _e1094)) - _e442);
-                                                                            let _e1110 = (_e1109 / _e481);
-                                                                            let _e1122 = bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u));
-                                                                            let _e1125 = bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u));
-                                                                            let _e1127 = select(_e1125, _e1122, (_e1122 > _e1125));
-                                                                            let _e1130 = bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u));
-                                                                            let _e1132 = select(_e1130, _e1127, (_e1127 > _e1130));
-                                                                            let _e1138 = bitcast<f32>((bitcast<u32>(_e1046) & 2147483647u));
-                                                                            let _e1141 = bitcast<f32>((bitcast<u32>(_e1051) & 2147483647u));
-                                                                            let _e1143 = select(_e1141, _e1138, (_e1138 > _e1141));
-                                                                            let _e1146 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1046 * _e1107) + (_e1051 * _e1108)) + (_e1054 * _e1109)) - _e1075)) & 2147483647u)) <= ((0.0000009536743f * select(_e1012, _e1132, (_e1132 > _e1012))) * select(_e1146, _e1143, (_e1143 > _e1146)))) {
-                                                                                let _e1156 = bitcast<f32>((bitcast<u32>(_e1037.x) & 2147483647u));
-                                                                                let _e1159 = bitcast<f32>((bitcast<u32>(_e1037.y) & 2147483647u));
-                                                                                let _e1161 = select(_e1159, _e1156, (_e1156 > _e1159));
-                                                                                let _e1164 = bitcast<f32>((bitcast<u32>(_e1037.z) & 2147483647u));
-                                                                                let _e1170 = bitcast<f32>((bitcast<u32>(_e1035.x) & 2147483647u));
-                                                                                let _e1173 = bitcast<f32>((bitcast<u32>(_e1035.y) & 2147483647u));
-                                                                                let _e1175 = select(_e1173, _e1170, (_e1170 > _e1173));
-                                                                                let _e1178 = bitcast<f32>((bitcast<u32>(_e1035.z) & 2147483647u));
-                                                                                let _e1182 = (bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u)) > ((0.0000038146973f * select(_e1164, _e1161, (_e1161 > _e1164))) * select(_e1178, _e1175, (_e1175 > _e1178))));
-                                                                                if _e1182 {
-                                                                                    phi_2206_ = (_e1075 / _e1080);
-                                                                                } else {
-                                                                                    phi_2206_ = f32();
-                                                                                }
-                                                                                let _e1185 = phi_2206_;
-                                                                                phi_2208_ = _e1185;
-                                                                                phi_2209_ = select(true, false, _e1182);
-                                                                            } else {
-                                                                                phi_2208_ = f32();
-                                                                                phi_2209_ = true;
-                                                                            }
-                                                                            let _e1188 = phi_2208_;
-                                                                            let _e1190 = phi_2209_;
-                                                                            if _e1190 {
-                                                                                let _e1198 = (((_e1046 * (_e1107 - (_e349 * _e1110))) + (_e1051 * (_e1108 - (_e415 * _e1110)))) / _e1080);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u)) <= _e1012) {
-                                                                                    phi_2229_ = (_e1110 + _e1198);
-                                                                                } else {
-                                                                                    phi_2229_ = _e1110;
-                                                                                }
-                                                                                let _e1205 = phi_2229_;
-                                                                                phi_2230_ = _e1205;
-                                                                            } else {
-                                                                                phi_2230_ = _e1188;
-                                                                            }
-                                                                            let _e1207 = phi_2230_;
-                                                                            let _e1209 = select(_e945, _e1207, (_e1207 < _e945));
-                                                                            let _e1211 = select(_e937, _e1209, (_e1209 > _e937));
-                                                                            if (_e1211 >= _e595) {
-                                                                                let _e1213 = (_e1211 <= _e689.member.member_1);
-                                                                                if _e1213 {
-                                                                                    let _e1214 = (1f / _e864);
-                                                                                    phi_2253_ = type_23(_e1211, (_e858 * _e1214), (_e862 * _e1214), _e724);
-                                                                                } else {
-                                                                                    phi_2253_ = type_23();
-                                                                                }
-                                                                                let _e1219 = phi_2253_;
-                                                                                phi_2255_ = _e1219;
-                                                                                phi_2256_ = select(true, false, _e1213);
-                                                                            } else {
-                                                                                phi_2255_ = type_23();
-                                                                                phi_2256_ = true;
-                                                                            }
-                                                                            let _e1222 = phi_2255_;
-                                                                            let _e1224 = phi_2256_;
-                                                                            if _e1224 {
-                                                                                phi_2260_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                            } else {
-                                                                                phi_2260_ = _e1222;
-                                                                            }
-                                                                            let _e1226 = phi_2260_;
-                                                                            phi_2261_ = _e1226;
-                                                                        }
-                                                                        let _e1228 = phi_2261_;
-                                                                        phi_2262_ = _e1228;
-                                                                        phi_2263_ = _e954;
-                                                                    }
-                                                                    let _e1230 = phi_2262_;
-                                                                    let _e1232 = phi_2263_;
-                                                                    phi_2267_ = _e1230;
-                                                                    phi_2268_ = _e1232;
-                                                                }
-                                                                let _e1234 = phi_2267_;
-                                                                let _e1236 = phi_2268_;
-                                                                phi_2269_ = _e1234;
-                                                                phi_2270_ = _e889;
-                                                                phi_2271_ = _e1236;
-                                                            }
-                                                            let _e1238 = phi_2269_;
-                                                            let _e1240 = phi_2270_;
-                                                            let _e1242 = phi_2271_;
-                                                            phi_2272_ = _e1238;
-                                                            phi_2273_ = _e1240;
-                                                            phi_2274_ = _e1242;
+                                                            phi_2185_ = type_41();
+                                                            phi_2186_ = type_41(0f, 0f, 0f, _e943);
                                                         }
-                                                        let _e1244 = phi_2272_;
-                                                        let _e1246 = phi_2273_;
-                                                        let _e1248 = phi_2274_;
-                                                        phi_2282_ = _e1244;
-                                                        phi_2283_ = select(_e1248, true, _e1246);
+                                                        let _e1207 = phi_2185_;
+                                                        let _e1209 = phi_2186_;
+                                                        phi_2189_ = _e1207;
+                                                        phi_2190_ = _e1209;
+                                                        phi_2191_ = select(true, false, _e943);
                                                     } else {
-                                                        phi_2282_ = type_23();
-                                                        phi_2283_ = true;
+                                                        phi_2189_ = type_41();
+                                                        phi_2190_ = type_41(0f, 0f, 0f, _e834);
+                                                        phi_2191_ = true;
                                                     }
-                                                    let _e1251 = phi_2282_;
-                                                    let _e1253 = phi_2283_;
-                                                    if _e1253 {
-                                                        phi_2287_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1212 = phi_2189_;
+                                                    let _e1214 = phi_2190_;
+                                                    let _e1216 = phi_2191_;
+                                                    if _e1216 {
+                                                        phi_2195_ = _e1214;
                                                     } else {
-                                                        phi_2287_ = _e1251;
+                                                        phi_2195_ = _e1212;
                                                     }
-                                                    let _e1255 = phi_2287_;
-                                                    if (_e1255.member_3 != 4294967295u) {
-                                                        if (_e724 != _e601) {
-                                                            if (_e1255.member < _e689.member.member.member) {
-                                                                phi_2313_ = true;
+                                                    let _e1218 = phi_2195_;
+                                                    if _e1218.member_3 {
+                                                        phi_2204_ = type_23(_e1218.member, _e1218.member_1, _e1218.member_2, _e709);
+                                                    } else {
+                                                        phi_2204_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    }
+                                                    let _e1225 = phi_2204_;
+                                                    if (_e1225.member_3 != 4294967295u) {
+                                                        if (_e709 != _e586) {
+                                                            if (_e1225.member < _e674.member.member.member) {
+                                                                phi_2230_ = true;
                                                             } else {
-                                                                if (_e1255.member == _e689.member.member.member) {
-                                                                    phi_2312_ = (_e1255.member_3 < _e689.member.member.member_3);
+                                                                if (_e1225.member == _e674.member.member.member) {
+                                                                    phi_2229_ = (_e1225.member_3 < _e674.member.member.member_3);
                                                                 } else {
-                                                                    phi_2312_ = false;
+                                                                    phi_2229_ = false;
                                                                 }
-                                                                let _e1270 = phi_2312_;
-                                                                phi_2313_ = _e1270;
+                                                                let _e1240 = phi_2229_;
+                                                                phi_2230_ = _e1240;
                                                             }
-                                                            let _e1272 = phi_2313_;
-                                                            if _e1272 {
-                                                                phi_2320_ = type_41(type_38(_e1255, _e1255.member), _e716.member_1, _e716.member_2);
+                                                            let _e1242 = phi_2230_;
+                                                            if _e1242 {
+                                                                phi_2237_ = type_42(type_38(_e1225, _e1225.member), _e701.member_1, _e701.member_2);
                                                             } else {
-                                                                phi_2320_ = _e716;
+                                                                phi_2237_ = _e701;
                                                             }
-                                                            let _e1279 = phi_2320_;
-                                                            phi_2321_ = _e1279;
+                                                            let _e1249 = phi_2237_;
+                                                            phi_2238_ = _e1249;
                                                         } else {
-                                                            phi_2321_ = _e716;
+                                                            phi_2238_ = _e701;
                                                         }
-                                                        let _e1281 = phi_2321_;
-                                                        phi_2322_ = _e1281;
+                                                        let _e1251 = phi_2238_;
+                                                        phi_2239_ = _e1251;
                                                     } else {
-                                                        phi_2322_ = _e716;
+                                                        phi_2239_ = _e701;
                                                     }
-                                                    let _e1283 = phi_2322_;
-                                                    phi_1247_ = _e1283;
+                                                    let _e1253 = phi_2239_;
+                                                    phi_1267_ = _e1253;
                                                 } else {
-                                                    phi_1247_ = type_41();
+                                                    phi_1267_ = type_42();
                                                 }
-                                                let _e1285 = phi_1247_;
+                                                let _e1255 = phi_1267_;
                                                 continue;
                                                 continuing {
-                                                    phi_1246_ = _e1285;
-                                                    phi_1249_ = _e704;
-                                                    phi_3668_ = _e632;
-                                                    break if !(_e710);
+                                                    phi_1266_ = _e1255;
+                                                    phi_1269_ = _e689;
+                                                    phi_3765_ = _e617;
+                                                    break if !(_e695);
                                                 }
                                             }
-                                            let _e1288 = phi_3668_;
-                                            phi_3828_ = _e1288;
-                                            if _e1288 {
+                                            let _e1258 = phi_3765_;
+                                            phi_3930_ = _e1258;
+                                            if _e1258 {
                                                 break;
                                             }
-                                            phi_3887_ = _e1288;
-                                            let _e1984 = local_12;
-                                            phi_2323_ = _e1984;
+                                            phi_3989_ = _e1258;
+                                            let _e1941 = local_12;
+                                            phi_2240_ = _e1941;
                                         } else {
-                                            phi_3887_ = _e632;
-                                            phi_2323_ = _e634;
+                                            phi_3989_ = _e617;
+                                            phi_2240_ = _e619;
                                         }
-                                        let _e1290 = phi_3887_;
-                                        let _e1292 = phi_2323_;
-                                        if _e682 {
-                                            phi_3334_ = type_41();
-                                            phi_3335_ = bool();
-                                            phi_3336_ = u32();
-                                            phi_3337_ = type_52();
+                                        let _e1260 = phi_3989_;
+                                        let _e1262 = phi_2240_;
+                                        if _e667 {
+                                            phi_3251_ = type_42();
+                                            phi_3252_ = bool();
+                                            phi_3253_ = u32();
+                                            phi_3254_ = type_53();
                                         } else {
-                                            let _e1293 = (_e678.member_1 < _e90);
-                                            if _e1293 {
-                                                if _e1293 {
+                                            let _e1263 = (_e663.member_1 < _e90);
+                                            if _e1263 {
+                                                if _e1263 {
                                                 } else {
-                                                    phi_3828_ = true;
+                                                    phi_3930_ = true;
                                                     break;
                                                 }
-                                                let _e1295 = global_7.member[_e678.member_1];
-                                                phi_2344_ = _e1295;
+                                                let _e1265 = global_7.member[_e663.member_1];
+                                                phi_2261_ = _e1265;
                                             } else {
-                                                phi_2344_ = type_45(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2261_ = type_46(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e1297 = phi_2344_;
-                                            let _e1312 = ((10u * _e262) & 31u);
-                                            let _e1315 = ((_e1297.member[0] >> bitcast<u32>(_e1312)) & 1023u);
-                                            let _e1323 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e128));
-                                            let _e1328 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1315)) - 8388608f) * _e1323)) ^ _e128)));
-                                            let _e1332 = select(select(_e678.member.member_1[0], _e1328, (_e1328 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1315 == 1023u));
-                                            let _e1334 = ((10u * _e261) & 31u);
-                                            let _e1337 = ((_e1297.member[0] >> bitcast<u32>(_e1334)) & 1023u);
-                                            let _e1345 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e128));
-                                            let _e1350 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1337)) - 8388608f) * _e1345)) ^ _e128)));
-                                            let _e1354 = select(select(_e678.member.member_1[1], _e1350, (_e1350 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1337 == 1023u));
-                                            let _e1356 = ((10u * _e263) & 31u);
-                                            let _e1359 = ((_e1297.member[0] >> bitcast<u32>(_e1356)) & 1023u);
-                                            let _e1367 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e128));
-                                            let _e1372 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1359)) - 8388608f) * _e1367)) ^ _e128)));
-                                            let _e1376 = select(select(_e678.member.member_1[2], _e1372, (_e1372 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1359 == 1023u));
-                                            let _e1379 = ((_e1297.member[1] >> bitcast<u32>(_e1312)) & 1023u);
-                                            let _e1387 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1379)) - 8388608f) * _e1323)) ^ _e128)));
-                                            let _e1391 = select(select(_e678.member.member_1[0], _e1387, (_e1387 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1379 == 1023u));
-                                            let _e1394 = ((_e1297.member[1] >> bitcast<u32>(_e1334)) & 1023u);
-                                            let _e1402 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1394)) - 8388608f) * _e1345)) ^ _e128)));
-                                            let _e1406 = select(select(_e678.member.member_1[1], _e1402, (_e1402 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1394 == 1023u));
-                                            let _e1409 = ((_e1297.member[1] >> bitcast<u32>(_e1356)) & 1023u);
-                                            let _e1417 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1409)) - 8388608f) * _e1367)) ^ _e128)));
-                                            let _e1421 = select(select(_e678.member.member_1[2], _e1417, (_e1417 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1409 == 1023u));
-                                            let _e1427 = ((_e1297.member_1[0] >> bitcast<u32>(_e1312)) & 1023u);
-                                            let _e1435 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1427)) - 8388608f) * _e1323)) ^ _e128)));
-                                            let _e1439 = select(select(_e678.member.member_1[0], _e1435, (_e1435 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1427 == 1023u));
-                                            let _e1442 = ((_e1297.member_1[0] >> bitcast<u32>(_e1334)) & 1023u);
-                                            let _e1450 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1442)) - 8388608f) * _e1345)) ^ _e128)));
-                                            let _e1454 = select(select(_e678.member.member_1[1], _e1450, (_e1450 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1442 == 1023u));
-                                            let _e1457 = ((_e1297.member_1[0] >> bitcast<u32>(_e1356)) & 1023u);
-                                            let _e1465 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1457)) - 8388608f) * _e1367)) ^ _e128)));
-                                            let _e1469 = select(select(_e678.member.member_1[2], _e1465, (_e1465 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1457 == 1023u));
-                                            let _e1472 = ((_e1297.member_1[1] >> bitcast<u32>(_e1312)) & 1023u);
-                                            let _e1480 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1472)) - 8388608f) * _e1323)) ^ _e128)));
-                                            let _e1484 = select(select(_e678.member.member_1[0], _e1480, (_e1480 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e1472 == 1023u));
-                                            let _e1487 = ((_e1297.member_1[1] >> bitcast<u32>(_e1334)) & 1023u);
-                                            let _e1495 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1487)) - 8388608f) * _e1345)) ^ _e128)));
-                                            let _e1499 = select(select(_e678.member.member_1[1], _e1495, (_e1495 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e1487 == 1023u));
-                                            let _e1502 = ((_e1297.member_1[1] >> bitcast<u32>(_e1356)) & 1023u);
-                                            let _e1510 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1502)) - 8388608f) * _e1367)) ^ _e128)));
-                                            let _e1514 = select(select(_e678.member.member_1[2], _e1510, (_e1510 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e1502 == 1023u));
-                                            let _e1519 = type_52(type_50(array<f32, 3>(_e1332, _e1354, _e1376), array<f32, 3>(_e1391, _e1406, _e1421)), _e1297.member_2);
-                                            let _e1524 = type_52(type_50(array<f32, 3>(_e1439, _e1454, _e1469), array<f32, 3>(_e1484, _e1499, _e1514)), _e1297.member_3);
-                                            let _e1537 = ((_e1332 - _e347) * _e352);
-                                            let _e1538 = ((_e1439 - _e347) * _e352);
-                                            let _e1539 = ((_e1391 - _e348) * _e352);
-                                            let _e1540 = ((_e1484 - _e348) * _e352);
-                                            let _e1545 = ((_e1354 - _e413) * _e418);
-                                            let _e1546 = ((_e1454 - _e413) * _e418);
-                                            let _e1547 = ((_e1406 - _e414) * _e418);
-                                            let _e1548 = ((_e1499 - _e414) * _e418);
-                                            let _e1553 = ((_e1376 - _e479) * _e484);
-                                            let _e1554 = ((_e1469 - _e479) * _e484);
-                                            let _e1555 = ((_e1421 - _e480) * _e484);
-                                            let _e1556 = ((_e1514 - _e480) * _e484);
-                                            let _e1558 = select(_e1555, _e1553, (_e1553 < _e1555));
-                                            let _e1560 = select(_e1556, _e1554, (_e1554 < _e1556));
-                                            let _e1562 = select(_e1555, _e1553, (_e1553 > _e1555));
-                                            let _e1564 = select(_e1556, _e1554, (_e1554 > _e1556));
-                                            let _e1566 = select(_e1539, _e1537, (_e1537 < _e1539));
-                                            let _e1568 = select(_e1540, _e1538, (_e1538 < _e1540));
-                                            let _e1570 = select(_e1547, _e1545, (_e1545 < _e1547));
-                                            let _e1572 = select(_e1548, _e1546, (_e1546 < _e1548));
-                                            let _e1574 = select(_e1570, _e1566, (_e1566 > _e1570));
-                                            let _e1576 = select(_e1572, _e1568, (_e1568 > _e1572));
-                                            let _e1578 = select(_e1558, _e1574, (_e1574 > _e1558));
-                                            let _e1580 = select(_e1560, _e1576, (_e1576 > _e1560));
-                                            let _e1582 = select(_e1539, _e1537, (_e1537 > _e1539));
-                                            let _e1584 = select(_e1540, _e1538, (_e1538 > _e1540));
-                                            let _e1586 = select(_e1547, _e1545, (_e1545 > _e1547));
-                                            let _e1588 = select(_e1548, _e1546, (_e1546 > _e1548));
-                                            let _e1590 = select(_e1586, _e1582, (_e1582 < _e1586));
-                                            let _e1592 = select(_e1588, _e1584, (_e1584 < _e1588));
-                                            let _e1597 = -(_e1558);
-                                            let _e1598 = -(_e1560);
-                                            let _e1605 = (select(_e1562, _e1590, (_e1590 < _e1562)) + (select(_e1597, _e1562, (_e1562 > _e1597)) * 0.0000019073523f));
-                                            let _e1606 = (select(_e1564, _e1592, (_e1592 < _e1564)) + (select(_e1598, _e1564, (_e1564 > _e1598)) * 0.0000019073523f));
-                                            let _e1608 = select(_e595, _e1578, (_e1578 > _e595));
-                                            let _e1610 = select(_e595, _e1580, (_e1580 > _e595));
-                                            let _e1615 = (_e1608 <= select(_e1292.member.member_1, _e1605, (_e1605 < _e1292.member.member_1)));
-                                            let _e1616 = (_e1610 <= select(_e1292.member.member_1, _e1606, (_e1606 < _e1292.member.member_1)));
-                                            let _e1617 = (_e1608 <= _e1610);
-                                            if _e1615 {
-                                                if _e1616 {
-                                                    if _e1617 {
-                                                        phi_3233_ = _e1524;
+                                            let _e1267 = phi_2261_;
+                                            let _e1282 = ((10u * _e262) & 31u);
+                                            let _e1285 = ((_e1267.member[0] >> bitcast<u32>(_e1282)) & 1023u);
+                                            let _e1293 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[0] - _e663.member.member[0]) * 0.0009775171f)) ^ _e128));
+                                            let _e1298 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1285)) - 8388608f) * _e1293)) ^ _e128)));
+                                            let _e1302 = select(select(_e663.member.member_1[0], _e1298, (_e1298 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1285 == 1023u));
+                                            let _e1304 = ((10u * _e261) & 31u);
+                                            let _e1307 = ((_e1267.member[0] >> bitcast<u32>(_e1304)) & 1023u);
+                                            let _e1315 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[1] - _e663.member.member[1]) * 0.0009775171f)) ^ _e128));
+                                            let _e1320 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1307)) - 8388608f) * _e1315)) ^ _e128)));
+                                            let _e1324 = select(select(_e663.member.member_1[1], _e1320, (_e1320 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1307 == 1023u));
+                                            let _e1326 = ((10u * _e263) & 31u);
+                                            let _e1329 = ((_e1267.member[0] >> bitcast<u32>(_e1326)) & 1023u);
+                                            let _e1337 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[2] - _e663.member.member[2]) * 0.0009775171f)) ^ _e128));
+                                            let _e1342 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1329)) - 8388608f) * _e1337)) ^ _e128)));
+                                            let _e1346 = select(select(_e663.member.member_1[2], _e1342, (_e1342 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1329 == 1023u));
+                                            let _e1349 = ((_e1267.member[1] >> bitcast<u32>(_e1282)) & 1023u);
+                                            let _e1357 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1349)) - 8388608f) * _e1293)) ^ _e128)));
+                                            let _e1361 = select(select(_e663.member.member_1[0], _e1357, (_e1357 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1349 == 1023u));
+                                            let _e1364 = ((_e1267.member[1] >> bitcast<u32>(_e1304)) & 1023u);
+                                            let _e1372 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1364)) - 8388608f) * _e1315)) ^ _e128)));
+                                            let _e1376 = select(select(_e663.member.member_1[1], _e1372, (_e1372 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1364 == 1023u));
+                                            let _e1379 = ((_e1267.member[1] >> bitcast<u32>(_e1326)) & 1023u);
+                                            let _e1387 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1379)) - 8388608f) * _e1337)) ^ _e128)));
+                                            let _e1391 = select(select(_e663.member.member_1[2], _e1387, (_e1387 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1379 == 1023u));
+                                            let _e1397 = ((_e1267.member_1[0] >> bitcast<u32>(_e1282)) & 1023u);
+                                            let _e1405 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1397)) - 8388608f) * _e1293)) ^ _e128)));
+                                            let _e1409 = select(select(_e663.member.member_1[0], _e1405, (_e1405 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1397 == 1023u));
+                                            let _e1412 = ((_e1267.member_1[0] >> bitcast<u32>(_e1304)) & 1023u);
+                                            let _e1420 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1412)) - 8388608f) * _e1315)) ^ _e128)));
+                                            let _e1424 = select(select(_e663.member.member_1[1], _e1420, (_e1420 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1412 == 1023u));
+                                            let _e1427 = ((_e1267.member_1[0] >> bitcast<u32>(_e1326)) & 1023u);
+                                            let _e1435 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1427)) - 8388608f) * _e1337)) ^ _e128)));
+                                            let _e1439 = select(select(_e663.member.member_1[2], _e1435, (_e1435 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1427 == 1023u));
+                                            let _e1442 = ((_e1267.member_1[1] >> bitcast<u32>(_e1282)) & 1023u);
+                                            let _e1450 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1442)) - 8388608f) * _e1293)) ^ _e128)));
+                                            let _e1454 = select(select(_e663.member.member_1[0], _e1450, (_e1450 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1442 == 1023u));
+                                            let _e1457 = ((_e1267.member_1[1] >> bitcast<u32>(_e1304)) & 1023u);
+                                            let _e1465 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1457)) - 8388608f) * _e1315)) ^ _e128)));
+                                            let _e1469 = select(select(_e663.member.member_1[1], _e1465, (_e1465 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1457 == 1023u));
+                                            let _e1472 = ((_e1267.member_1[1] >> bitcast<u32>(_e1326)) & 1023u);
+                                            let _e1480 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1472)) - 8388608f) * _e1337)) ^ _e128)));
+                                            let _e1484 = select(select(_e663.member.member_1[2], _e1480, (_e1480 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1472 == 1023u));
+                                            let _e1489 = type_53(type_51(array<f32, 3>(_e1302, _e1324, _e1346), array<f32, 3>(_e1361, _e1376, _e1391)), _e1267.member_2);
+                                            let _e1494 = type_53(type_51(array<f32, 3>(_e1409, _e1424, _e1439), array<f32, 3>(_e1454, _e1469, _e1484)), _e1267.member_3);
+                                            let _e1507 = ((_e1302 - _e347) * _e350);
+                                            let _e1508 = ((_e1409 - _e347) * _e350);
+                                            let _e1509 = ((_e1361 - _e348) * _e350);
+                                            let _e1510 = ((_e1454 - _e348) * _e350);
+                                            let _e1515 = ((_e1324 - _e411) * _e414);
+                                            let _e1516 = ((_e1424 - _e411) * _e414);
+                                            let _e1517 = ((_e1376 - _e412) * _e414);
+                                            let _e1518 = ((_e1469 - _e412) * _e414);
+                                            let _e1523 = ((_e1346 - _e475) * _e478);
+                                            let _e1524 = ((_e1439 - _e475) * _e478);
+                                            let _e1525 = ((_e1391 - _e476) * _e478);
+                                            let _e1526 = ((_e1484 - _e476) * _e478);
+                                            let _e1528 = select(_e1525, _e1523, (_e1523 < _e1525));
+                                            let _e1530 = select(_e1526, _e1524, (_e1524 < _e1526));
+                                            let _e1532 = select(_e1525, _e1523, (_e1523 > _e1525));
+                                            let _e1534 = select(_e1526, _e1524, (_e1524 > _e1526));
+                                            let _e1536 = select(_e1509, _e1507, (_e1507 < _e1509));
+                                            let _e1538 = select(_e1510, _e1508, (_e1508 < _e1510));
+                                            let _e1540 = select(_e1517, _e1515, (_e1515 < _e1517));
+                                            let _e1542 = select(_e1518, _e1516, (_e1516 < _e1518));
+                                            let _e1544 = select(_e1540, _e1536, (_e1536 > _e1540));
+                                            let _e1546 = select(_e1542, _e1538, (_e1538 > _e1542));
+                                            let _e1548 = select(_e1528, _e1544, (_e1544 > _e1528));
+                                            let _e1550 = select(_e1530, _e1546, (_e1546 > _e1530));
+                                            let _e1552 = select(_e1509, _e1507, (_e1507 > _e1509));
+                                            let _e1554 = select(_e1510, _e1508, (_e1508 > _e1510));
+                                            let _e1556 = select(_e1517, _e1515, (_e1515 > _e1517));
+                                            let _e1558 = select(_e1518, _e1516, (_e1516 > _e1518));
+                                            let _e1560 = select(_e1556, _e1552, (_e1552 < _e1556));
+                                            let _e1562 = select(_e1558, _e1554, (_e1554 < _e1558));
+                                            let _e1567 = -(_e1528);
+                                            let _e1568 = -(_e1530);
+                                            let _e1575 = (select(_e1532, _e1560, (_e1560 < _e1532)) + (select(_e1567, _e1532, (_e1532 > _e1567)) * 0.0000019073523f));
+                                            let _e1576 = (select(_e1534, _e1562, (_e1562 < _e1534)) + (select(_e1568, _e1534, (_e1534 > _e1568)) * 0.0000019073523f));
+                                            let _e1578 = select(_e580, _e1548, (_e1548 > _e580));
+                                            let _e1580 = select(_e580, _e1550, (_e1550 > _e580));
+                                            let _e1585 = (_e1578 <= select(_e1262.member.member_1, _e1575, (_e1575 < _e1262.member.member_1)));
+                                            let _e1586 = (_e1580 <= select(_e1262.member.member_1, _e1576, (_e1576 < _e1262.member.member_1)));
+                                            let _e1587 = (_e1578 <= _e1580);
+                                            if _e1585 {
+                                                if _e1586 {
+                                                    if _e1587 {
+                                                        phi_3150_ = _e1494;
                                                     } else {
-                                                        phi_3233_ = _e1519;
+                                                        phi_3150_ = _e1489;
                                                     }
-                                                    let _e1619 = phi_3233_;
-                                                    let _e1626 = (_e676 % 128u);
-                                                    let _e1627 = (_e1626 < 128u);
-                                                    if _e1627 {
+                                                    let _e1589 = phi_3150_;
+                                                    let _e1596 = (_e661 % 128u);
+                                                    let _e1597 = (_e1596 < 128u);
+                                                    if _e1597 {
                                                     } else {
-                                                        phi_3828_ = true;
+                                                        phi_3930_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1626] = _e1619.member_1;
-                                                    if _e1627 {
+                                                    local_6[_e1596] = _e1589.member_1;
+                                                    if _e1597 {
                                                     } else {
-                                                        phi_3828_ = true;
+                                                        phi_3930_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1626] = _e1619.member.member[0];
-                                                    if _e1627 {
+                                                    local_5[_e1596] = _e1589.member.member[0];
+                                                    if _e1597 {
                                                     } else {
-                                                        phi_3828_ = true;
+                                                        phi_3930_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1626] = _e1619.member.member[1];
-                                                    if _e1627 {
+                                                    local_4[_e1596] = _e1589.member.member[1];
+                                                    if _e1597 {
                                                     } else {
-                                                        phi_3828_ = true;
+                                                        phi_3930_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1626] = _e1619.member.member[2];
-                                                    if _e1627 {
+                                                    local_3[_e1596] = _e1589.member.member[2];
+                                                    if _e1597 {
                                                     } else {
-                                                        phi_3828_ = true;
+                                                        phi_3930_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1626] = _e1619.member.member_1[0];
-                                                    if _e1627 {
+                                                    local_2[_e1596] = _e1589.member.member_1[0];
+                                                    if _e1597 {
                                                     } else {
-                                                        phi_3828_ = true;
+                                                        phi_3930_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e1626] = _e1619.member.member_1[1];
-                                                    if _e1627 {
+                                                    local_1[_e1596] = _e1589.member.member_1[1];
+                                                    if _e1597 {
                                                     } else {
-                                                        phi_3828_ = true;
+                                                        phi_3930_ = true;
                                                         break;
                                                     }
-                                                    local[_e1626] = _e1619.member.member_1[2];
-                                                    if _e1627 {
+                                                    local[_e1596] = _e1589.member.member_1[2];
+                                                    if _e1597 {
                                                     } else {
-                                                        phi_3828_ = true;
+                                                        phi_3930_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1626] = select(_e1608, _e1610, _e1617);
-                                                    if _e1617 {
-                                                        phi_3309_ = _e1519;
+                                                    local_7[_e1596] = select(_e1578, _e1580, _e1587);
+                                                    if _e1587 {
+                                                        phi_3226_ = _e1489;
                                                     } else {
-                                                        phi_3309_ = _e1524;
+                                                        phi_3226_ = _e1494;
                                                     }
-                                                    let _e1644 = phi_3309_;
-                                                    phi_3310_ = (_e676 + 1u);
-                                                    phi_3311_ = _e1644;
+                                                    let _e1614 = phi_3226_;
+                                                    phi_3227_ = (_e661 + 1u);
+                                                    phi_3228_ = _e1614;
                                                 } else {
-                                                    phi_3310_ = u32();
-                                                    phi_3311_ = type_52();
+                                                    phi_3227_ = u32();
+                                                    phi_3228_ = type_53();
                                                 }
-                                                let _e1646 = phi_3310_;
-                                                let _e1648 = phi_3311_;
-                                                phi_3313_ = _e1646;
-                                                phi_3314_ = _e1648;
-                                                phi_3315_ = select(true, false, _e1616);
+                                                let _e1616 = phi_3227_;
+                                                let _e1618 = phi_3228_;
+                                                phi_3230_ = _e1616;
+                                                phi_3231_ = _e1618;
+                                                phi_3232_ = select(true, false, _e1586);
                                             } else {
-                                                phi_3313_ = u32();
-                                                phi_3314_ = type_52();
-                                                phi_3315_ = true;
+                                                phi_3230_ = u32();
+                                                phi_3231_ = type_53();
+                                                phi_3232_ = true;
                                             }
-                                            let _e1651 = phi_3313_;
-                                            let _e1653 = phi_3314_;
-                                            let _e1655 = phi_3315_;
-                                            if _e1655 {
-                                                if _e1615 {
-                                                    phi_3322_ = _e1519;
+                                            let _e1621 = phi_3230_;
+                                            let _e1623 = phi_3231_;
+                                            let _e1625 = phi_3232_;
+                                            if _e1625 {
+                                                if _e1585 {
+                                                    phi_3239_ = _e1489;
                                                 } else {
-                                                    phi_3322_ = _e1524;
+                                                    phi_3239_ = _e1494;
                                                 }
-                                                let _e1657 = phi_3322_;
-                                                phi_3327_ = select(_e1616, true, _e1615);
-                                                phi_3329_ = _e1657;
+                                                let _e1627 = phi_3239_;
+                                                phi_3244_ = select(_e1586, true, _e1585);
+                                                phi_3246_ = _e1627;
                                             } else {
-                                                phi_3327_ = _e674;
-                                                phi_3329_ = _e1653;
+                                                phi_3244_ = _e659;
+                                                phi_3246_ = _e1623;
                                             }
-                                            let _e1660 = phi_3327_;
-                                            let _e1662 = phi_3329_;
-                                            phi_3334_ = type_41(_e1292.member, (_e1292.member_1 + 1u), _e1292.member_2);
-                                            phi_3335_ = _e1660;
-                                            phi_3336_ = select(_e1651, _e676, _e1655);
-                                            phi_3337_ = _e1662;
+                                            let _e1630 = phi_3244_;
+                                            let _e1632 = phi_3246_;
+                                            phi_3251_ = type_42(_e1262.member, (_e1262.member_1 + 1u), _e1262.member_2);
+                                            phi_3252_ = _e1630;
+                                            phi_3253_ = select(_e1621, _e661, _e1625);
+                                            phi_3254_ = _e1632;
                                         }
-                                        let _e1665 = phi_3334_;
-                                        let _e1667 = phi_3335_;
-                                        let _e1669 = phi_3336_;
-                                        let _e1671 = phi_3337_;
-                                        if _e682 {
-                                            phi_3345_ = _e1292;
-                                            phi_3348_ = _e678;
+                                        let _e1635 = phi_3251_;
+                                        let _e1637 = phi_3252_;
+                                        let _e1639 = phi_3253_;
+                                        let _e1641 = phi_3254_;
+                                        if _e667 {
+                                            phi_3262_ = _e1262;
+                                            phi_3265_ = _e663;
                                         } else {
-                                            phi_3345_ = _e1665;
-                                            phi_3348_ = _e1671;
+                                            phi_3262_ = _e1635;
+                                            phi_3265_ = _e1641;
                                         }
-                                        let _e1673 = phi_3345_;
-                                        let _e1675 = phi_3348_;
-                                        phi_3831_ = _e1290;
-                                        phi_3349_ = _e1673;
-                                        phi_3350_ = (_e636 - 1u);
-                                        phi_3351_ = select(_e1667, false, _e682);
-                                        phi_3352_ = select(_e1669, _e676, _e682);
-                                        phi_3353_ = _e1675;
+                                        let _e1643 = phi_3262_;
+                                        let _e1645 = phi_3265_;
+                                        phi_3933_ = _e1260;
+                                        phi_3266_ = _e1643;
+                                        phi_3267_ = (_e621 - 1u);
+                                        phi_3268_ = select(_e1637, false, _e667);
+                                        phi_3269_ = select(_e1639, _e661, _e667);
+                                        phi_3270_ = _e1645;
                                     } else {
-                                        phi_3831_ = _e632;
-                                        phi_3349_ = _e634;
-                                        phi_3350_ = _e636;
-                                        phi_3351_ = _e674;
-                                        phi_3352_ = _e676;
-                                        phi_3353_ = _e678;
+                                        phi_3933_ = _e617;
+                                        phi_3266_ = _e619;
+                                        phi_3267_ = _e621;
+                                        phi_3268_ = _e659;
+                                        phi_3269_ = _e661;
+                                        phi_3270_ = _e663;
                                     }
-                                    let _e1679 = phi_3831_;
-                                    let _e1681 = phi_3349_;
-                                    let _e1683 = phi_3350_;
-                                    let _e1685 = phi_3351_;
-                                    let _e1687 = phi_3352_;
-                                    let _e1689 = phi_3353_;
-                                    phi_3830_ = _e1679;
-                                    phi_3354_ = _e1681;
-                                    phi_3355_ = _e1683;
-                                    phi_3356_ = _e1685;
-                                    phi_3357_ = _e1687;
-                                    phi_3358_ = _e1689;
+                                    let _e1649 = phi_3933_;
+                                    let _e1651 = phi_3266_;
+                                    let _e1653 = phi_3267_;
+                                    let _e1655 = phi_3268_;
+                                    let _e1657 = phi_3269_;
+                                    let _e1659 = phi_3270_;
+                                    phi_3932_ = _e1649;
+                                    phi_3271_ = _e1651;
+                                    phi_3272_ = _e1653;
+                                    phi_3273_ = _e1655;
+                                    phi_3274_ = _e1657;
+                                    phi_3275_ = _e1659;
                                 } else {
-                                    phi_3830_ = _e632;
-                                    phi_3354_ = type_41();
-                                    phi_3355_ = u32();
-                                    phi_3356_ = bool();
-                                    phi_3357_ = u32();
-                                    phi_3358_ = type_52();
+                                    phi_3932_ = _e617;
+                                    phi_3271_ = type_42();
+                                    phi_3272_ = u32();
+                                    phi_3273_ = bool();
+                                    phi_3274_ = u32();
+                                    phi_3275_ = type_53();
                                 }
-                                let _e1691 = phi_3830_;
-                                let _e1693 = phi_3354_;
-                                let _e1695 = phi_3355_;
-                                let _e1697 = phi_3356_;
-                                let _e1699 = phi_3357_;
-                                let _e1701 = phi_3358_;
-                                phi_3829_ = _e1691;
-                                phi_1121_ = _e1693;
-                                phi_1124_ = _e1695;
-                                phi_1126_ = _e1697;
-                                phi_1128_ = _e1699;
-                                phi_1130_ = _e1701;
-                                phi_3359_ = _e646;
+                                let _e1661 = phi_3932_;
+                                let _e1663 = phi_3271_;
+                                let _e1665 = phi_3272_;
+                                let _e1667 = phi_3273_;
+                                let _e1669 = phi_3274_;
+                                let _e1671 = phi_3275_;
+                                phi_3931_ = _e1661;
+                                phi_1141_ = _e1663;
+                                phi_1144_ = _e1665;
+                                phi_1146_ = _e1667;
+                                phi_1148_ = _e1669;
+                                phi_1150_ = _e1671;
+                                phi_3276_ = _e631;
                             } else {
-                                phi_3829_ = _e632;
-                                phi_1121_ = type_41();
-                                phi_1124_ = u32();
-                                phi_1126_ = bool();
-                                phi_1128_ = u32();
-                                phi_1130_ = type_52();
-                                phi_3359_ = false;
+                                phi_3931_ = _e617;
+                                phi_1141_ = type_42();
+                                phi_1144_ = u32();
+                                phi_1146_ = bool();
+                                phi_1148_ = u32();
+                                phi_1150_ = type_53();
+                                phi_3276_ = false;
                             }
-                            let _e1703 = phi_3829_;
-                            let _e1705 = phi_1121_;
-                            let _e1707 = phi_1124_;
-                            let _e1709 = phi_1126_;
-                            let _e1711 = phi_1128_;
-                            let _e1713 = phi_1130_;
-                            let _e1715 = phi_3359_;
+                            let _e1673 = phi_3931_;
+                            let _e1675 = phi_1141_;
+                            let _e1677 = phi_1144_;
+                            let _e1679 = phi_1146_;
+                            let _e1681 = phi_1148_;
+                            let _e1683 = phi_1150_;
+                            let _e1685 = phi_3276_;
                             continue;
                             continuing {
-                                phi_3674_ = _e1703;
-                                phi_1120_ = _e1705;
-                                phi_1123_ = _e1707;
-                                phi_1125_ = _e1709;
-                                phi_1127_ = _e1711;
-                                phi_1129_ = _e1713;
-                                phi_3828_ = _e1703;
-                                break if !(_e1715);
+                                phi_3771_ = _e1673;
+                                phi_1140_ = _e1675;
+                                phi_1143_ = _e1677;
+                                phi_1145_ = _e1679;
+                                phi_1147_ = _e1681;
+                                phi_1149_ = _e1683;
+                                phi_3930_ = _e1673;
+                                break if !(_e1685);
                             }
                         }
-                        let _e1718 = phi_3828_;
-                        if _e1718 {
+                        let _e1688 = phi_3930_;
+                        if _e1688 {
                             break;
                         }
-                        let _e1720 = local_10;
-                        if (_e1720.member.member.member_3 != 4294967295u) {
-                            let _e1726 = bitcast<u32>(_e1720.member.member.member);
-                            let _e1730 = (bitcast<i32>((_e1726 >> bitcast<u32>(23i))) & 255i);
-                            let _e1731 = (_e1730 + _e264);
-                            if (_e1730 == 255i) {
-                                phi_3418_ = _e1720.member.member.member;
+                        let _e1690 = local_10;
+                        if (_e1690.member.member.member_3 != 4294967295u) {
+                            let _e1696 = bitcast<u32>(_e1690.member.member.member);
+                            let _e1700 = (bitcast<i32>((_e1696 >> bitcast<u32>(23i))) & 255i);
+                            let _e1701 = (_e1700 + _e264);
+                            if (_e1700 == 255i) {
+                                phi_3335_ = _e1690.member.member.member;
                             } else {
-                                if (_e1730 > 0i) {
-                                    if (_e1731 > 0i) {
-                                        let _e1735 = (_e1731 < 255i);
-                                        if _e1735 {
-                                            phi_3397_ = bitcast<f32>((_e1726 + bitcast<u32>((_e264 << bitcast<u32>(23i)))));
+                                if (_e1700 > 0i) {
+                                    if (_e1701 > 0i) {
+                                        let _e1705 = (_e1701 < 255i);
+                                        if _e1705 {
+                                            phi_3314_ = bitcast<f32>((_e1696 + bitcast<u32>((_e264 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3397_ = f32();
+                                            phi_3314_ = f32();
                                         }
-                                        let _e1742 = phi_3397_;
-                                        phi_3399_ = _e1742;
-                                        phi_3400_ = select(true, false, _e1735);
+                                        let _e1712 = phi_3314_;
+                                        phi_3316_ = _e1712;
+                                        phi_3317_ = select(true, false, _e1705);
                                     } else {
-                                        phi_3399_ = f32();
-                                        phi_3400_ = true;
+                                        phi_3316_ = f32();
+                                        phi_3317_ = true;
                                     }
-                                    let _e1745 = phi_3399_;
-                                    let _e1747 = phi_3400_;
-                                    phi_3401_ = _e1745;
-                                    phi_3402_ = _e1747;
+                                    let _e1715 = phi_3316_;
+                                    let _e1717 = phi_3317_;
+                                    phi_3318_ = _e1715;
+                                    phi_3319_ = _e1717;
                                 } else {
-                                    phi_3401_ = f32();
-                                    phi_3402_ = true;
+                                    phi_3318_ = f32();
+                                    phi_3319_ = true;
                                 }
-                                let _e1749 = phi_3401_;
-                                let _e1751 = phi_3402_;
-                                if _e1751 {
-                                    let _e1752 = (_e1726 & 2147483648u);
-                                    let _e1759 = ((_e1726 & 8388607u) | (select(0u, 1u, ((_e1726 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e1763 = (_e1759 == 0u);
-                                    if _e1763 {
-                                        phi_3638_ = bitcast<f32>(_e1752);
+                                let _e1719 = phi_3318_;
+                                let _e1721 = phi_3319_;
+                                if _e1721 {
+                                    let _e1722 = (_e1696 & 2147483648u);
+                                    let _e1729 = ((_e1696 & 8388607u) | (select(0u, 1u, ((_e1696 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1733 = (_e1729 == 0u);
+                                    if _e1733 {
+                                        phi_3735_ = bitcast<f32>(_e1722);
                                     } else {
-                                        let _e1768 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1759)), 32u, _e1763) - 8u);
-                                        let _e1771 = (_e1759 << bitcast<u32>((_e1768 & 31u)));
-                                        let _e1773 = ((_e1731 + select(0i, 1i, (_e1730 == 0i))) - bitcast<i32>(_e1768));
-                                        if (_e1773 >= 255i) {
-                                            phi_3628_ = bitcast<f32>((_e1752 | 2139095040u));
-                                            phi_3629_ = f32();
-                                            phi_3630_ = true;
+                                        let _e1738 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1729)), 32u, _e1733) - 8u);
+                                        let _e1741 = (_e1729 << bitcast<u32>((_e1738 & 31u)));
+                                        let _e1743 = ((_e1701 + select(0i, 1i, (_e1700 == 0i))) - bitcast<i32>(_e1738));
+                                        if (_e1743 >= 255i) {
+                                            phi_3725_ = bitcast<f32>((_e1722 | 2139095040u));
+                                            phi_3726_ = f32();
+                                            phi_3727_ = true;
                                         } else {
-                                            let _e1775 = (_e1773 > 0i);
-                                            if _e1775 {
-                                                phi_3622_ = bitcast<f32>(((_e1752 | (bitcast<u32>(_e1773) << bitcast<u32>(23i))) | (_e1771 & 8388607u)));
-                                                phi_3623_ = f32();
+                                            let _e1745 = (_e1743 > 0i);
+                                            if _e1745 {
+                                                phi_3719_ = bitcast<f32>(((_e1722 | (bitcast<u32>(_e1743) << bitcast<u32>(23i))) | (_e1741 & 8388607u)));
+                                                phi_3720_ = f32();
                                             } else {
-                                                if (_e1773 < -24i) {
-                                                    phi_3588_ = 26u;
+                                                if (_e1743 < -24i) {
+                                                    phi_3685_ = 26u;
                                                 } else {
-                                                    phi_3588_ = bitcast<u32>((1i - _e1773));
+                                                    phi_3685_ = bitcast<u32>((1i - _e1743));
                                                 }
-                                                let _e1780 = phi_3588_;
-                                                let _e1781 = (_e1780 & 31u);
-                                                let _e1783 = (_e1771 >> bitcast<u32>(_e1781));
-                                                let _e1787 = (_e1771 & ((1u << bitcast<u32>(_e1781)) - 1u));
-                                                let _e1791 = (1u << bitcast<u32>(((_e1780 - 1u) & 31u)));
-                                                if (_e1787 > _e1791) {
-                                                    phi_3609_ = true;
+                                                let _e1750 = phi_3685_;
+                                                let _e1751 = (_e1750 & 31u);
+                                                let _e1753 = (_e1741 >> bitcast<u32>(_e1751));
+                                                let _e1757 = (_e1741 & ((1u << bitcast<u32>(_e1751)) - 1u));
+                                                let _e1761 = (1u << bitcast<u32>(((_e1750 - 1u) & 31u)));
+                                                if (_e1757 > _e1761) {
+                                                    phi_3706_ = true;
                                                 } else {
-                                                    if (_e1787 == _e1791) {
-                                                        phi_3606_ = ((_e1783 & 1u) == 1u);
+                                                    if (_e1757 == _e1761) {
+                                                        phi_3703_ = ((_e1753 & 1u) == 1u);
                                                     } else {
-                                                        phi_3606_ = false;
+                                                        phi_3703_ = false;
                                                     }
-                                                    let _e1797 = phi_3606_;
-                                                    phi_3609_ = _e1797;
+                                                    let _e1767 = phi_3703_;
+                                                    phi_3706_ = _e1767;
                                                 }
-                                                let _e1799 = phi_3609_;
-                                                phi_3622_ = f32();
-                                                phi_3623_ = bitcast<f32>((_e1752 | (_e1783 + select(0u, 1u, _e1799))));
+                                                let _e1769 = phi_3706_;
+                                                phi_3719_ = f32();
+                                                phi_3720_ = bitcast<f32>((_e1722 | (_e1753 + select(0u, 1u, _e1769))));
                                             }
-                                            let _e1812 = phi_3622_;
-                                            let _e1814 = phi_3623_;
-                                            phi_3628_ = _e1812;
-                                            phi_3629_ = _e1814;
-                                            phi_3630_ = _e1775;
+                                            let _e1782 = phi_3719_;
+                                            let _e1784 = phi_3720_;
+                                            phi_3725_ = _e1782;
+                                            phi_3726_ = _e1784;
+                                            phi_3727_ = _e1745;
                                         }
-                                        let _e1818 = phi_3628_;
-                                        let _e1820 = phi_3629_;
-                                        let _e1822 = phi_3630_;
-                                        phi_3638_ = select(_e1820, _e1818, _e1822);
+                                        let _e1788 = phi_3725_;
+                                        let _e1790 = phi_3726_;
+                                        let _e1792 = phi_3727_;
+                                        phi_3735_ = select(_e1790, _e1788, _e1792);
                                     }
-                                    let _e1826 = phi_3638_;
-                                    phi_3417_ = _e1826;
+                                    let _e1796 = phi_3735_;
+                                    phi_3334_ = _e1796;
                                 } else {
-                                    phi_3417_ = _e1749;
+                                    phi_3334_ = _e1719;
                                 }
-                                let _e1828 = phi_3417_;
-                                phi_3418_ = _e1828;
+                                let _e1798 = phi_3334_;
+                                phi_3335_ = _e1798;
                             }
-                            let _e1830 = phi_3418_;
-                            let _e1831 = bitcast<u32>(_e1830);
-                            if ((_e1831 & 2147483647u) >= 2139095040u) {
-                                phi_3430_ = bitcast<f32>(((_e1831 & 2147483648u) | 2139095039u));
+                            let _e1800 = phi_3335_;
+                            let _e1801 = bitcast<u32>(_e1800);
+                            if ((_e1801 & 2147483647u) >= 2139095040u) {
+                                phi_3347_ = bitcast<f32>(((_e1801 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3430_ = _e1830;
+                                phi_3347_ = _e1800;
                             }
-                            let _e1838 = phi_3430_;
-                            phi_3435_ = type_23(_e1838, _e1720.member.member.member_1, _e1720.member.member.member_2, _e1720.member.member.member_3);
+                            let _e1808 = phi_3347_;
+                            phi_3352_ = type_23(_e1808, _e1690.member.member.member_1, _e1690.member.member.member_2, _e1690.member.member.member_3);
                         } else {
-                            phi_3435_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3352_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1843 = phi_3435_;
+                        let _e1813 = phi_3352_;
                         if _e140 {
                         } else {
                             break;
                         }
-                        global_2.member[_e132] = _e1843;
-                        let _e1847 = local_11;
+                        global_2.member[_e132] = _e1813;
+                        let _e1817 = local_11;
                         if _e141 {
                         } else {
                             break;
                         }
-                        global_5.member[_e132] = _e1847.member_1;
+                        global_5.member[_e132] = _e1817.member_1;
                         if _e139 {
                         } else {
                             break;
                         }
-                        let _e1852 = select(0u, 1u, (_e208 <= _e218));
-                        if (_e1852 > 0u) {
-                            let _e1854 = (1u < _e100);
-                            if _e1854 {
+                        let _e1822 = select(0u, 1u, (_e208 <= _e218));
+                        if (_e1822 > 0u) {
+                            let _e1824 = (1u < _e100);
+                            if _e1824 {
                                 if (0u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1858 = atomicAdd((&global_6.member[0u]), _e1852);
-                                if ((_e1858 + _e1852) < _e1858) {
-                                    if _e1854 {
+                                let _e1828 = atomicAdd((&global_6.member[0u]), _e1822);
+                                if ((_e1828 + _e1822) < _e1828) {
+                                    if _e1824 {
                                     } else {
                                         break;
                                     }
-                                    let _e1863 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1833 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1866 = select(0u, 1u, (_e1843.member_3 != 4294967295u));
-                        if (_e1866 > 0u) {
-                            let _e1868 = (3u < _e100);
-                            if _e1868 {
+                        let _e1836 = select(0u, 1u, (_e1813.member_3 != 4294967295u));
+                        if (_e1836 > 0u) {
+                            let _e1838 = (3u < _e100);
+                            if _e1838 {
                                 if (2u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1872 = atomicAdd((&global_6.member[2u]), _e1866);
-                                if ((_e1872 + _e1866) < _e1872) {
-                                    if _e1868 {
+                                let _e1842 = atomicAdd((&global_6.member[2u]), _e1836);
+                                if ((_e1842 + _e1836) < _e1842) {
+                                    if _e1838 {
                                     } else {
                                         break;
                                     }
-                                    let _e1877 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1847 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1847.member_1 > 0u) {
-                            let _e1879 = (5u < _e100);
-                            if _e1879 {
+                        if (_e1817.member_1 > 0u) {
+                            let _e1849 = (5u < _e100);
+                            if _e1849 {
                                 if (4u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1883 = atomicAdd((&global_6.member[4u]), _e1847.member_1);
-                                if ((_e1883 + _e1847.member_1) < _e1883) {
-                                    if _e1879 {
+                                let _e1853 = atomicAdd((&global_6.member[4u]), _e1817.member_1);
+                                if ((_e1853 + _e1817.member_1) < _e1853) {
+                                    if _e1849 {
                                     } else {
                                         break;
                                     }
-                                    let _e1888 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1858 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

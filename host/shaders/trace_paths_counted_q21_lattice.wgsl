@@ -48,31 +48,38 @@ struct type_35 {
 }
 
 struct type_38 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_39 {
     member: type_35,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_40 {
+struct type_41 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<array<u32, 7>>,
 }
 
-struct type_49 {
+struct type_50 {
     member: type_30,
     member_1: u32,
 }
 
-struct type_50 {
+struct type_51 {
     member: array<vec4<f32>, 3>,
-    member_1: type_49,
-    member_2: type_49,
+    member_1: type_50,
+    member_2: type_50,
 }
 
-struct type_55 {
+struct type_56 {
     member: array<atomic<u32>>,
 }
 
@@ -80,15 +87,15 @@ var<private> global: vec3<u32>;
 @group(0) @binding(4) 
 var<storage, read_write> global_1: type_20;
 @group(0) @binding(0) 
-var<uniform> global_2: type_40;
+var<uniform> global_2: type_41;
 @group(0) @binding(3) 
 var<storage> global_3: type_25;
 @group(0) @binding(5) 
 var<storage, read_write> global_4: type_4;
 @group(0) @binding(6) 
-var<storage, read_write> global_5: type_55;
+var<storage, read_write> global_5: type_56;
 @group(0) @binding(1) 
-var<storage> global_6: type_44;
+var<storage> global_6: type_45;
 @group(0) @binding(2) 
 var<storage> global_7: type_4;
 
@@ -103,199 +110,186 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_493_: i32;
-    var phi_494_: i32;
-    var phi_504_: bool;
-    var phi_514_: u32;
-    var phi_515_: u32;
-    var phi_517_: bool;
-    var phi_522_: u32;
-    var phi_555_: i32;
-    var phi_573_: f32;
-    var phi_579_: f32;
-    var phi_619_: f32;
-    var phi_625_: f32;
-    var phi_677_: f32;
-    var phi_689_: f32;
-    var phi_698_: f32;
-    var phi_704_: f32;
-    var phi_744_: f32;
-    var phi_750_: f32;
-    var phi_802_: f32;
-    var phi_814_: f32;
-    var phi_823_: f32;
-    var phi_829_: f32;
-    var phi_869_: f32;
-    var phi_875_: f32;
-    var phi_927_: f32;
-    var phi_939_: f32;
-    var phi_994_: i32;
-    var phi_1016_: u32;
-    var phi_1017_: u32;
-    var phi_1054_: i32;
-    var phi_1076_: u32;
-    var phi_1077_: u32;
-    var phi_1085_: f32;
-    var phi_1086_: f32;
-    var phi_4789_: bool;
-    var phi_1191_: type_38;
-    var phi_1194_: u32;
-    var phi_1196_: bool;
-    var phi_1198_: u32;
-    var phi_1200_: type_49;
-    var phi_1211_: bool;
-    var phi_1297_: bool;
-    var phi_1298_: u32;
-    var phi_1299_: type_49;
-    var phi_1318_: type_38;
-    var phi_1321_: type_8;
-    var phi_1322_: type_8;
-    var phi_1344_: type_8;
-    var phi_1388_: u32;
-    var phi_1394_: u32;
-    var phi_1404_: u32;
-    var phi_1420_: u32;
-    var phi_1453_: u32;
-    var phi_1459_: u32;
-    var phi_1925_: u32;
-    var phi_1943_: u32;
-    var phi_1961_: u32;
-    var phi_1984_: u32;
-    var phi_2002_: u32;
-    var phi_2020_: u32;
-    var phi_2043_: u32;
-    var phi_2061_: u32;
-    var phi_2079_: u32;
-    var phi_1633_: u32;
-    var phi_1648_: u32;
-    var phi_1658_: u32;
-    var phi_1679_: u32;
-    var phi_1700_: u32;
-    var phi_1730_: u32;
-    var phi_1745_: u32;
-    var phi_1755_: u32;
-    var phi_1776_: u32;
-    var phi_1797_: u32;
-    var phi_1827_: u32;
-    var phi_1842_: u32;
-    var phi_1852_: u32;
-    var phi_1873_: u32;
-    var phi_1894_: u32;
-    var phi_1486_: u32;
-    var phi_1535_: u32;
-    var phi_1584_: u32;
-    var phi_2085_: array<array<f32, 3>, 3>;
-    var phi_2237_: bool;
-    var phi_2266_: bool;
-    var phi_2685_: f32;
-    var phi_2686_: f32;
-    var phi_2687_: f32;
-    var phi_2688_: f32;
-    var phi_2689_: vec3<f32>;
-    var phi_2690_: vec3<f32>;
-    var phi_2691_: vec3<f32>;
-    var phi_2692_: vec3<f32>;
-    var phi_2729_: bool;
-    var phi_2738_: vec3<f32>;
-    var phi_2903_: f32;
-    var phi_2905_: f32;
-    var phi_2906_: bool;
-    var phi_2926_: f32;
-    var phi_2927_: f32;
-    var phi_2950_: type_18;
-    var phi_2952_: type_18;
-    var phi_2953_: bool;
-    var phi_2957_: type_18;
-    var phi_2958_: type_18;
-    var phi_2959_: type_18;
-    var phi_2960_: bool;
-    var phi_2964_: type_18;
-    var phi_2965_: bool;
-    var phi_2966_: type_18;
-    var phi_2967_: bool;
-    var phi_2968_: bool;
-    var phi_2969_: type_18;
-    var phi_2970_: bool;
-    var phi_2971_: bool;
-    var phi_2979_: type_18;
-    var phi_2980_: bool;
-    var phi_2984_: type_18;
-    var phi_3009_: bool;
-    var phi_3010_: bool;
-    var phi_3017_: type_38;
-    var phi_3018_: type_38;
-    var phi_3019_: type_38;
-    var phi_1319_: type_38;
-    var phi_4783_: bool;
-    var phi_5081_: bool;
-    var phi_3020_: type_38;
-    var phi_3522_: u32;
-    var phi_3528_: u32;
-    var phi_3782_: u32;
-    var phi_3783_: u32;
-    var phi_3793_: u32;
-    var phi_3795_: u32;
-    var phi_3796_: bool;
-    var phi_3816_: u32;
-    var phi_3817_: u32;
-    var phi_3821_: type_50;
-    var phi_4186_: type_49;
-    var phi_4262_: type_49;
-    var phi_4263_: u32;
-    var phi_4264_: type_49;
-    var phi_4266_: u32;
-    var phi_4267_: type_49;
-    var phi_4268_: bool;
-    var phi_4277_: type_49;
-    var phi_4282_: bool;
-    var phi_4284_: type_49;
-    var phi_4289_: type_38;
-    var phi_4290_: bool;
-    var phi_4291_: u32;
-    var phi_4292_: type_49;
-    var phi_4300_: type_38;
-    var phi_4303_: type_49;
-    var phi_4993_: bool;
-    var phi_4304_: type_38;
-    var phi_4305_: u32;
-    var phi_4306_: bool;
-    var phi_4307_: u32;
-    var phi_4308_: type_49;
-    var phi_4992_: bool;
-    var phi_4309_: type_38;
-    var phi_4310_: u32;
-    var phi_4311_: bool;
-    var phi_4312_: u32;
-    var phi_4313_: type_49;
-    var phi_4991_: bool;
-    var phi_1192_: type_38;
-    var phi_1195_: u32;
-    var phi_1197_: bool;
-    var phi_1199_: u32;
-    var phi_1201_: type_49;
-    var phi_4314_: bool;
-    var phi_4990_: bool;
-    var local_10: type_38;
-    var phi_4352_: f32;
-    var phi_4354_: f32;
-    var phi_4355_: bool;
-    var phi_4356_: f32;
-    var phi_4357_: bool;
-    var phi_4691_: u32;
-    var phi_4709_: bool;
-    var phi_4712_: bool;
-    var phi_4725_: f32;
-    var phi_4726_: f32;
-    var phi_4731_: f32;
-    var phi_4732_: f32;
-    var phi_4733_: bool;
-    var phi_4741_: f32;
-    var phi_4372_: f32;
-    var phi_4373_: f32;
-    var phi_4385_: f32;
-    var phi_4390_: type_18;
-    var local_11: type_38;
-    var local_12: type_38;
+    var phi_513_: i32;
+    var phi_514_: i32;
+    var phi_524_: bool;
+    var phi_534_: u32;
+    var phi_535_: u32;
+    var phi_537_: bool;
+    var phi_542_: u32;
+    var phi_575_: i32;
+    var phi_593_: f32;
+    var phi_599_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_718_: f32;
+    var phi_724_: f32;
+    var phi_764_: f32;
+    var phi_770_: f32;
+    var phi_843_: f32;
+    var phi_849_: f32;
+    var phi_889_: f32;
+    var phi_895_: f32;
+    var phi_1014_: i32;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_1074_: i32;
+    var phi_1096_: u32;
+    var phi_1097_: u32;
+    var phi_1105_: f32;
+    var phi_1106_: f32;
+    var phi_4886_: bool;
+    var phi_1211_: type_39;
+    var phi_1214_: u32;
+    var phi_1216_: bool;
+    var phi_1218_: u32;
+    var phi_1220_: type_50;
+    var phi_1231_: bool;
+    var phi_1317_: bool;
+    var phi_1318_: u32;
+    var phi_1319_: type_50;
+    var phi_1338_: type_39;
+    var phi_1341_: type_8;
+    var phi_1342_: type_8;
+    var phi_1364_: type_8;
+    var phi_1408_: u32;
+    var phi_1414_: u32;
+    var phi_1424_: u32;
+    var phi_1440_: u32;
+    var phi_1473_: u32;
+    var phi_1479_: u32;
+    var phi_1945_: u32;
+    var phi_1963_: u32;
+    var phi_1981_: u32;
+    var phi_2004_: u32;
+    var phi_2022_: u32;
+    var phi_2040_: u32;
+    var phi_2063_: u32;
+    var phi_2081_: u32;
+    var phi_2099_: u32;
+    var phi_1653_: u32;
+    var phi_1668_: u32;
+    var phi_1678_: u32;
+    var phi_1699_: u32;
+    var phi_1720_: u32;
+    var phi_1750_: u32;
+    var phi_1765_: u32;
+    var phi_1775_: u32;
+    var phi_1796_: u32;
+    var phi_1817_: u32;
+    var phi_1847_: u32;
+    var phi_1862_: u32;
+    var phi_1872_: u32;
+    var phi_1893_: u32;
+    var phi_1914_: u32;
+    var phi_1506_: u32;
+    var phi_1555_: u32;
+    var phi_1604_: u32;
+    var phi_2105_: array<array<f32, 3>, 3>;
+    var phi_4447_: bool;
+    var phi_4462_: bool;
+    var phi_4477_: bool;
+    var phi_4492_: bool;
+    var phi_4507_: bool;
+    var phi_4522_: bool;
+    var phi_2647_: f32;
+    var phi_2648_: f32;
+    var phi_2649_: f32;
+    var phi_2650_: f32;
+    var phi_2651_: vec3<f32>;
+    var phi_2652_: vec3<f32>;
+    var phi_2653_: vec3<f32>;
+    var phi_2654_: vec3<f32>;
+    var phi_4537_: bool;
+    var phi_4552_: bool;
+    var phi_4567_: bool;
+    var phi_4582_: bool;
+    var phi_4597_: bool;
+    var phi_4612_: bool;
+    var phi_2862_: f32;
+    var phi_2882_: type_38;
+    var phi_2883_: type_38;
+    var phi_2886_: type_38;
+    var phi_2887_: type_38;
+    var phi_2888_: bool;
+    var phi_2892_: type_38;
+    var phi_2901_: type_18;
+    var phi_2926_: bool;
+    var phi_2927_: bool;
+    var phi_2934_: type_39;
+    var phi_2935_: type_39;
+    var phi_2936_: type_39;
+    var phi_1339_: type_39;
+    var phi_4880_: bool;
+    var phi_5183_: bool;
+    var phi_2937_: type_39;
+    var phi_3439_: u32;
+    var phi_3445_: u32;
+    var phi_3699_: u32;
+    var phi_3700_: u32;
+    var phi_3710_: u32;
+    var phi_3712_: u32;
+    var phi_3713_: bool;
+    var phi_3733_: u32;
+    var phi_3734_: u32;
+    var phi_3738_: type_51;
+    var phi_4103_: type_50;
+    var phi_4179_: type_50;
+    var phi_4180_: u32;
+    var phi_4181_: type_50;
+    var phi_4183_: u32;
+    var phi_4184_: type_50;
+    var phi_4185_: bool;
+    var phi_4194_: type_50;
+    var phi_4199_: bool;
+    var phi_4201_: type_50;
+    var phi_4206_: type_39;
+    var phi_4207_: bool;
+    var phi_4208_: u32;
+    var phi_4209_: type_50;
+    var phi_4217_: type_39;
+    var phi_4220_: type_50;
+    var phi_5095_: bool;
+    var phi_4221_: type_39;
+    var phi_4222_: u32;
+    var phi_4223_: bool;
+    var phi_4224_: u32;
+    var phi_4225_: type_50;
+    var phi_5094_: bool;
+    var phi_4226_: type_39;
+    var phi_4227_: u32;
+    var phi_4228_: bool;
+    var phi_4229_: u32;
+    var phi_4230_: type_50;
+    var phi_5093_: bool;
+    var phi_1212_: type_39;
+    var phi_1215_: u32;
+    var phi_1217_: bool;
+    var phi_1219_: u32;
+    var phi_1221_: type_50;
+    var phi_4231_: bool;
+    var phi_5092_: bool;
+    var local_10: type_39;
+    var phi_4269_: f32;
+    var phi_4271_: f32;
+    var phi_4272_: bool;
+    var phi_4273_: f32;
+    var phi_4274_: bool;
+    var phi_4788_: u32;
+    var phi_4806_: bool;
+    var phi_4809_: bool;
+    var phi_4822_: f32;
+    var phi_4823_: f32;
+    var phi_4828_: f32;
+    var phi_4829_: f32;
+    var phi_4830_: bool;
+    var phi_4838_: f32;
+    var phi_4289_: f32;
+    var phi_4290_: f32;
+    var phi_4302_: f32;
+    var phi_4307_: type_18;
+    var local_11: type_39;
+    var local_12: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -351,267 +345,237 @@ fn function_() {
                         if _e240 {
                             let _e243 = (bitcast<u32>(bitcast<f32>(_e213)) & 2147483647u);
                             if (_e243 >= 8388608u) {
-                                phi_493_ = (bitcast<i32>((_e243 >> bitcast<u32>(23i))) - 127i);
+                                phi_513_ = (bitcast<i32>((_e243 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_493_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e243)), 32u, (_e243 == 0u))));
+                                phi_513_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e243)), 32u, (_e243 == 0u))));
                             }
-                            let _e257 = phi_493_;
-                            phi_494_ = _e257;
+                            let _e257 = phi_513_;
+                            phi_514_ = _e257;
                         } else {
-                            phi_494_ = 0i;
+                            phi_514_ = 0i;
                         }
-                        let _e259 = phi_494_;
+                        let _e259 = phi_514_;
                         let _e260 = (_e169 == _e213);
                         if _e260 {
-                            phi_504_ = true;
+                            phi_524_ = true;
                         } else {
-                            phi_504_ = (_e177 == _e213);
+                            phi_524_ = (_e177 == _e213);
                         }
-                        let _e263 = phi_504_;
+                        let _e263 = phi_524_;
                         let _e264 = select(1u, 0u, _e260);
                         if _e263 {
                             let _e265 = (_e264 + 1u);
-                            phi_514_ = _e265;
-                            phi_515_ = _e265;
-                            phi_517_ = select(true, false, (_e265 == 2u));
+                            phi_534_ = _e265;
+                            phi_535_ = _e265;
+                            phi_537_ = select(true, false, (_e265 == 2u));
                         } else {
-                            phi_514_ = u32();
-                            phi_515_ = 0u;
-                            phi_517_ = true;
+                            phi_534_ = u32();
+                            phi_535_ = 0u;
+                            phi_537_ = true;
                         }
-                        let _e269 = phi_514_;
-                        let _e271 = phi_515_;
-                        let _e273 = phi_517_;
+                        let _e269 = phi_534_;
+                        let _e271 = phi_535_;
+                        let _e273 = phi_537_;
                         if _e273 {
-                            phi_522_ = (_e271 + 1u);
+                            phi_542_ = (_e271 + 1u);
                         } else {
-                            phi_522_ = 0u;
+                            phi_542_ = 0u;
                         }
-                        let _e277 = phi_522_;
+                        let _e277 = phi_542_;
                         let _e278 = select(_e269, _e271, _e273);
                         let _e279 = select(_e264, select(2u, _e264, _e263), _e273);
                         let _e280 = -(_e259);
                         if (_e280 < -126i) {
-                            phi_555_ = -126i;
+                            phi_575_ = -126i;
                         } else {
-                            phi_555_ = select(_e280, 127i, (_e280 > 127i));
+                            phi_575_ = select(_e280, 127i, (_e280 > 127i));
                         }
-                        let _e285 = phi_555_;
+                        let _e285 = phi_575_;
                         let _e290 = bitcast<f32>((bitcast<u32>((_e285 + 127i)) << bitcast<u32>(23i)));
                         let _e296 = bitcast<f32>((bitcast<u32>(((_e280 - _e285) + 127i)) << bitcast<u32>(23i)));
                         let _e301 = global_3.member[_e140].member.member;
                         let _e302 = (_e278 == 0u);
                         if _e302 {
-                            phi_573_ = _e301[0];
+                            phi_593_ = _e301[0];
                         } else {
-                            phi_573_ = _e301[1];
+                            phi_593_ = _e301[1];
                         }
-                        let _e306 = phi_573_;
+                        let _e306 = phi_593_;
                         let _e307 = (_e278 == 2u);
                         if _e307 {
-                            phi_579_ = _e301[2];
+                            phi_599_ = _e301[2];
                         } else {
-                            phi_579_ = _e306;
+                            phi_599_ = _e306;
                         }
-                        let _e310 = phi_579_;
+                        let _e310 = phi_599_;
                         let _e311 = bitcast<u32>(_e310);
                         let _e313 = ((_e311 & 2139095040u) != 0u);
                         let _e325 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e311 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e311 & 2147483648u))), _e310, _e313) * select(0.00000011920929f, 1f, _e313));
                         let _e326 = global_3.member[_e140].member.member_2;
                         if _e302 {
-                            phi_619_ = _e326[0];
+                            phi_639_ = _e326[0];
                         } else {
-                            phi_619_ = _e326[1];
+                            phi_639_ = _e326[1];
                         }
-                        let _e330 = phi_619_;
+                        let _e330 = phi_639_;
                         if _e307 {
-                            phi_625_ = _e326[2];
+                            phi_645_ = _e326[2];
                         } else {
-                            phi_625_ = _e330;
+                            phi_645_ = _e330;
                         }
-                        let _e333 = phi_625_;
+                        let _e333 = phi_645_;
                         let _e334 = bitcast<u32>(_e333);
                         let _e336 = ((_e334 & 2139095040u) != 0u);
                         let _e350 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e334 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e334 & 2147483648u))), _e333, _e336) * _e290) * select(0.00000011920929f, 1f, _e336)) * _e296);
-                        let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e354 {
-                            let _e358 = (bitcast<f32>((bitcast<u32>(_e325) & 2147483647u)) * 0.00000011920929f);
-                            phi_677_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                        let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e357 = bitcast<f32>((bitcast<u32>(_e325) & 2147483647u));
+                        let _e358 = (_e357 * 0.00000011920929f);
+                        let _e361 = select(select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f)), 0f, _e354);
+                        let _e362 = select(0f, _e350, _e354);
+                        let _e363 = (_e325 + _e361);
+                        let _e364 = (_e325 - _e361);
+                        let _e366 = select(38685626000000000000000000f, (1f / _e350), _e354);
+                        let _e367 = (_e277 == 0u);
+                        if _e367 {
+                            phi_718_ = _e301[0];
                         } else {
-                            phi_677_ = 0f;
+                            phi_718_ = _e301[1];
                         }
-                        let _e362 = phi_677_;
-                        let _e363 = (_e325 + _e362);
-                        let _e364 = (_e325 - _e362);
-                        let _e365 = select(_e350, 0f, _e354);
-                        if _e354 {
-                            phi_689_ = 38685626000000000000000000f;
+                        let _e371 = phi_718_;
+                        let _e372 = (_e277 == 2u);
+                        if _e372 {
+                            phi_724_ = _e301[2];
                         } else {
-                            phi_689_ = (1f / _e350);
+                            phi_724_ = _e371;
                         }
-                        let _e368 = phi_689_;
-                        let _e369 = (_e277 == 0u);
-                        if _e369 {
-                            phi_698_ = _e301[0];
+                        let _e375 = phi_724_;
+                        let _e376 = bitcast<u32>(_e375);
+                        let _e378 = ((_e376 & 2139095040u) != 0u);
+                        let _e390 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e376 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e376 & 2147483648u))), _e375, _e378) * select(0.00000011920929f, 1f, _e378));
+                        if _e367 {
+                            phi_764_ = _e326[0];
                         } else {
-                            phi_698_ = _e301[1];
+                            phi_764_ = _e326[1];
                         }
-                        let _e373 = phi_698_;
-                        let _e374 = (_e277 == 2u);
-                        if _e374 {
-                            phi_704_ = _e301[2];
+                        let _e394 = phi_764_;
+                        if _e372 {
+                            phi_770_ = _e326[2];
                         } else {
-                            phi_704_ = _e373;
+                            phi_770_ = _e394;
                         }
-                        let _e377 = phi_704_;
-                        let _e378 = bitcast<u32>(_e377);
-                        let _e380 = ((_e378 & 2139095040u) != 0u);
-                        let _e392 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e377, _e380) * select(0.00000011920929f, 1f, _e380));
-                        if _e369 {
-                            phi_744_ = _e326[0];
+                        let _e397 = phi_770_;
+                        let _e398 = bitcast<u32>(_e397);
+                        let _e400 = ((_e398 & 2139095040u) != 0u);
+                        let _e414 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e398 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e398 & 2147483648u))), _e397, _e400) * _e290) * select(0.00000011920929f, 1f, _e400)) * _e296);
+                        let _e418 = (bitcast<f32>((bitcast<u32>(_e414) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e421 = bitcast<f32>((bitcast<u32>(_e390) & 2147483647u));
+                        let _e422 = (_e421 * 0.00000011920929f);
+                        let _e425 = select(select(0.00000000000011368684f, _e422, (_e422 > 0.00000000000011368684f)), 0f, _e418);
+                        let _e426 = select(0f, _e414, _e418);
+                        let _e427 = (_e390 + _e425);
+                        let _e428 = (_e390 - _e425);
+                        let _e430 = select(38685626000000000000000000f, (1f / _e414), _e418);
+                        let _e431 = (_e279 == 0u);
+                        if _e431 {
+                            phi_843_ = _e301[0];
                         } else {
-                            phi_744_ = _e326[1];
+                            phi_843_ = _e301[1];
                         }
-                        let _e396 = phi_744_;
-                        if _e374 {
-                            phi_750_ = _e326[2];
+                        let _e435 = phi_843_;
+                        let _e436 = (_e279 == 2u);
+                        if _e436 {
+                            phi_849_ = _e301[2];
                         } else {
-                            phi_750_ = _e396;
+                            phi_849_ = _e435;
                         }
-                        let _e399 = phi_750_;
-                        let _e400 = bitcast<u32>(_e399);
-                        let _e402 = ((_e400 & 2139095040u) != 0u);
-                        let _e416 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e400 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e400 & 2147483648u))), _e399, _e402) * _e290) * select(0.00000011920929f, 1f, _e402)) * _e296);
-                        let _e420 = (bitcast<f32>((bitcast<u32>(_e416) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e420 {
-                            let _e424 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) * 0.00000011920929f);
-                            phi_802_ = select(0.00000000000011368684f, _e424, (_e424 > 0.00000000000011368684f));
+                        let _e439 = phi_849_;
+                        let _e440 = bitcast<u32>(_e439);
+                        let _e442 = ((_e440 & 2139095040u) != 0u);
+                        let _e454 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e440 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e440 & 2147483648u))), _e439, _e442) * select(0.00000011920929f, 1f, _e442));
+                        if _e431 {
+                            phi_889_ = _e326[0];
                         } else {
-                            phi_802_ = 0f;
+                            phi_889_ = _e326[1];
                         }
-                        let _e428 = phi_802_;
-                        let _e429 = (_e392 + _e428);
-                        let _e430 = (_e392 - _e428);
-                        let _e431 = select(_e416, 0f, _e420);
-                        if _e420 {
-                            phi_814_ = 38685626000000000000000000f;
+                        let _e458 = phi_889_;
+                        if _e436 {
+                            phi_895_ = _e326[2];
                         } else {
-                            phi_814_ = (1f / _e416);
+                            phi_895_ = _e458;
                         }
-                        let _e434 = phi_814_;
-                        let _e435 = (_e279 == 0u);
-                        if _e435 {
-                            phi_823_ = _e301[0];
-                        } else {
-                            phi_823_ = _e301[1];
-                        }
-                        let _e439 = phi_823_;
-                        let _e440 = (_e279 == 2u);
-                        if _e440 {
-                            phi_829_ = _e301[2];
-                        } else {
-                            phi_829_ = _e439;
-                        }
-                        let _e443 = phi_829_;
-                        let _e444 = bitcast<u32>(_e443);
-                        let _e446 = ((_e444 & 2139095040u) != 0u);
-                        let _e458 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e444 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e444 & 2147483648u))), _e443, _e446) * select(0.00000011920929f, 1f, _e446));
-                        if _e435 {
-                            phi_869_ = _e326[0];
-                        } else {
-                            phi_869_ = _e326[1];
-                        }
-                        let _e462 = phi_869_;
-                        if _e440 {
-                            phi_875_ = _e326[2];
-                        } else {
-                            phi_875_ = _e462;
-                        }
-                        let _e465 = phi_875_;
-                        let _e466 = bitcast<u32>(_e465);
-                        let _e468 = ((_e466 & 2139095040u) != 0u);
-                        let _e482 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e466 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e466 & 2147483648u))), _e465, _e468) * _e290) * select(0.00000011920929f, 1f, _e468)) * _e296);
-                        let _e486 = (bitcast<f32>((bitcast<u32>(_e482) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e486 {
-                            let _e490 = (bitcast<f32>((bitcast<u32>(_e458) & 2147483647u)) * 0.00000011920929f);
-                            phi_927_ = select(0.00000000000011368684f, _e490, (_e490 > 0.00000000000011368684f));
-                        } else {
-                            phi_927_ = 0f;
-                        }
-                        let _e494 = phi_927_;
-                        let _e495 = (_e458 + _e494);
-                        let _e496 = (_e458 - _e494);
-                        let _e497 = select(_e482, 0f, _e486);
-                        if _e486 {
-                            phi_939_ = 38685626000000000000000000f;
-                        } else {
-                            phi_939_ = (1f / _e482);
-                        }
-                        let _e500 = phi_939_;
-                        let _e503 = bitcast<f32>((bitcast<u32>(_e325) & 2147483647u));
-                        let _e506 = bitcast<f32>((bitcast<u32>(_e392) & 2147483647u));
-                        let _e508 = select(_e506, _e503, (_e503 > _e506));
-                        let _e511 = bitcast<f32>((bitcast<u32>(_e458) & 2147483647u));
-                        if (_e240 && (select(_e511, _e508, (_e508 > _e511)) <= 1099511600000f)) {
-                            let _e523 = ((_e226 & 8388607u) | (select(0u, 1u, ((_e226 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e526 = bitcast<i32>((_e226 >> bitcast<u32>(23i)));
-                            let _e530 = (_e523 == 0u);
-                            let _e533 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e523)), 32u, _e530)) - 8i);
-                            if (_e526 == 255i) {
-                                phi_994_ = 255i;
+                        let _e461 = phi_895_;
+                        let _e462 = bitcast<u32>(_e461);
+                        let _e464 = ((_e462 & 2139095040u) != 0u);
+                        let _e478 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e462 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e462 & 2147483648u))), _e461, _e464) * _e290) * select(0.00000011920929f, 1f, _e464)) * _e296);
+                        let _e482 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e485 = bitcast<f32>((bitcast<u32>(_e454) & 2147483647u));
+                        let _e486 = (_e485 * 0.00000011920929f);
+                        let _e489 = select(select(0.00000000000011368684f, _e486, (_e486 > 0.00000000000011368684f)), 0f, _e482);
+                        let _e490 = select(0f, _e478, _e482);
+                        let _e491 = (_e454 + _e489);
+                        let _e492 = (_e454 - _e489);
+                        let _e494 = select(38685626000000000000000000f, (1f / _e478), _e482);
+                        let _e496 = select(_e421, _e357, (_e357 > _e421));
+                        if (_e240 && (select(_e485, _e496, (_e496 > _e485)) <= 1099511600000f)) {
+                            let _e508 = ((_e226 & 8388607u) | (select(0u, 1u, ((_e226 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e511 = bitcast<i32>((_e226 >> bitcast<u32>(23i)));
+                            let _e515 = (_e508 == 0u);
+                            let _e518 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e508)), 32u, _e515)) - 8i);
+                            if (_e511 == 255i) {
+                                phi_1014_ = 255i;
                             } else {
-                                phi_994_ = (((_e526 + select(0i, 1i, (_e526 == 0i))) - _e533) + _e259);
+                                phi_1014_ = (((_e511 + select(0i, 1i, (_e511 == 0i))) - _e518) + _e259);
                             }
-                            let _e541 = phi_994_;
-                            let _e551 = (_e541 <= 0i);
-                            if _e551 {
-                                phi_1017_ = u32();
+                            let _e526 = phi_1014_;
+                            let _e536 = (_e526 <= 0i);
+                            if _e536 {
+                                phi_1037_ = u32();
                             } else {
-                                if _e530 {
-                                    phi_1016_ = u32();
+                                if _e515 {
+                                    phi_1036_ = u32();
                                 } else {
-                                    phi_1016_ = select(((bitcast<u32>(_e541) << bitcast<u32>(23i)) | ((_e523 << bitcast<u32>(((_e533 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e541 >= 255i));
+                                    phi_1036_ = select(((bitcast<u32>(_e526) << bitcast<u32>(23i)) | ((_e508 << bitcast<u32>(((_e518 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e526 >= 255i));
                                 }
-                                let _e555 = phi_1016_;
-                                phi_1017_ = _e555;
+                                let _e540 = phi_1036_;
+                                phi_1037_ = _e540;
                             }
-                            let _e557 = phi_1017_;
-                            let _e569 = ((_e236 & 8388607u) | (select(0u, 1u, ((_e236 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e572 = bitcast<i32>((_e236 >> bitcast<u32>(23i)));
-                            let _e576 = (_e569 == 0u);
-                            let _e579 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e569)), 32u, _e576)) - 8i);
-                            if (_e572 == 255i) {
-                                phi_1054_ = 255i;
+                            let _e542 = phi_1037_;
+                            let _e554 = ((_e236 & 8388607u) | (select(0u, 1u, ((_e236 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e557 = bitcast<i32>((_e236 >> bitcast<u32>(23i)));
+                            let _e561 = (_e554 == 0u);
+                            let _e564 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e554)), 32u, _e561)) - 8i);
+                            if (_e557 == 255i) {
+                                phi_1074_ = 255i;
                             } else {
-                                phi_1054_ = (((_e572 + select(0i, 1i, (_e572 == 0i))) - _e579) + _e259);
+                                phi_1074_ = (((_e557 + select(0i, 1i, (_e557 == 0i))) - _e564) + _e259);
                             }
-                            let _e587 = phi_1054_;
-                            let _e597 = (_e587 <= 0i);
-                            if _e597 {
-                                phi_1077_ = u32();
+                            let _e572 = phi_1074_;
+                            let _e582 = (_e572 <= 0i);
+                            if _e582 {
+                                phi_1097_ = u32();
                             } else {
-                                if _e576 {
-                                    phi_1076_ = u32();
+                                if _e561 {
+                                    phi_1096_ = u32();
                                 } else {
-                                    phi_1076_ = select(((bitcast<u32>(_e587) << bitcast<u32>(23i)) | ((_e569 << bitcast<u32>(((_e579 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e587 >= 255i));
+                                    phi_1096_ = select(((bitcast<u32>(_e572) << bitcast<u32>(23i)) | ((_e554 << bitcast<u32>(((_e564 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e572 >= 255i));
                                 }
-                                let _e601 = phi_1076_;
-                                phi_1077_ = _e601;
+                                let _e586 = phi_1096_;
+                                phi_1097_ = _e586;
                             }
-                            let _e603 = phi_1077_;
-                            phi_1085_ = bitcast<f32>(((_e235 & 2147483648u) | select(_e603, 0u, select(_e576, true, _e597))));
-                            phi_1086_ = bitcast<f32>(((_e225 & 2147483648u) | select(_e557, 0u, select(_e530, true, _e551))));
+                            let _e588 = phi_1097_;
+                            phi_1105_ = bitcast<f32>(((_e235 & 2147483648u) | select(_e588, 0u, select(_e561, true, _e582))));
+                            phi_1106_ = bitcast<f32>(((_e225 & 2147483648u) | select(_e542, 0u, select(_e515, true, _e536))));
                         } else {
-                            phi_1085_ = 0f;
-                            phi_1086_ = 1f;
+                            phi_1105_ = 0f;
+                            phi_1106_ = 1f;
                         }
-                        let _e609 = phi_1085_;
-                        let _e611 = phi_1086_;
+                        let _e594 = phi_1105_;
+                        let _e596 = phi_1106_;
                         if _e155 {
                         } else {
                             break;
                         }
-                        let _e617 = global_3.member[_e140].member_2;
+                        let _e602 = global_3.member[_e140].member_2;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -620,1502 +584,1479 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e620 = (_e278 % 3u);
-                        let _e621 = (_e620 < 3u);
-                        if _e621 {
+                        let _e605 = (_e278 % 3u);
+                        let _e606 = (_e605 < 3u);
+                        if _e606 {
                         } else {
                             break;
                         }
-                        let _e623 = local_1[_e620];
-                        let _e626 = (_e277 % 3u);
-                        let _e627 = (_e626 < 3u);
-                        if _e627 {
+                        let _e608 = local_1[_e605];
+                        let _e611 = (_e277 % 3u);
+                        let _e612 = (_e611 < 3u);
+                        if _e612 {
                         } else {
                             break;
                         }
-                        let _e629 = local_1[_e626];
-                        let _e632 = (_e279 % 3u);
-                        let _e633 = (_e632 < 3u);
-                        if _e633 {
+                        let _e614 = local_1[_e611];
+                        let _e617 = (_e279 % 3u);
+                        let _e618 = (_e617 < 3u);
+                        if _e618 {
                         } else {
                             break;
                         }
-                        let _e635 = local_1[_e632];
-                        if _e621 {
+                        let _e620 = local_1[_e617];
+                        if _e606 {
                         } else {
                             break;
                         }
-                        let _e640 = local[_e620];
-                        if _e627 {
+                        let _e625 = local[_e605];
+                        if _e612 {
                         } else {
                             break;
                         }
-                        let _e644 = local[_e626];
-                        if _e633 {
+                        let _e629 = local[_e611];
+                        if _e618 {
                         } else {
                             break;
                         }
-                        let _e648 = local[_e632];
-                        phi_4789_ = false;
-                        phi_1191_ = type_38(type_35(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e609), 0u, 0u);
-                        phi_1194_ = ((3u * _e97) + 1u);
-                        phi_1196_ = (_e611 <= _e609);
-                        phi_1198_ = 0u;
-                        phi_1200_ = type_49(type_30(vec4<f32>((f32(_e623) * _e152), (f32(_e629) * _e152), (f32(_e635) * _e152), 0f), vec4<f32>((f32(_e640) * _e152), (f32(_e644) * _e152), (f32(_e648) * _e152), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
+                        let _e633 = local[_e617];
+                        phi_4886_ = false;
+                        phi_1211_ = type_39(type_35(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e594), 0u, 0u);
+                        phi_1214_ = ((3u * _e97) + 1u);
+                        phi_1216_ = (_e596 <= _e594);
+                        phi_1218_ = 0u;
+                        phi_1220_ = type_50(type_30(vec4<f32>((f32(_e608) * _e152), (f32(_e614) * _e152), (f32(_e620) * _e152), 0f), vec4<f32>((f32(_e625) * _e152), (f32(_e629) * _e152), (f32(_e633) * _e152), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
                         loop {
-                            let _e658 = phi_4789_;
-                            let _e660 = phi_1191_;
-                            let _e662 = phi_1194_;
-                            let _e664 = phi_1196_;
-                            let _e666 = phi_1198_;
-                            let _e668 = phi_1200_;
-                            local_10 = _e660;
-                            local_11 = _e660;
-                            if _e664 {
-                                phi_1211_ = true;
+                            let _e643 = phi_4886_;
+                            let _e645 = phi_1211_;
+                            let _e647 = phi_1214_;
+                            let _e649 = phi_1216_;
+                            let _e651 = phi_1218_;
+                            let _e653 = phi_1220_;
+                            local_10 = _e645;
+                            local_11 = _e645;
+                            if _e649 {
+                                phi_1231_ = true;
                             } else {
-                                phi_1211_ = (_e666 > 0u);
+                                phi_1231_ = (_e651 > 0u);
                             }
-                            let _e671 = phi_1211_;
-                            if _e671 {
-                                let _e672 = (_e662 > 0u);
-                                if _e672 {
-                                    if _e664 {
-                                        phi_1297_ = _e664;
-                                        phi_1298_ = _e666;
-                                        phi_1299_ = _e668;
+                            let _e656 = phi_1231_;
+                            if _e656 {
+                                let _e657 = (_e647 > 0u);
+                                if _e657 {
+                                    if _e649 {
+                                        phi_1317_ = _e649;
+                                        phi_1318_ = _e651;
+                                        phi_1319_ = _e653;
                                     } else {
-                                        let _e673 = (_e666 - 1u);
-                                        let _e674 = (_e673 % 128u);
-                                        let _e675 = (_e674 < 128u);
-                                        if _e675 {
+                                        let _e658 = (_e651 - 1u);
+                                        let _e659 = (_e658 % 128u);
+                                        let _e660 = (_e659 < 128u);
+                                        if _e660 {
                                         } else {
-                                            phi_4990_ = true;
+                                            phi_5092_ = true;
                                             break;
                                         }
-                                        let _e677 = local_7[_e674];
-                                        if _e675 {
+                                        let _e662 = local_7[_e659];
+                                        if _e660 {
                                         } else {
-                                            phi_4990_ = true;
+                                            phi_5092_ = true;
                                             break;
                                         }
-                                        let _e679 = local_6[_e674];
-                                        if _e675 {
+                                        let _e664 = local_6[_e659];
+                                        if _e660 {
                                         } else {
-                                            phi_4990_ = true;
+                                            phi_5092_ = true;
                                             break;
                                         }
-                                        let _e681 = local_5[_e674];
-                                        if _e675 {
+                                        let _e666 = local_5[_e659];
+                                        if _e660 {
                                         } else {
-                                            phi_4990_ = true;
+                                            phi_5092_ = true;
                                             break;
                                         }
-                                        let _e683 = local_4[_e674];
-                                        if _e675 {
+                                        let _e668 = local_4[_e659];
+                                        if _e660 {
                                         } else {
-                                            phi_4990_ = true;
+                                            phi_5092_ = true;
                                             break;
                                         }
-                                        let _e685 = local_3[_e674];
-                                        if _e675 {
+                                        let _e670 = local_3[_e659];
+                                        if _e660 {
                                         } else {
-                                            phi_4990_ = true;
+                                            phi_5092_ = true;
                                             break;
                                         }
-                                        let _e687 = local_2[_e674];
-                                        if _e675 {
+                                        let _e672 = local_2[_e659];
+                                        if _e660 {
                                         } else {
-                                            phi_4990_ = true;
+                                            phi_5092_ = true;
                                             break;
                                         }
-                                        let _e692 = local_8[_e674];
-                                        if _e675 {
+                                        let _e677 = local_8[_e659];
+                                        if _e660 {
                                         } else {
-                                            phi_4990_ = true;
+                                            phi_5092_ = true;
                                             break;
                                         }
-                                        let _e695 = local_9[_e674];
-                                        phi_1297_ = (_e695 <= _e660.member.member_1);
-                                        phi_1298_ = _e673;
-                                        phi_1299_ = type_49(type_30(vec4<f32>(_e677, _e679, _e681, 0f), vec4<f32>(_e683, _e685, _e687, 0f)), _e692);
+                                        let _e680 = local_9[_e659];
+                                        phi_1317_ = (_e680 <= _e645.member.member_1);
+                                        phi_1318_ = _e658;
+                                        phi_1319_ = type_50(type_30(vec4<f32>(_e662, _e664, _e666, 0f), vec4<f32>(_e668, _e670, _e672, 0f)), _e677);
                                     }
-                                    let _e700 = phi_1297_;
-                                    let _e702 = phi_1298_;
-                                    let _e704 = phi_1299_;
-                                    if _e700 {
-                                        let _e708 = ((_e704.member_1 & 2147483648u) != 0u);
-                                        let _e709 = (_e704.member_1 & 268435455u);
-                                        if _e708 {
-                                            phi_1318_ = _e660;
-                                            phi_1321_ = type_8(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e685 = phi_1317_;
+                                    let _e687 = phi_1318_;
+                                    let _e689 = phi_1319_;
+                                    if _e685 {
+                                        let _e693 = ((_e689.member_1 & 2147483648u) != 0u);
+                                        let _e694 = (_e689.member_1 & 268435455u);
+                                        if _e693 {
+                                            phi_1338_ = _e645;
+                                            phi_1341_ = type_8(0u, ((_e689.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e716 = phi_1318_;
-                                                let _e718 = phi_1321_;
-                                                local_12 = _e716;
-                                                if (_e718.member < _e718.member_1) {
-                                                    phi_1322_ = type_8((_e718.member + 1u), _e718.member_1);
-                                                    phi_1344_ = type_8(1u, _e718.member);
+                                                let _e701 = phi_1338_;
+                                                let _e703 = phi_1341_;
+                                                local_12 = _e701;
+                                                if (_e703.member < _e703.member_1) {
+                                                    phi_1342_ = type_8((_e703.member + 1u), _e703.member_1);
+                                                    phi_1364_ = type_8(1u, _e703.member);
                                                 } else {
-                                                    phi_1322_ = _e718;
-                                                    phi_1344_ = type_8(0u, type_8().member_1);
+                                                    phi_1342_ = _e703;
+                                                    phi_1364_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e731 = phi_1322_;
-                                                let _e733 = phi_1344_;
-                                                let _e737 = (bitcast<i32>(_e733.member) != 0i);
-                                                if _e737 {
-                                                    let _e743 = type_38(_e716.member, _e716.member_1, (_e716.member_2 + 1u));
-                                                    let _e748 = (_e704.member.member_1.x - _e704.member.member.x);
-                                                    let _e751 = (_e704.member.member_1.y - _e704.member.member.y);
-                                                    let _e754 = (_e704.member.member_1.z - _e704.member.member.z);
-                                                    let _e756 = select(_e751, _e748, (_e748 > _e751));
-                                                    let _e758 = select(_e754, _e756, (_e756 > _e754));
-                                                    let _e760 = (_e758 < (1024f * _e152));
-                                                    if _e760 {
-                                                        phi_1388_ = 0u;
+                                                let _e716 = phi_1342_;
+                                                let _e718 = phi_1364_;
+                                                let _e722 = (bitcast<i32>(_e718.member) != 0i);
+                                                if _e722 {
+                                                    let _e728 = type_39(_e701.member, _e701.member_1, (_e701.member_2 + 1u));
+                                                    let _e733 = (_e689.member.member_1.x - _e689.member.member.x);
+                                                    let _e736 = (_e689.member.member_1.y - _e689.member.member.y);
+                                                    let _e739 = (_e689.member.member_1.z - _e689.member.member.z);
+                                                    let _e741 = select(_e736, _e733, (_e733 > _e736));
+                                                    let _e743 = select(_e739, _e741, (_e741 > _e739));
+                                                    let _e745 = (_e743 < (1024f * _e152));
+                                                    if _e745 {
+                                                        phi_1408_ = 0u;
                                                     } else {
-                                                        phi_1388_ = select(2u, 1u, (_e758 < (2097152f * _e152)));
+                                                        phi_1408_ = select(2u, 1u, (_e743 < (2097152f * _e152)));
                                                     }
-                                                    let _e765 = phi_1388_;
-                                                    switch bitcast<i32>(_e765) {
+                                                    let _e750 = phi_1408_;
+                                                    switch bitcast<i32>(_e750) {
                                                         case 0: {
-                                                            phi_1394_ = 1u;
+                                                            phi_1414_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1394_ = 2u;
+                                                            phi_1414_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1394_ = 3u;
+                                                            phi_1414_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1394_ = u32();
+                                                            phi_1414_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e768 = phi_1394_;
-                                                    switch bitcast<i32>(_e765) {
+                                                    let _e753 = phi_1414_;
+                                                    switch bitcast<i32>(_e750) {
                                                         case 0: {
-                                                            phi_1404_ = 1u;
+                                                            phi_1424_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1404_ = 2u;
+                                                            phi_1424_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1404_ = 3u;
+                                                            phi_1424_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1404_ = u32();
+                                                            phi_1424_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e775 = phi_1404_;
-                                                    let _e777 = ((_e709 + (_e733.member_1 * ((3u * _e768) + 1u))) + (3u * _e775));
-                                                    let _e778 = (_e777 < _e100);
-                                                    if _e778 {
-                                                        if _e778 {
+                                                    let _e760 = phi_1424_;
+                                                    let _e762 = ((_e694 + (_e718.member_1 * ((3u * _e753) + 1u))) + (3u * _e760));
+                                                    let _e763 = (_e762 < _e100);
+                                                    if _e763 {
+                                                        if _e763 {
                                                         } else {
-                                                            phi_4783_ = true;
+                                                            phi_4880_ = true;
                                                             break;
                                                         }
-                                                        let _e780 = global_7.member[_e777];
-                                                        phi_1420_ = _e780;
+                                                        let _e765 = global_7.member[_e762];
+                                                        phi_1440_ = _e765;
                                                     } else {
-                                                        phi_1420_ = 4294967295u;
+                                                        phi_1440_ = 4294967295u;
                                                     }
-                                                    let _e782 = phi_1420_;
-                                                    if _e760 {
-                                                        phi_1453_ = 0u;
+                                                    let _e767 = phi_1440_;
+                                                    if _e745 {
+                                                        phi_1473_ = 0u;
                                                     } else {
-                                                        phi_1453_ = select(2u, 1u, (_e758 < (2097152f * _e152)));
+                                                        phi_1473_ = select(2u, 1u, (_e743 < (2097152f * _e152)));
                                                     }
-                                                    let _e787 = phi_1453_;
-                                                    switch bitcast<i32>(_e787) {
+                                                    let _e772 = phi_1473_;
+                                                    switch bitcast<i32>(_e772) {
                                                         case 0: {
-                                                            phi_1459_ = 1u;
+                                                            phi_1479_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1459_ = 2u;
+                                                            phi_1479_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1459_ = 3u;
+                                                            phi_1479_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1459_ = u32();
+                                                            phi_1479_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e790 = phi_1459_;
-                                                    let _e794 = (_e709 + (_e733.member_1 * ((3u * _e790) + 1u)));
-                                                    switch bitcast<i32>(_e787) {
+                                                    let _e775 = phi_1479_;
+                                                    let _e779 = (_e694 + (_e718.member_1 * ((3u * _e775) + 1u)));
+                                                    switch bitcast<i32>(_e772) {
                                                         case 0: {
-                                                            let _e1069 = (_e794 < _e100);
-                                                            if _e1069 {
-                                                                if _e1069 {
+                                                            let _e1054 = (_e779 < _e100);
+                                                            if _e1054 {
+                                                                if _e1054 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1071 = global_7.member[_e794];
-                                                                phi_1486_ = _e1071;
+                                                                let _e1056 = global_7.member[_e779];
+                                                                phi_1506_ = _e1056;
                                                             } else {
-                                                                phi_1486_ = 0u;
+                                                                phi_1506_ = 0u;
                                                             }
-                                                            let _e1073 = phi_1486_;
-                                                            let _e1075 = ((10u * _e278) & 31u);
-                                                            let _e1085 = ((10u * _e277) & 31u);
-                                                            let _e1095 = ((10u * _e279) & 31u);
-                                                            let _e1105 = (_e794 + 1u);
-                                                            let _e1106 = (_e1105 < _e100);
-                                                            if _e1106 {
-                                                                if _e1106 {
+                                                            let _e1058 = phi_1506_;
+                                                            let _e1060 = ((10u * _e278) & 31u);
+                                                            let _e1070 = ((10u * _e277) & 31u);
+                                                            let _e1080 = ((10u * _e279) & 31u);
+                                                            let _e1090 = (_e779 + 1u);
+                                                            let _e1091 = (_e1090 < _e100);
+                                                            if _e1091 {
+                                                                if _e1091 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1108 = global_7.member[_e1105];
-                                                                phi_1535_ = _e1108;
+                                                                let _e1093 = global_7.member[_e1090];
+                                                                phi_1555_ = _e1093;
                                                             } else {
-                                                                phi_1535_ = 0u;
+                                                                phi_1555_ = 0u;
                                                             }
-                                                            let _e1110 = phi_1535_;
-                                                            let _e1136 = (_e794 + 2u);
-                                                            let _e1137 = (_e1136 < _e100);
-                                                            if _e1137 {
-                                                                if _e1137 {
+                                                            let _e1095 = phi_1555_;
+                                                            let _e1121 = (_e779 + 2u);
+                                                            let _e1122 = (_e1121 < _e100);
+                                                            if _e1122 {
+                                                                if _e1122 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1139 = global_7.member[_e1136];
-                                                                phi_1584_ = _e1139;
+                                                                let _e1124 = global_7.member[_e1121];
+                                                                phi_1604_ = _e1124;
                                                             } else {
-                                                                phi_1584_ = 0u;
+                                                                phi_1604_ = 0u;
                                                             }
-                                                            let _e1141 = phi_1584_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1073 >> bitcast<u32>(_e1075)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1073 >> bitcast<u32>(_e1085)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1073 >> bitcast<u32>(_e1095)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1110 >> bitcast<u32>(_e1075)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1110 >> bitcast<u32>(_e1085)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1110 >> bitcast<u32>(_e1095)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1141 >> bitcast<u32>(_e1075)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1141 >> bitcast<u32>(_e1085)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1141 >> bitcast<u32>(_e1095)) & 1023u))) - 8388608f) * _e152))));
+                                                            let _e1126 = phi_1604_;
+                                                            phi_2105_ = array<array<f32, 3>, 3>(array<f32, 3>((_e689.member.member.x + ((bitcast<f32>((1258291200u | ((_e1058 >> bitcast<u32>(_e1060)) & 1023u))) - 8388608f) * _e152)), (_e689.member.member.y + ((bitcast<f32>((1258291200u | ((_e1058 >> bitcast<u32>(_e1070)) & 1023u))) - 8388608f) * _e152)), (_e689.member.member.z + ((bitcast<f32>((1258291200u | ((_e1058 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e689.member.member.x + ((bitcast<f32>((1258291200u | ((_e1095 >> bitcast<u32>(_e1060)) & 1023u))) - 8388608f) * _e152)), (_e689.member.member.y + ((bitcast<f32>((1258291200u | ((_e1095 >> bitcast<u32>(_e1070)) & 1023u))) - 8388608f) * _e152)), (_e689.member.member.z + ((bitcast<f32>((1258291200u | ((_e1095 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e689.member.member.x + ((bitcast<f32>((1258291200u | ((_e1126 >> bitcast<u32>(_e1060)) & 1023u))) - 8388608f) * _e152)), (_e689.member.member.y + ((bitcast<f32>((1258291200u | ((_e1126 >> bitcast<u32>(_e1070)) & 1023u))) - 8388608f) * _e152)), (_e689.member.member.z + ((bitcast<f32>((1258291200u | ((_e1126 >> bitcast<u32>(_e1080)) & 1023u))) - 8388608f) * _e152))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e883 = (_e794 < _e100);
-                                                            if _e883 {
-                                                                if _e883 {
+                                                            let _e868 = (_e779 < _e100);
+                                                            if _e868 {
+                                                                if _e868 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e885 = global_7.member[_e794];
-                                                                phi_1633_ = _e885;
+                                                                let _e870 = global_7.member[_e779];
+                                                                phi_1653_ = _e870;
                                                             } else {
-                                                                phi_1633_ = 0u;
+                                                                phi_1653_ = 0u;
                                                             }
-                                                            let _e887 = phi_1633_;
-                                                            let _e888 = (_e794 + 1u);
-                                                            let _e889 = (_e888 < _e100);
-                                                            if _e889 {
-                                                                if _e889 {
+                                                            let _e872 = phi_1653_;
+                                                            let _e873 = (_e779 + 1u);
+                                                            let _e874 = (_e873 < _e100);
+                                                            if _e874 {
+                                                                if _e874 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e891 = global_7.member[_e888];
-                                                                phi_1648_ = _e891;
+                                                                let _e876 = global_7.member[_e873];
+                                                                phi_1668_ = _e876;
                                                             } else {
-                                                                phi_1648_ = 0u;
+                                                                phi_1668_ = 0u;
                                                             }
-                                                            let _e893 = phi_1648_;
-                                                            let _e894 = (_e278 == 1u);
-                                                            if _e894 {
-                                                                phi_1658_ = ((_e887 >> bitcast<u32>(21i)) | (_e893 << bitcast<u32>(11i)));
+                                                            let _e878 = phi_1668_;
+                                                            let _e879 = (_e278 == 1u);
+                                                            if _e879 {
+                                                                phi_1678_ = ((_e872 >> bitcast<u32>(21i)) | (_e878 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1658_ = (_e893 >> bitcast<u32>(10i));
+                                                                phi_1678_ = (_e878 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e903 = phi_1658_;
-                                                            let _e911 = (_e277 == 1u);
-                                                            if _e911 {
-                                                                phi_1679_ = ((_e887 >> bitcast<u32>(21i)) | (_e893 << bitcast<u32>(11i)));
+                                                            let _e888 = phi_1678_;
+                                                            let _e896 = (_e277 == 1u);
+                                                            if _e896 {
+                                                                phi_1699_ = ((_e872 >> bitcast<u32>(21i)) | (_e878 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1679_ = (_e893 >> bitcast<u32>(10i));
+                                                                phi_1699_ = (_e878 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e920 = phi_1679_;
-                                                            let _e928 = (_e279 == 1u);
-                                                            if _e928 {
-                                                                phi_1700_ = ((_e887 >> bitcast<u32>(21i)) | (_e893 << bitcast<u32>(11i)));
+                                                            let _e905 = phi_1699_;
+                                                            let _e913 = (_e279 == 1u);
+                                                            if _e913 {
+                                                                phi_1720_ = ((_e872 >> bitcast<u32>(21i)) | (_e878 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1700_ = (_e893 >> bitcast<u32>(10i));
+                                                                phi_1720_ = (_e878 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e937 = phi_1700_;
-                                                            let _e946 = (_e794 + 2u);
-                                                            let _e947 = (_e946 < _e100);
-                                                            if _e947 {
-                                                                if _e947 {
+                                                            let _e922 = phi_1720_;
+                                                            let _e931 = (_e779 + 2u);
+                                                            let _e932 = (_e931 < _e100);
+                                                            if _e932 {
+                                                                if _e932 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e949 = global_7.member[_e946];
-                                                                phi_1730_ = _e949;
+                                                                let _e934 = global_7.member[_e931];
+                                                                phi_1750_ = _e934;
                                                             } else {
-                                                                phi_1730_ = 0u;
+                                                                phi_1750_ = 0u;
                                                             }
-                                                            let _e951 = phi_1730_;
-                                                            let _e952 = (_e794 + 3u);
-                                                            let _e953 = (_e952 < _e100);
-                                                            if _e953 {
-                                                                if _e953 {
+                                                            let _e936 = phi_1750_;
+                                                            let _e937 = (_e779 + 3u);
+                                                            let _e938 = (_e937 < _e100);
+                                                            if _e938 {
+                                                                if _e938 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e955 = global_7.member[_e952];
-                                                                phi_1745_ = _e955;
+                                                                let _e940 = global_7.member[_e937];
+                                                                phi_1765_ = _e940;
                                                             } else {
-                                                                phi_1745_ = 0u;
+                                                                phi_1765_ = 0u;
                                                             }
-                                                            let _e957 = phi_1745_;
-                                                            if _e894 {
-                                                                phi_1755_ = ((_e951 >> bitcast<u32>(21i)) | (_e957 << bitcast<u32>(11i)));
+                                                            let _e942 = phi_1765_;
+                                                            if _e879 {
+                                                                phi_1775_ = ((_e936 >> bitcast<u32>(21i)) | (_e942 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1755_ = (_e957 >> bitcast<u32>(10i));
+                                                                phi_1775_ = (_e942 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e966 = phi_1755_;
-                                                            if _e911 {
-                                                                phi_1776_ = ((_e951 >> bitcast<u32>(21i)) | (_e957 << bitcast<u32>(11i)));
+                                                            let _e951 = phi_1775_;
+                                                            if _e896 {
+                                                                phi_1796_ = ((_e936 >> bitcast<u32>(21i)) | (_e942 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1776_ = (_e957 >> bitcast<u32>(10i));
+                                                                phi_1796_ = (_e942 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e982 = phi_1776_;
-                                                            if _e928 {
-                                                                phi_1797_ = ((_e951 >> bitcast<u32>(21i)) | (_e957 << bitcast<u32>(11i)));
+                                                            let _e967 = phi_1796_;
+                                                            if _e913 {
+                                                                phi_1817_ = ((_e936 >> bitcast<u32>(21i)) | (_e942 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1797_ = (_e957 >> bitcast<u32>(10i));
+                                                                phi_1817_ = (_e942 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e998 = phi_1797_;
-                                                            let _e1007 = (_e794 + 4u);
-                                                            let _e1008 = (_e1007 < _e100);
-                                                            if _e1008 {
-                                                                if _e1008 {
+                                                            let _e983 = phi_1817_;
+                                                            let _e992 = (_e779 + 4u);
+                                                            let _e993 = (_e992 < _e100);
+                                                            if _e993 {
+                                                                if _e993 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1010 = global_7.member[_e1007];
-                                                                phi_1827_ = _e1010;
+                                                                let _e995 = global_7.member[_e992];
+                                                                phi_1847_ = _e995;
                                                             } else {
-                                                                phi_1827_ = 0u;
+                                                                phi_1847_ = 0u;
                                                             }
-                                                            let _e1012 = phi_1827_;
-                                                            let _e1013 = (_e794 + 5u);
-                                                            let _e1014 = (_e1013 < _e100);
-                                                            if _e1014 {
-                                                                if _e1014 {
+                                                            let _e997 = phi_1847_;
+                                                            let _e998 = (_e779 + 5u);
+                                                            let _e999 = (_e998 < _e100);
+                                                            if _e999 {
+                                                                if _e999 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1016 = global_7.member[_e1013];
-                                                                phi_1842_ = _e1016;
+                                                                let _e1001 = global_7.member[_e998];
+                                                                phi_1862_ = _e1001;
                                                             } else {
-                                                                phi_1842_ = 0u;
+                                                                phi_1862_ = 0u;
                                                             }
-                                                            let _e1018 = phi_1842_;
-                                                            if _e894 {
-                                                                phi_1852_ = ((_e1012 >> bitcast<u32>(21i)) | (_e1018 << bitcast<u32>(11i)));
+                                                            let _e1003 = phi_1862_;
+                                                            if _e879 {
+                                                                phi_1872_ = ((_e997 >> bitcast<u32>(21i)) | (_e1003 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1852_ = (_e1018 >> bitcast<u32>(10i));
+                                                                phi_1872_ = (_e1003 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1027 = phi_1852_;
-                                                            if _e911 {
-                                                                phi_1873_ = ((_e1012 >> bitcast<u32>(21i)) | (_e1018 << bitcast<u32>(11i)));
+                                                            let _e1012 = phi_1872_;
+                                                            if _e896 {
+                                                                phi_1893_ = ((_e997 >> bitcast<u32>(21i)) | (_e1003 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1873_ = (_e1018 >> bitcast<u32>(10i));
+                                                                phi_1893_ = (_e1003 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1043 = phi_1873_;
-                                                            if _e928 {
-                                                                phi_1894_ = ((_e1012 >> bitcast<u32>(21i)) | (_e1018 << bitcast<u32>(11i)));
+                                                            let _e1028 = phi_1893_;
+                                                            if _e913 {
+                                                                phi_1914_ = ((_e997 >> bitcast<u32>(21i)) | (_e1003 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1894_ = (_e1018 >> bitcast<u32>(10i));
+                                                                phi_1914_ = (_e1003 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1059 = phi_1894_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e903, _e887, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e920, _e887, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e937, _e887, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e966, _e951, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e982, _e951, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e998, _e951, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1027, _e1012, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1043, _e1012, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1059, _e1012, _e435) & 2097151u))) - 8388608f) * _e152))));
+                                                            let _e1044 = phi_1914_;
+                                                            phi_2105_ = array<array<f32, 3>, 3>(array<f32, 3>((_e689.member.member.x + ((bitcast<f32>((1258291200u | (select(_e888, _e872, _e302) & 2097151u))) - 8388608f) * _e152)), (_e689.member.member.y + ((bitcast<f32>((1258291200u | (select(_e905, _e872, _e367) & 2097151u))) - 8388608f) * _e152)), (_e689.member.member.z + ((bitcast<f32>((1258291200u | (select(_e922, _e872, _e431) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e689.member.member.x + ((bitcast<f32>((1258291200u | (select(_e951, _e936, _e302) & 2097151u))) - 8388608f) * _e152)), (_e689.member.member.y + ((bitcast<f32>((1258291200u | (select(_e967, _e936, _e367) & 2097151u))) - 8388608f) * _e152)), (_e689.member.member.z + ((bitcast<f32>((1258291200u | (select(_e983, _e936, _e431) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e689.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1012, _e997, _e302) & 2097151u))) - 8388608f) * _e152)), (_e689.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1028, _e997, _e367) & 2097151u))) - 8388608f) * _e152)), (_e689.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1044, _e997, _e431) & 2097151u))) - 8388608f) * _e152))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e796 = (_e794 + _e278);
-                                                            let _e797 = (_e796 < _e100);
-                                                            if _e797 {
-                                                                if _e797 {
+                                                            let _e781 = (_e779 + _e278);
+                                                            let _e782 = (_e781 < _e100);
+                                                            if _e782 {
+                                                                if _e782 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e799 = global_7.member[_e796];
-                                                                phi_1925_ = _e799;
+                                                                let _e784 = global_7.member[_e781];
+                                                                phi_1945_ = _e784;
                                                             } else {
-                                                                phi_1925_ = 0u;
+                                                                phi_1945_ = 0u;
                                                             }
-                                                            let _e801 = phi_1925_;
-                                                            let _e805 = (_e794 + _e277);
-                                                            let _e806 = (_e805 < _e100);
-                                                            if _e806 {
-                                                                if _e806 {
+                                                            let _e786 = phi_1945_;
+                                                            let _e790 = (_e779 + _e277);
+                                                            let _e791 = (_e790 < _e100);
+                                                            if _e791 {
+                                                                if _e791 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e808 = global_7.member[_e805];
-                                                                phi_1943_ = _e808;
+                                                                let _e793 = global_7.member[_e790];
+                                                                phi_1963_ = _e793;
                                                             } else {
-                                                                phi_1943_ = 0u;
+                                                                phi_1963_ = 0u;
                                                             }
-                                                            let _e810 = phi_1943_;
-                                                            let _e814 = (_e794 + _e279);
-                                                            let _e815 = (_e814 < _e100);
-                                                            if _e815 {
-                                                                if _e815 {
+                                                            let _e795 = phi_1963_;
+                                                            let _e799 = (_e779 + _e279);
+                                                            let _e800 = (_e799 < _e100);
+                                                            if _e800 {
+                                                                if _e800 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e817 = global_7.member[_e814];
-                                                                phi_1961_ = _e817;
+                                                                let _e802 = global_7.member[_e799];
+                                                                phi_1981_ = _e802;
                                                             } else {
-                                                                phi_1961_ = 0u;
+                                                                phi_1981_ = 0u;
                                                             }
-                                                            let _e819 = phi_1961_;
-                                                            let _e824 = (_e794 + 3u);
-                                                            let _e825 = (_e824 + _e278);
-                                                            let _e826 = (_e825 < _e100);
-                                                            if _e826 {
-                                                                if _e826 {
+                                                            let _e804 = phi_1981_;
+                                                            let _e809 = (_e779 + 3u);
+                                                            let _e810 = (_e809 + _e278);
+                                                            let _e811 = (_e810 < _e100);
+                                                            if _e811 {
+                                                                if _e811 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e828 = global_7.member[_e825];
-                                                                phi_1984_ = _e828;
+                                                                let _e813 = global_7.member[_e810];
+                                                                phi_2004_ = _e813;
                                                             } else {
-                                                                phi_1984_ = 0u;
+                                                                phi_2004_ = 0u;
                                                             }
-                                                            let _e830 = phi_1984_;
-                                                            let _e834 = (_e824 + _e277);
-                                                            let _e835 = (_e834 < _e100);
-                                                            if _e835 {
-                                                                if _e835 {
+                                                            let _e815 = phi_2004_;
+                                                            let _e819 = (_e809 + _e277);
+                                                            let _e820 = (_e819 < _e100);
+                                                            if _e820 {
+                                                                if _e820 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e837 = global_7.member[_e834];
-                                                                phi_2002_ = _e837;
+                                                                let _e822 = global_7.member[_e819];
+                                                                phi_2022_ = _e822;
                                                             } else {
-                                                                phi_2002_ = 0u;
+                                                                phi_2022_ = 0u;
                                                             }
-                                                            let _e839 = phi_2002_;
-                                                            let _e843 = (_e824 + _e279);
-                                                            let _e844 = (_e843 < _e100);
-                                                            if _e844 {
-                                                                if _e844 {
+                                                            let _e824 = phi_2022_;
+                                                            let _e828 = (_e809 + _e279);
+                                                            let _e829 = (_e828 < _e100);
+                                                            if _e829 {
+                                                                if _e829 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e846 = global_7.member[_e843];
-                                                                phi_2020_ = _e846;
+                                                                let _e831 = global_7.member[_e828];
+                                                                phi_2040_ = _e831;
                                                             } else {
-                                                                phi_2020_ = 0u;
+                                                                phi_2040_ = 0u;
                                                             }
-                                                            let _e848 = phi_2020_;
-                                                            let _e853 = (_e794 + 6u);
-                                                            let _e854 = (_e853 + _e278);
-                                                            let _e855 = (_e854 < _e100);
-                                                            if _e855 {
-                                                                if _e855 {
+                                                            let _e833 = phi_2040_;
+                                                            let _e838 = (_e779 + 6u);
+                                                            let _e839 = (_e838 + _e278);
+                                                            let _e840 = (_e839 < _e100);
+                                                            if _e840 {
+                                                                if _e840 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e857 = global_7.member[_e854];
-                                                                phi_2043_ = _e857;
+                                                                let _e842 = global_7.member[_e839];
+                                                                phi_2063_ = _e842;
                                                             } else {
-                                                                phi_2043_ = 0u;
+                                                                phi_2063_ = 0u;
                                                             }
-                                                            let _e859 = phi_2043_;
-                                                            let _e863 = (_e853 + _e277);
-                                                            let _e864 = (_e863 < _e100);
-                                                            if _e864 {
-                                                                if _e864 {
+                                                            let _e844 = phi_2063_;
+                                                            let _e848 = (_e838 + _e277);
+                                                            let _e849 = (_e848 < _e100);
+                                                            if _e849 {
+                                                                if _e849 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e866 = global_7.member[_e863];
-                                                                phi_2061_ = _e866;
+                                                                let _e851 = global_7.member[_e848];
+                                                                phi_2081_ = _e851;
                                                             } else {
-                                                                phi_2061_ = 0u;
+                                                                phi_2081_ = 0u;
                                                             }
-                                                            let _e868 = phi_2061_;
-                                                            let _e872 = (_e853 + _e279);
-                                                            let _e873 = (_e872 < _e100);
-                                                            if _e873 {
-                                                                if _e873 {
+                                                            let _e853 = phi_2081_;
+                                                            let _e857 = (_e838 + _e279);
+                                                            let _e858 = (_e857 < _e100);
+                                                            if _e858 {
+                                                                if _e858 {
                                                                 } else {
-                                                                    phi_4783_ = true;
+                                                                    phi_4880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e875 = global_7.member[_e872];
-                                                                phi_2079_ = _e875;
+                                                                let _e860 = global_7.member[_e857];
+                                                                phi_2099_ = _e860;
                                                             } else {
-                                                                phi_2079_ = 0u;
+                                                                phi_2099_ = 0u;
                                                             }
-                                                            let _e877 = phi_2079_;
-                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e801)) * _e152), (f32(bitcast<i32>(_e810)) * _e152), (f32(bitcast<i32>(_e819)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e830)) * _e152), (f32(bitcast<i32>(_e839)) * _e152), (f32(bitcast<i32>(_e848)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e859)) * _e152), (f32(bitcast<i32>(_e868)) * _e152), (f32(bitcast<i32>(_e877)) * _e152)));
+                                                            let _e862 = phi_2099_;
+                                                            phi_2105_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e786)) * _e152), (f32(bitcast<i32>(_e795)) * _e152), (f32(bitcast<i32>(_e804)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e815)) * _e152), (f32(bitcast<i32>(_e824)) * _e152), (f32(bitcast<i32>(_e833)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e844)) * _e152), (f32(bitcast<i32>(_e853)) * _e152), (f32(bitcast<i32>(_e862)) * _e152)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2085_ = array<array<f32, 3>, 3>();
+                                                            phi_2105_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1169 = phi_2085_;
-                                                    let _e1178 = (_e1169[0][2] - _e458);
-                                                    let _e1181 = (((_e1169[0][0] - _e325) * _e497) - (_e1178 * _e365));
-                                                    let _e1184 = (((_e1169[0][1] - _e392) * _e497) - (_e1178 * _e431));
-                                                    let _e1191 = (_e1169[1][2] - _e458);
-                                                    let _e1194 = (((_e1169[1][0] - _e325) * _e497) - (_e1191 * _e365));
-                                                    let _e1197 = (((_e1169[1][1] - _e392) * _e497) - (_e1191 * _e431));
-                                                    let _e1204 = (_e1169[2][2] - _e458);
-                                                    let _e1207 = (((_e1169[2][0] - _e325) * _e497) - (_e1204 * _e365));
-                                                    let _e1210 = (((_e1169[2][1] - _e392) * _e497) - (_e1204 * _e431));
-                                                    let _e1211 = (_e1207 * _e1197);
-                                                    let _e1212 = (_e1210 * _e1194);
-                                                    let _e1213 = (_e1181 * _e1210);
-                                                    let _e1214 = (_e1184 * _e1207);
-                                                    let _e1215 = (_e1194 * _e1184);
-                                                    let _e1216 = (_e1197 * _e1181);
-                                                    let _e1221 = (((_e1211 >= _e1212) && (_e1213 >= _e1214)) && (_e1215 >= _e1216));
-                                                    if (_e1221 || (((_e1211 <= _e1212) && (_e1213 <= _e1214)) && (_e1215 <= _e1216))) {
-                                                        let _e1228 = select(-1f, 1f, _e1221);
-                                                        let _e1230 = ((_e1211 - _e1212) * _e1228);
-                                                        let _e1232 = select(0f, _e1230, (_e1230 > 0f));
-                                                        let _e1234 = ((_e1213 - _e1214) * _e1228);
-                                                        let _e1236 = select(0f, _e1234, (_e1234 > 0f));
-                                                        let _e1238 = ((_e1215 - _e1216) * _e1228);
-                                                        let _e1240 = select(0f, _e1238, (_e1238 > 0f));
-                                                        let _e1242 = ((_e1232 + _e1236) + _e1240);
-                                                        if (_e1242 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2969_ = type_18();
-                                                            phi_2970_ = true;
-                                                            phi_2971_ = false;
+                                                    let _e1154 = phi_2105_;
+                                                    let _e1171 = (_e1154[0][2] - _e454);
+                                                    let _e1174 = (((_e1154[0][0] - _e325) * _e490) - (_e1171 * _e362));
+                                                    let _e1177 = (((_e1154[0][1] - _e390) * _e490) - (_e1171 * _e426));
+                                                    let _e1180 = (_e1154[1][2] - _e454);
+                                                    let _e1183 = (((_e1154[1][0] - _e325) * _e490) - (_e1180 * _e362));
+                                                    let _e1186 = (((_e1154[1][1] - _e390) * _e490) - (_e1180 * _e426));
+                                                    let _e1189 = (_e1154[2][2] - _e454);
+                                                    let _e1192 = (((_e1154[2][0] - _e325) * _e490) - (_e1189 * _e362));
+                                                    let _e1195 = (((_e1154[2][1] - _e390) * _e490) - (_e1189 * _e426));
+                                                    let _e1196 = (_e1192 * _e1186);
+                                                    let _e1197 = (_e1195 * _e1183);
+                                                    let _e1198 = (_e1174 * _e1195);
+                                                    let _e1199 = (_e1177 * _e1192);
+                                                    let _e1200 = (_e1183 * _e1177);
+                                                    let _e1201 = (_e1186 * _e1174);
+                                                    let _e1206 = (((_e1196 >= _e1197) && (_e1198 >= _e1199)) && (_e1200 >= _e1201));
+                                                    let _e1212 = (_e1206 || (((_e1196 <= _e1197) && (_e1198 <= _e1199)) && (_e1200 <= _e1201)));
+                                                    if _e1212 {
+                                                        let _e1214 = select(-1f, 1f, _e1206);
+                                                        let _e1216 = ((_e1196 - _e1197) * _e1214);
+                                                        let _e1218 = select(0f, _e1216, (_e1216 > 0f));
+                                                        let _e1220 = ((_e1198 - _e1199) * _e1214);
+                                                        let _e1222 = select(0f, _e1220, (_e1220 > 0f));
+                                                        let _e1224 = ((_e1200 - _e1201) * _e1214);
+                                                        let _e1226 = select(0f, _e1224, (_e1224 > 0f));
+                                                        let _e1228 = ((_e1218 + _e1222) + _e1226);
+                                                        let _e1230 = select(_e1154[1][0], _e1154[0][0], (_e1154[0][0] < _e1154[1][0]));
+                                                        let _e1234 = select(_e1154[1][0], _e1154[0][0], (_e1154[0][0] > _e1154[1][0]));
+                                                        let _e1238 = select(_e1154[1][1], _e1154[0][1], (_e1154[0][1] < _e1154[1][1]));
+                                                        let _e1242 = select(_e1154[1][1], _e1154[0][1], (_e1154[0][1] > _e1154[1][1]));
+                                                        let _e1246 = select(_e1154[1][2], _e1154[0][2], (_e1154[0][2] < _e1154[1][2]));
+                                                        let _e1250 = select(_e1154[1][2], _e1154[0][2], (_e1154[0][2] > _e1154[1][2]));
+                                                        let _e1255 = ((select(_e1154[2][0], _e1230, (_e1230 < _e1154[2][0])) - _e363) * _e366);
+                                                        let _e1256 = ((select(_e1154[2][0], _e1234, (_e1234 > _e1154[2][0])) - _e364) * _e366);
+                                                        let _e1259 = ((select(_e1154[2][1], _e1238, (_e1238 < _e1154[2][1])) - _e427) * _e430);
+                                                        let _e1260 = ((select(_e1154[2][1], _e1242, (_e1242 > _e1154[2][1])) - _e428) * _e430);
+                                                        let _e1263 = ((select(_e1154[2][2], _e1246, (_e1246 < _e1154[2][2])) - _e491) * _e494);
+                                                        let _e1264 = ((select(_e1154[2][2], _e1250, (_e1250 > _e1154[2][2])) - _e492) * _e494);
+                                                        let _e1266 = select(_e1264, _e1263, (_e1263 < _e1264));
+                                                        let _e1268 = select(_e1264, _e1263, (_e1263 > _e1264));
+                                                        let _e1270 = select(_e1256, _e1255, (_e1255 < _e1256));
+                                                        let _e1272 = select(_e1260, _e1259, (_e1259 < _e1260));
+                                                        let _e1274 = select(_e1272, _e1270, (_e1270 > _e1272));
+                                                        let _e1276 = select(_e1266, _e1274, (_e1274 > _e1266));
+                                                        let _e1278 = select(_e1256, _e1255, (_e1255 > _e1256));
+                                                        let _e1280 = select(_e1260, _e1259, (_e1259 > _e1260));
+                                                        let _e1282 = select(_e1280, _e1278, (_e1278 < _e1280));
+                                                        let _e1284 = select(_e1268, _e1282, (_e1282 < _e1268));
+                                                        let _e1285 = -(_e1266);
+                                                        let _e1291 = select(_e596, _e1276, (_e1276 > _e596));
+                                                        let _e1295 = select(_e1183, _e1174, (_e1174 < _e1183));
+                                                        let _e1300 = select(_e1183, _e1174, (_e1174 > _e1183));
+                                                        let _e1307 = select(_e1186, _e1177, (_e1177 < _e1186));
+                                                        let _e1312 = select(_e1186, _e1177, (_e1177 > _e1186));
+                                                        let _e1321 = (((((_e1212 && (_e1228 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1192, _e1295, (_e1295 < _e1192)) <= 0f) && (select(_e1192, _e1300, (_e1300 > _e1192)) >= 0f))) && ((select(_e1195, _e1307, (_e1307 < _e1195)) <= 0f) && (select(_e1195, _e1312, (_e1312 > _e1195)) >= 0f))) && (_e1291 <= (_e1284 + (select(_e1285, _e1268, (_e1268 > _e1285)) * 0.0000019073523f)))) && (_e1291 <= _e701.member.member_1));
+                                                        if _e1321 {
+                                                            let _e1326 = (_e1154[1][0] - _e1154[0][0]);
+                                                            let _e1327 = (_e1154[1][1] - _e1154[0][1]);
+                                                            let _e1328 = (_e1154[1][2] - _e1154[0][2]);
+                                                            let _e1329 = vec3<f32>(_e1326, _e1327, _e1328);
+                                                            let _e1330 = (_e1154[2][0] - _e1154[1][0]);
+                                                            let _e1331 = (_e1154[2][1] - _e1154[1][1]);
+                                                            let _e1332 = (_e1154[2][2] - _e1154[1][2]);
+                                                            let _e1333 = vec3<f32>(_e1330, _e1331, _e1332);
+                                                            let _e1334 = (_e1154[0][0] - _e1154[2][0]);
+                                                            let _e1335 = (_e1154[0][1] - _e1154[2][1]);
+                                                            let _e1336 = (_e1154[0][2] - _e1154[2][2]);
+                                                            let _e1337 = vec3<f32>(_e1334, _e1335, _e1336);
+                                                            let _e1338 = abs(_e1326);
+                                                            let _e1339 = abs(_e1327);
+                                                            if (_e1338 != _e1338) {
+                                                                phi_4447_ = true;
+                                                            } else {
+                                                                phi_4447_ = (_e1339 >= _e1338);
+                                                            }
+                                                            let _e1343 = phi_4447_;
+                                                            let _e1344 = select(_e1338, _e1339, _e1343);
+                                                            let _e1345 = abs(_e1328);
+                                                            if (_e1344 != _e1344) {
+                                                                phi_4462_ = true;
+                                                            } else {
+                                                                phi_4462_ = (_e1345 >= _e1344);
+                                                            }
+                                                            let _e1349 = phi_4462_;
+                                                            let _e1350 = select(_e1344, _e1345, _e1349);
+                                                            let _e1351 = abs(_e1330);
+                                                            let _e1352 = abs(_e1331);
+                                                            if (_e1351 != _e1351) {
+                                                                phi_4477_ = true;
+                                                            } else {
+                                                                phi_4477_ = (_e1352 >= _e1351);
+                                                            }
+                                                            let _e1356 = phi_4477_;
+                                                            let _e1357 = select(_e1351, _e1352, _e1356);
+                                                            let _e1358 = abs(_e1332);
+                                                            if (_e1357 != _e1357) {
+                                                                phi_4492_ = true;
+                                                            } else {
+                                                                phi_4492_ = (_e1358 >= _e1357);
+                                                            }
+                                                            let _e1362 = phi_4492_;
+                                                            let _e1363 = select(_e1357, _e1358, _e1362);
+                                                            let _e1364 = abs(_e1334);
+                                                            let _e1365 = abs(_e1335);
+                                                            if (_e1364 != _e1364) {
+                                                                phi_4507_ = true;
+                                                            } else {
+                                                                phi_4507_ = (_e1365 >= _e1364);
+                                                            }
+                                                            let _e1369 = phi_4507_;
+                                                            let _e1370 = select(_e1364, _e1365, _e1369);
+                                                            let _e1371 = abs(_e1336);
+                                                            if (_e1370 != _e1370) {
+                                                                phi_4522_ = true;
+                                                            } else {
+                                                                phi_4522_ = (_e1371 >= _e1370);
+                                                            }
+                                                            let _e1375 = phi_4522_;
+                                                            let _e1376 = select(_e1370, _e1371, _e1375);
+                                                            let _e1378 = select(_e1363, _e1350, (_e1350 > _e1363));
+                                                            let _e1380 = select(_e1376, _e1378, (_e1378 > _e1376));
+                                                            if (_e1350 == _e1380) {
+                                                                phi_2647_ = _e1186;
+                                                                phi_2648_ = _e1183;
+                                                                phi_2649_ = _e1177;
+                                                                phi_2650_ = _e1174;
+                                                                phi_2651_ = vec3<f32>(_e1154[0][0], _e1154[0][1], _e1154[0][2]);
+                                                                phi_2652_ = _e1337;
+                                                                phi_2653_ = _e1333;
+                                                                phi_2654_ = _e1329;
+                                                            } else {
+                                                                let _e1382 = (_e1363 == _e1380);
+                                                                let _e1387 = vec3(_e1382);
+                                                                phi_2647_ = select(_e1177, _e1195, _e1382);
+                                                                phi_2648_ = select(_e1174, _e1192, _e1382);
+                                                                phi_2649_ = select(_e1195, _e1186, _e1382);
+                                                                phi_2650_ = select(_e1192, _e1183, _e1382);
+                                                                phi_2651_ = select(vec3<f32>(_e1154[2][0], _e1154[2][1], _e1154[2][2]), vec3<f32>(_e1154[1][0], _e1154[1][1], _e1154[1][2]), _e1387);
+                                                                phi_2652_ = select(_e1333, _e1329, _e1387);
+                                                                phi_2653_ = select(_e1329, _e1337, _e1387);
+                                                                phi_2654_ = select(_e1337, _e1333, _e1387);
+                                                            }
+                                                            let _e1393 = phi_2647_;
+                                                            let _e1395 = phi_2648_;
+                                                            let _e1397 = phi_2649_;
+                                                            let _e1399 = phi_2650_;
+                                                            let _e1401 = phi_2651_;
+                                                            let _e1403 = phi_2652_;
+                                                            let _e1405 = phi_2653_;
+                                                            let _e1407 = phi_2654_;
+                                                            let _e1414 = ((_e1405.y * _e1403.z) - (_e1403.y * _e1405.z));
+                                                            let _e1419 = ((_e1405.z * _e1403.x) - (_e1403.z * _e1405.x));
+                                                            let _e1422 = ((_e1405.x * _e1403.y) - (_e1403.x * _e1405.y));
+                                                            let _e1425 = ((_e1218 >= _e1222) && (_e1218 >= _e1226));
+                                                            let _e1426 = (_e1222 >= _e1226);
+                                                            let _e1440 = (((_e1414 * (select(select(_e1154[2][0], _e1154[1][0], _e1426), _e1154[0][0], _e1425) - _e325)) + (_e1419 * (select(select(_e1154[2][1], _e1154[1][1], _e1426), _e1154[0][1], _e1425) - _e390))) + (_e1422 * (select(select(_e1154[2][2], _e1154[1][2], _e1426), _e1154[0][2], _e1425) - _e454)));
+                                                            let _e1445 = (((_e1414 * _e362) + (_e1419 * _e426)) + (_e1422 * _e490));
+                                                            let _e1446 = (_e1395 - _e1399);
+                                                            let _e1447 = (_e1393 - _e1397);
+                                                            let _e1450 = ((_e1446 * _e1446) + (_e1447 * _e1447));
+                                                            let _e1457 = (-(((_e1399 * _e1446) + (_e1397 * _e1447))) / select(0.000000000000000000000000000000000000011754944f, _e1450, (_e1450 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1459 = select(1f, _e1457, (_e1457 < 1f));
+                                                            let _e1461 = select(0f, _e1459, (_e1459 > 0f));
+                                                            let _e1470 = ((_e1401.x + (_e1407.x * _e1461)) - _e325);
+                                                            let _e1473 = ((_e1401.y + (_e1407.y * _e1461)) - _e390);
+                                                            let _e1476 = ((_e1401.z + (_e1407.z * _e1461)) - _e454);
+                                                            let _e1479 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
+                                                            let _e1482 = bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u));
+                                                            let _e1484 = select(_e1482, _e1479, (_e1479 > _e1482));
+                                                            let _e1487 = bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u));
+                                                            let _e1489 = select(_e1487, _e1484, (_e1484 > _e1487));
+                                                            let _e1493 = abs(_e1414);
+                                                            let _e1494 = abs(_e1419);
+                                                            if (_e1493 != _e1493) {
+                                                                phi_4537_ = true;
+                                                            } else {
+                                                                phi_4537_ = (_e1494 >= _e1493);
+                                                            }
+                                                            let _e1498 = phi_4537_;
+                                                            let _e1499 = select(_e1493, _e1494, _e1498);
+                                                            let _e1500 = abs(_e1422);
+                                                            if (_e1499 != _e1499) {
+                                                                phi_4552_ = true;
+                                                            } else {
+                                                                phi_4552_ = (_e1500 >= _e1499);
+                                                            }
+                                                            let _e1504 = phi_4552_;
+                                                            let _e1520 = abs(_e1405.x);
+                                                            let _e1521 = abs(_e1405.y);
+                                                            if (_e1520 != _e1520) {
+                                                                phi_4567_ = true;
+                                                            } else {
+                                                                phi_4567_ = (_e1521 >= _e1520);
+                                                            }
+                                                            let _e1525 = phi_4567_;
+                                                            let _e1526 = select(_e1520, _e1521, _e1525);
+                                                            let _e1527 = abs(_e1405.z);
+                                                            if (_e1526 != _e1526) {
+                                                                phi_4582_ = true;
+                                                            } else {
+                                                                phi_4582_ = (_e1527 >= _e1526);
+                                                            }
+                                                            let _e1531 = phi_4582_;
+                                                            let _e1534 = abs(_e1403.x);
+                                                            let _e1535 = abs(_e1403.y);
+                                                            if (_e1534 != _e1534) {
+                                                                phi_4597_ = true;
+                                                            } else {
+                                                                phi_4597_ = (_e1535 >= _e1534);
+                                                            }
+                                                            let _e1539 = phi_4597_;
+                                                            let _e1540 = select(_e1534, _e1535, _e1539);
+                                                            let _e1541 = abs(_e1403.z);
+                                                            if (_e1540 != _e1540) {
+                                                                phi_4612_ = true;
+                                                            } else {
+                                                                phi_4612_ = (_e1541 >= _e1540);
+                                                            }
+                                                            let _e1545 = phi_4612_;
+                                                            let _e1550 = ((bitcast<f32>((bitcast<u32>(((((_e1414 * _e1470) + (_e1419 * _e1473)) + (_e1422 * _e1476)) - _e1440)) & 2147483647u)) <= ((0.0000009536743f * select(_e1380, _e1489, (_e1489 > _e1380))) * select(_e1499, _e1500, _e1504))) && !((bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u)) <= ((0.0000038146973f * select(_e1526, _e1527, _e1531)) * select(_e1540, _e1541, _e1545)))));
+                                                            let _e1551 = (_e1440 / _e1445);
+                                                            if (_e1321 && !(_e1550)) {
+                                                                let _e1554 = (_e1476 / _e490);
+                                                                let _e1562 = (((_e1414 * (_e1470 - (_e362 * _e1554))) + (_e1419 * (_e1473 - (_e426 * _e1554)))) / _e1445);
+                                                                phi_2862_ = select(select(_e1554, (_e1554 + _e1562), (bitcast<f32>((bitcast<u32>(_e1562) & 2147483647u)) <= _e1380)), _e1551, _e1550);
+                                                            } else {
+                                                                phi_2862_ = _e1551;
+                                                            }
+                                                            let _e1571 = phi_2862_;
+                                                            let _e1573 = select(_e1284, _e1571, (_e1571 < _e1284));
+                                                            let _e1575 = select(_e1276, _e1573, (_e1573 > _e1276));
+                                                            let _e1576 = (1f / _e1228);
+                                                            phi_2882_ = type_38(_e1575, (_e1222 * _e1576), (_e1226 * _e1576), ((_e1321 && (_e1575 >= _e596)) && (_e1575 <= _e701.member.member_1)));
+                                                            phi_2883_ = type_38();
                                                         } else {
-                                                            let _e1245 = select(_e1194, _e1181, (_e1181 < _e1194));
-                                                            if (select(_e1207, _e1245, (_e1245 < _e1207)) > 0f) {
-                                                                phi_2237_ = true;
-                                                            } else {
-                                                                let _e1250 = select(_e1194, _e1181, (_e1181 > _e1194));
-                                                                phi_2237_ = (select(_e1207, _e1250, (_e1250 > _e1207)) < 0f);
-                                                            }
-                                                            let _e1255 = phi_2237_;
-                                                            if _e1255 {
-                                                                phi_2966_ = type_18();
-                                                                phi_2967_ = true;
-                                                                phi_2968_ = false;
-                                                            } else {
-                                                                let _e1257 = select(_e1197, _e1184, (_e1184 < _e1197));
-                                                                if (select(_e1210, _e1257, (_e1257 < _e1210)) > 0f) {
-                                                                    phi_2266_ = true;
-                                                                } else {
-                                                                    let _e1262 = select(_e1197, _e1184, (_e1184 > _e1197));
-                                                                    phi_2266_ = (select(_e1210, _e1262, (_e1262 > _e1210)) < 0f);
-                                                                }
-                                                                let _e1267 = phi_2266_;
-                                                                if _e1267 {
-                                                                    phi_2964_ = type_18();
-                                                                    phi_2965_ = false;
-                                                                } else {
-                                                                    let _e1269 = select(_e1169[1][0], _e1169[0][0], (_e1169[0][0] < _e1169[1][0]));
-                                                                    let _e1273 = select(_e1169[1][0], _e1169[0][0], (_e1169[0][0] > _e1169[1][0]));
-                                                                    let _e1277 = select(_e1169[1][1], _e1169[0][1], (_e1169[0][1] < _e1169[1][1]));
-                                                                    let _e1281 = select(_e1169[1][1], _e1169[0][1], (_e1169[0][1] > _e1169[1][1]));
-                                                                    let _e1285 = select(_e1169[1][2], _e1169[0][2], (_e1169[0][2] < _e1169[1][2]));
-                                                                    let _e1289 = select(_e1169[1][2], _e1169[0][2], (_e1169[0][2] > _e1169[1][2]));
-                                                                    let _e1294 = ((select(_e1169[2][0], _e1269, (_e1269 < _e1169[2][0])) - _e363) * _e368);
-                                                                    let _e1295 = ((select(_e1169[2][0], _e1273, (_e1273 > _e1169[2][0])) - _e364) * _e368);
-                                                                    let _e1298 = ((select(_e1169[2][1], _e1277, (_e1277 < _e1169[2][1])) - _e429) * _e434);
-                                                                    let _e1299 = ((select(_e1169[2][1], _e1281, (_e1281 > _e1169[2][1])) - _e430) * _e434);
-                                                                    let _e1302 = ((select(_e1169[2][2], _e1285, (_e1285 < _e1169[2][2])) - _e495) * _e500);
-                                                                    let _e1303 = ((select(_e1169[2][2], _e1289, (_e1289 > _e1169[2][2])) - _e496) * _e500);
-                                                                    let _e1305 = select(_e1303, _e1302, (_e1302 < _e1303));
-                                                                    let _e1307 = select(_e1303, _e1302, (_e1302 > _e1303));
-                                                                    let _e1309 = select(_e1295, _e1294, (_e1294 < _e1295));
-                                                                    let _e1311 = select(_e1299, _e1298, (_e1298 < _e1299));
-                                                                    let _e1313 = select(_e1311, _e1309, (_e1309 > _e1311));
-                                                                    let _e1315 = select(_e1305, _e1313, (_e1313 > _e1305));
-                                                                    let _e1317 = select(_e1295, _e1294, (_e1294 > _e1295));
-                                                                    let _e1319 = select(_e1299, _e1298, (_e1298 > _e1299));
-                                                                    let _e1321 = select(_e1319, _e1317, (_e1317 < _e1319));
-                                                                    let _e1323 = select(_e1307, _e1321, (_e1321 < _e1307));
-                                                                    let _e1324 = -(_e1305);
-                                                                    let _e1330 = select(_e611, _e1315, (_e1315 > _e611));
-                                                                    if (_e1330 > (_e1323 + (select(_e1324, _e1307, (_e1307 > _e1324)) * 0.0000019073523f))) {
-                                                                        phi_2959_ = type_18();
-                                                                        phi_2960_ = true;
-                                                                    } else {
-                                                                        let _e1332 = (_e1330 > _e716.member.member_1);
-                                                                        if _e1332 {
-                                                                            phi_2958_ = type_18();
-                                                                        } else {
-                                                                            let _e1333 = vec3<f32>(_e1169[0][0], _e1169[0][1], _e1169[0][2]);
-                                                                            let _e1334 = vec3<f32>(_e1169[1][0], _e1169[1][1], _e1169[1][2]);
-                                                                            let _e1335 = vec3<f32>(_e1169[2][0], _e1169[2][1], _e1169[2][2]);
-                                                                            let _e1336 = (_e1169[1][0] - _e1169[0][0]);
-                                                                            let _e1337 = (_e1169[1][1] - _e1169[0][1]);
-                                                                            let _e1338 = (_e1169[1][2] - _e1169[0][2]);
-                                                                            let _e1339 = vec3<f32>(_e1336, _e1337, _e1338);
-                                                                            let _e1340 = (_e1169[2][0] - _e1169[1][0]);
-                                                                            let _e1341 = (_e1169[2][1] - _e1169[1][1]);
-                                                                            let _e1342 = (_e1169[2][2] - _e1169[1][2]);
-                                                                            let _e1343 = vec3<f32>(_e1340, _e1341, _e1342);
-                                                                            let _e1344 = (_e1169[0][0] - _e1169[2][0]);
-                                                                            let _e1345 = (_e1169[0][1] - _e1169[2][1]);
-                                                                            let _e1346 = (_e1169[0][2] - _e1169[2][2]);
-                                                                            let _e1347 = vec3<f32>(_e1344, _e1345, _e1346);
-                                                                            let _e1350 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
-                                                                            let _e1353 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
-                                                                            let _e1355 = select(_e1353, _e1350, (_e1350 > _e1353));
-                                                                            let _e1358 = bitcast<f32>((bitcast<u32>(_e1338) & 2147483647u));
-                                                                            let _e1360 = select(_e1358, _e1355, (_e1355 > _e1358));
-                                                                            let _e1363 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
-                                                                            let _e1366 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
-                                                                            let _e1368 = select(_e1366, _e1363, (_e1363 > _e1366));
-                                                                            let _e1371 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
-                                                                            let _e1373 = select(_e1371, _e1368, (_e1368 > _e1371));
-                                                                            let _e1376 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
-                                                                            let _e1379 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
-                                                                            let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
-                                                                            let _e1384 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
-                                                                            let _e1386 = select(_e1384, _e1381, (_e1381 > _e1384));
-                                                                            let _e1388 = select(_e1373, _e1360, (_e1360 > _e1373));
-                                                                            let _e1390 = select(_e1386, _e1388, (_e1388 > _e1386));
-                                                                            if (_e1360 == _e1390) {
-                                                                                phi_2685_ = _e1197;
-                                                                                phi_2686_ = _e1194;
-                                                                                phi_2687_ = _e1184;
-                                                                                phi_2688_ = _e1181;
-                                                                                phi_2689_ = _e1333;
-                                                                                phi_2690_ = _e1347;
-                                                                                phi_2691_ = _e1343;
-                                                                                phi_2692_ = _e1339;
-                                                                            } else {
-                                                                                let _e1392 = (_e1373 == _e1390);
-                                                                                let _e1397 = vec3(_e1392);
-                                                                                phi_2685_ = select(_e1184, _e1210, _e1392);
-                                                                                phi_2686_ = select(_e1181, _e1207, _e1392);
-                                                                                phi_2687_ = select(_e1210, _e1197, _e1392);
-                                                                                phi_2688_ = select(_e1207, _e1194, _e1392);
-                                                                                phi_2689_ = select(_e1335, _e1334, _e1397);
-                                                                                phi_2690_ = select(_e1343, _e1339, _e1397);
-                                                                                phi_2691_ = select(_e1339, _e1347, _e1397);
-                                                                                phi_2692_ = select(_e1347, _e1343, _e1397);
-                                                                            }
-                                                                            let _e1403 = phi_2685_;
-                                                                            let _e1405 = phi_2686_;
-                                                                            let _e1407 = phi_2687_;
-                                                                            let _e1409 = phi_2688_;
-                                                                            let _e1411 = phi_2689_;
-                                                                            let _e1413 = phi_2690_;
-                                                                            let _e1415 = phi_2691_;
-                                                                            let _e1417 = phi_2692_;
-                                                                            let _e1424 = ((_e1415.y * _e1413.z) - (_e1413.y * _e1415.z));
-                                                                            let _e1429 = ((_e1415.z * _e1413.x) - (_e1413.z * _e1415.x));
-                                                                            let _e1432 = ((_e1415.x * _e1413.y) - (_e1413.x * _e1415.y));
-                                                                            if (_e1232 >= _e1236) {
-                                                                                phi_2729_ = select(true, false, (_e1232 >= _e1240));
-                                                                            } else {
-                                                                                phi_2729_ = true;
-                                                                            }
-                                                                            let _e1437 = phi_2729_;
-                                                                            if _e1437 {
-                                                                                phi_2738_ = select(_e1335, _e1334, vec3((_e1236 >= _e1240)));
-                                                                            } else {
-                                                                                phi_2738_ = _e1333;
-                                                                            }
-                                                                            let _e1442 = phi_2738_;
-                                                                            let _e1453 = (((_e1424 * (_e1442.x - _e325)) + (_e1429 * (_e1442.y - _e392))) + (_e1432 * (_e1442.z - _e458)));
-                                                                            let _e1458 = (((_e1424 * _e365) + (_e1429 * _e431)) + (_e1432 * _e497));
-                                                                            let _e1459 = (_e1405 - _e1409);
-                                                                            let _e1460 = (_e1403 - _e1407);
-                                                                            let _e1468 = (-(((_e1409 * _e1459) + (_e1407 * _e1460))) / ((_e1459 * _e1459) + (_e1460 * _e1460)));
-                                                                            let _e1470 = select(1f, _e1468, (_e1468 < 1f));
-                                                                            let _e1472 = select(0f, _e1470, (_e1470 > 0f));
-                                                                            let _e1485 = ((_e1411.x + (_e1417.x * _e1472)) - _e325);
-                                                                            let _e1486 = ((_e1411.y + (_e1417.y * _e1472)) - _e392);
-                                                                            let _e1487 = ((_e1411.z + (_e1417.z * _e1472)) - _e458);
-                                                                            let _e1488 = (_e1487 / _e497);
-                                                                            let _e1500 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
-                                                                            let _e1503 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
-                                                                            let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
-                                                                            let _e1508 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
-                                                                            let _e1510 = select(_e1508, _e1505, (_e1505 > _e1508));
-                                                                            let _e1516 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
-                                                                            let _e1519 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
-                                                                            let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
-                                                                            let _e1524 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1424 * _e1485) + (_e1429 * _e1486)) + (_e1432 * _e1487)) - _e1453)) & 2147483647u)) <= ((0.0000009536743f * select(_e1390, _e1510, (_e1510 > _e1390))) * select(_e1524, _e1521, (_e1521 > _e1524)))) {
-                                                                                let _e1534 = bitcast<f32>((bitcast<u32>(_e1415.x) & 2147483647u));
-                                                                                let _e1537 = bitcast<f32>((bitcast<u32>(_e1415.y) & 2147483647u));
-                                                                                let _e1539 = select(_e1537, _e1534, (_e1534 > _e1537));
-                                                                                let _e1542 = bitcast<f32>((bitcast<u32>(_e1415.z) & 2147483647u));
-                                                                                let _e1548 = bitcast<f32>((bitcast<u32>(_e1413.x) & 2147483647u));
-                                                                                let _e1551 = bitcast<f32>((bitcast<u32>(_e1413.y) & 2147483647u));
-                                                                                let _e1553 = select(_e1551, _e1548, (_e1548 > _e1551));
-                                                                                let _e1556 = bitcast<f32>((bitcast<u32>(_e1413.z) & 2147483647u));
-                                                                                let _e1560 = (bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u)) > ((0.0000038146973f * select(_e1542, _e1539, (_e1539 > _e1542))) * select(_e1556, _e1553, (_e1553 > _e1556))));
-                                                                                if _e1560 {
-                                                                                    phi_2903_ = (_e1453 / _e1458);
-                                                                                } else {
-                                                                                    phi_2903_ = f32();
-                                                                                }
-                                                                                let _e1563 = phi_2903_;
-                                                                                phi_2905_ = _e1563;
-                                                                                phi_2906_ = select(true, false, _e1560);
-                                                                            } else {
-                                                                                phi_2905_ = f32();
-                                                                                phi_2906_ = true;
-                                                                            }
-                                                                            let _e1566 = phi_2905_;
-                                                                            let _e1568 = phi_2906_;
-                                                                            if _e1568 {
-                                                                                let _e1576 = (((_e1424 * (_e1485 - (_e365 * _e1488))) + (_e1429 * (_e1486 - (_e431 * _e1488)))) / _e1458);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1576) & 2147483647u)) <= _e1390) {
-                                                                                    phi_2926_ = (_e1488 + _e1576);
-                                                                                } else {
-                                                                                    phi_2926_ = _e1488;
-                                                                                }
-                                                                                let _e1583 = phi_2926_;
-                                                                                phi_2927_ = _e1583;
-                                                                            } else {
-                                                                                phi_2927_ = _e1566;
-                                                                            }
-                                                                            let _e1585 = phi_2927_;
-                                                                            let _e1587 = select(_e1323, _e1585, (_e1585 < _e1323));
-                                                                            let _e1589 = select(_e1315, _e1587, (_e1587 > _e1315));
-                                                                            if (_e1589 >= _e611) {
-                                                                                let _e1591 = (_e1589 <= _e716.member.member_1);
-                                                                                if _e1591 {
-                                                                                    let _e1592 = (1f / _e1242);
-                                                                                    phi_2950_ = type_18(_e1589, (_e1236 * _e1592), (_e1240 * _e1592), _e782);
-                                                                                } else {
-                                                                                    phi_2950_ = type_18();
-                                                                                }
-                                                                                let _e1597 = phi_2950_;
-                                                                                phi_2952_ = _e1597;
-                                                                                phi_2953_ = select(true, false, _e1591);
-                                                                            } else {
-                                                                                phi_2952_ = type_18();
-                                                                                phi_2953_ = true;
-                                                                            }
-                                                                            let _e1600 = phi_2952_;
-                                                                            let _e1602 = phi_2953_;
-                                                                            if _e1602 {
-                                                                                phi_2957_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                            } else {
-                                                                                phi_2957_ = _e1600;
-                                                                            }
-                                                                            let _e1604 = phi_2957_;
-                                                                            phi_2958_ = _e1604;
-                                                                        }
-                                                                        let _e1606 = phi_2958_;
-                                                                        phi_2959_ = _e1606;
-                                                                        phi_2960_ = _e1332;
-                                                                    }
-                                                                    let _e1608 = phi_2959_;
-                                                                    let _e1610 = phi_2960_;
-                                                                    phi_2964_ = _e1608;
-                                                                    phi_2965_ = _e1610;
-                                                                }
-                                                                let _e1612 = phi_2964_;
-                                                                let _e1614 = phi_2965_;
-                                                                phi_2966_ = _e1612;
-                                                                phi_2967_ = _e1267;
-                                                                phi_2968_ = _e1614;
-                                                            }
-                                                            let _e1616 = phi_2966_;
-                                                            let _e1618 = phi_2967_;
-                                                            let _e1620 = phi_2968_;
-                                                            phi_2969_ = _e1616;
-                                                            phi_2970_ = _e1618;
-                                                            phi_2971_ = _e1620;
+                                                            phi_2882_ = type_38();
+                                                            phi_2883_ = type_38(0f, 0f, 0f, _e1321);
                                                         }
-                                                        let _e1622 = phi_2969_;
-                                                        let _e1624 = phi_2970_;
-                                                        let _e1626 = phi_2971_;
-                                                        phi_2979_ = _e1622;
-                                                        phi_2980_ = select(_e1626, true, _e1624);
+                                                        let _e1585 = phi_2882_;
+                                                        let _e1587 = phi_2883_;
+                                                        phi_2886_ = _e1585;
+                                                        phi_2887_ = _e1587;
+                                                        phi_2888_ = select(true, false, _e1321);
                                                     } else {
-                                                        phi_2979_ = type_18();
-                                                        phi_2980_ = true;
+                                                        phi_2886_ = type_38();
+                                                        phi_2887_ = type_38(0f, 0f, 0f, _e1212);
+                                                        phi_2888_ = true;
                                                     }
-                                                    let _e1629 = phi_2979_;
-                                                    let _e1631 = phi_2980_;
-                                                    if _e1631 {
-                                                        phi_2984_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1590 = phi_2886_;
+                                                    let _e1592 = phi_2887_;
+                                                    let _e1594 = phi_2888_;
+                                                    if _e1594 {
+                                                        phi_2892_ = _e1592;
                                                     } else {
-                                                        phi_2984_ = _e1629;
+                                                        phi_2892_ = _e1590;
                                                     }
-                                                    let _e1633 = phi_2984_;
-                                                    if (_e1633.member_3 != 4294967295u) {
-                                                        if (_e782 != _e617) {
-                                                            if (_e1633.member < _e716.member.member.member) {
-                                                                phi_3010_ = true;
+                                                    let _e1596 = phi_2892_;
+                                                    if _e1596.member_3 {
+                                                        phi_2901_ = type_18(_e1596.member, _e1596.member_1, _e1596.member_2, _e767);
+                                                    } else {
+                                                        phi_2901_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    }
+                                                    let _e1603 = phi_2901_;
+                                                    if (_e1603.member_3 != 4294967295u) {
+                                                        if (_e767 != _e602) {
+                                                            if (_e1603.member < _e701.member.member.member) {
+                                                                phi_2927_ = true;
                                                             } else {
-                                                                if (_e1633.member == _e716.member.member.member) {
-                                                                    phi_3009_ = (_e1633.member_3 < _e716.member.member.member_3);
+                                                                if (_e1603.member == _e701.member.member.member) {
+                                                                    phi_2926_ = (_e1603.member_3 < _e701.member.member.member_3);
                                                                 } else {
-                                                                    phi_3009_ = false;
+                                                                    phi_2926_ = false;
                                                                 }
-                                                                let _e1648 = phi_3009_;
-                                                                phi_3010_ = _e1648;
+                                                                let _e1618 = phi_2926_;
+                                                                phi_2927_ = _e1618;
                                                             }
-                                                            let _e1650 = phi_3010_;
-                                                            if _e1650 {
-                                                                phi_3017_ = type_38(type_35(_e1633, _e1633.member), _e743.member_1, _e743.member_2);
+                                                            let _e1620 = phi_2927_;
+                                                            if _e1620 {
+                                                                phi_2934_ = type_39(type_35(_e1603, _e1603.member), _e728.member_1, _e728.member_2);
                                                             } else {
-                                                                phi_3017_ = _e743;
+                                                                phi_2934_ = _e728;
                                                             }
-                                                            let _e1657 = phi_3017_;
-                                                            phi_3018_ = _e1657;
+                                                            let _e1627 = phi_2934_;
+                                                            phi_2935_ = _e1627;
                                                         } else {
-                                                            phi_3018_ = _e743;
+                                                            phi_2935_ = _e728;
                                                         }
-                                                        let _e1659 = phi_3018_;
-                                                        phi_3019_ = _e1659;
+                                                        let _e1629 = phi_2935_;
+                                                        phi_2936_ = _e1629;
                                                     } else {
-                                                        phi_3019_ = _e743;
+                                                        phi_2936_ = _e728;
                                                     }
-                                                    let _e1661 = phi_3019_;
-                                                    phi_1319_ = _e1661;
+                                                    let _e1631 = phi_2936_;
+                                                    phi_1339_ = _e1631;
                                                 } else {
-                                                    phi_1319_ = type_38();
+                                                    phi_1339_ = type_39();
                                                 }
-                                                let _e1663 = phi_1319_;
+                                                let _e1633 = phi_1339_;
                                                 continue;
                                                 continuing {
-                                                    phi_1318_ = _e1663;
-                                                    phi_1321_ = _e731;
-                                                    phi_4783_ = _e658;
-                                                    break if !(_e737);
+                                                    phi_1338_ = _e1633;
+                                                    phi_1341_ = _e716;
+                                                    phi_4880_ = _e643;
+                                                    break if !(_e722);
                                                 }
                                             }
-                                            let _e1666 = phi_4783_;
-                                            phi_4990_ = _e1666;
-                                            if _e1666 {
+                                            let _e1636 = phi_4880_;
+                                            phi_5092_ = _e1636;
+                                            if _e1636 {
                                                 break;
                                             }
-                                            phi_5081_ = _e1666;
-                                            let _e2506 = local_12;
-                                            phi_3020_ = _e2506;
+                                            phi_5183_ = _e1636;
+                                            let _e2463 = local_12;
+                                            phi_2937_ = _e2463;
                                         } else {
-                                            phi_5081_ = _e658;
-                                            phi_3020_ = _e660;
+                                            phi_5183_ = _e643;
+                                            phi_2937_ = _e645;
                                         }
-                                        let _e1668 = phi_5081_;
-                                        let _e1670 = phi_3020_;
-                                        if _e708 {
-                                            phi_4289_ = type_38();
-                                            phi_4290_ = bool();
-                                            phi_4291_ = u32();
-                                            phi_4292_ = type_49();
+                                        let _e1638 = phi_5183_;
+                                        let _e1640 = phi_2937_;
+                                        if _e693 {
+                                            phi_4206_ = type_39();
+                                            phi_4207_ = bool();
+                                            phi_4208_ = u32();
+                                            phi_4209_ = type_50();
                                         } else {
-                                            if (_e704.member_1 >= _e97) {
-                                                phi_3821_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e689.member_1 >= _e97) {
+                                                phi_3738_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e704.member_1 < _e97) {
+                                                if (_e689.member_1 < _e97) {
                                                 } else {
-                                                    phi_4990_ = true;
+                                                    phi_5092_ = true;
                                                     break;
                                                 }
-                                                let _e1673 = (_e278 * 2u);
+                                                let _e1643 = (_e278 * 2u);
+                                                let _e1645 = ((1u + _e1643) % 7u);
+                                                if (_e1645 < 7u) {
+                                                } else {
+                                                    phi_5092_ = true;
+                                                    break;
+                                                }
+                                                let _e1650 = global_6.member[_e689.member_1][_e1645];
+                                                let _e1652 = ((_e1643 + 2u) % 7u);
+                                                if (_e1652 < 7u) {
+                                                } else {
+                                                    phi_5092_ = true;
+                                                    break;
+                                                }
+                                                let _e1657 = global_6.member[_e689.member_1][_e1652];
+                                                let _e1658 = (_e277 * 2u);
+                                                let _e1660 = ((1u + _e1658) % 7u);
+                                                if (_e1660 < 7u) {
+                                                } else {
+                                                    phi_5092_ = true;
+                                                    break;
+                                                }
+                                                let _e1665 = global_6.member[_e689.member_1][_e1660];
+                                                let _e1667 = ((_e1658 + 2u) % 7u);
+                                                if (_e1667 < 7u) {
+                                                } else {
+                                                    phi_5092_ = true;
+                                                    break;
+                                                }
+                                                let _e1672 = global_6.member[_e689.member_1][_e1667];
+                                                let _e1673 = (_e279 * 2u);
                                                 let _e1675 = ((1u + _e1673) % 7u);
                                                 if (_e1675 < 7u) {
                                                 } else {
-                                                    phi_4990_ = true;
+                                                    phi_5092_ = true;
                                                     break;
                                                 }
-                                                let _e1680 = global_6.member[_e704.member_1][_e1675];
+                                                let _e1680 = global_6.member[_e689.member_1][_e1675];
                                                 let _e1682 = ((_e1673 + 2u) % 7u);
                                                 if (_e1682 < 7u) {
                                                 } else {
-                                                    phi_4990_ = true;
+                                                    phi_5092_ = true;
                                                     break;
                                                 }
-                                                let _e1687 = global_6.member[_e704.member_1][_e1682];
-                                                let _e1688 = (_e277 * 2u);
-                                                let _e1690 = ((1u + _e1688) % 7u);
-                                                if (_e1690 < 7u) {
-                                                } else {
-                                                    phi_4990_ = true;
-                                                    break;
-                                                }
-                                                let _e1695 = global_6.member[_e704.member_1][_e1690];
-                                                let _e1697 = ((_e1688 + 2u) % 7u);
-                                                if (_e1697 < 7u) {
-                                                } else {
-                                                    phi_4990_ = true;
-                                                    break;
-                                                }
-                                                let _e1702 = global_6.member[_e704.member_1][_e1697];
-                                                let _e1703 = (_e279 * 2u);
-                                                let _e1705 = ((1u + _e1703) % 7u);
-                                                if (_e1705 < 7u) {
-                                                } else {
-                                                    phi_4990_ = true;
-                                                    break;
-                                                }
-                                                let _e1710 = global_6.member[_e704.member_1][_e1705];
-                                                let _e1712 = ((_e1703 + 2u) % 7u);
-                                                if (_e1712 < 7u) {
-                                                } else {
-                                                    phi_4990_ = true;
-                                                    break;
-                                                }
-                                                let _e1717 = global_6.member[_e704.member_1][_e1712];
-                                                let _e1740 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e1741 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e1742 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e1744 = select(_e152, _e1740, (_e1740 > _e152));
-                                                let _e1746 = select(_e152, _e1741, (_e1741 > _e152));
-                                                let _e1748 = select(_e152, _e1742, (_e1742 > _e152));
-                                                let _e1779 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1680 & 2097151u))) - 8388608f) * _e1744));
-                                                let _e1784 = (bitcast<i32>((_e1680 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1787 = bitcast<f32>((_e1779 & bitcast<u32>(_e1784)));
-                                                let _e1788 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1695 & 2097151u))) - 8388608f) * _e1746));
-                                                let _e1793 = (bitcast<i32>((_e1695 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1687 = global_6.member[_e689.member_1][_e1682];
+                                                let _e1710 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.x - _e689.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1711 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.y - _e689.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1712 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.z - _e689.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e1714 = select(_e152, _e1710, (_e1710 > _e152));
+                                                let _e1716 = select(_e152, _e1711, (_e1711 > _e152));
+                                                let _e1718 = select(_e152, _e1712, (_e1712 > _e152));
+                                                let _e1749 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1650 & 2097151u))) - 8388608f) * _e1714));
+                                                let _e1754 = (bitcast<i32>((_e1650 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1757 = bitcast<f32>((_e1749 & bitcast<u32>(_e1754)));
+                                                let _e1758 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1665 & 2097151u))) - 8388608f) * _e1716));
+                                                let _e1763 = (bitcast<i32>((_e1665 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1766 = bitcast<f32>((_e1758 & bitcast<u32>(_e1763)));
+                                                let _e1767 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1680 & 2097151u))) - 8388608f) * _e1718));
+                                                let _e1772 = (bitcast<i32>((_e1680 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1775 = bitcast<f32>((_e1767 & bitcast<u32>(_e1772)));
+                                                let _e1779 = bitcast<f32>((_e1749 & bitcast<u32>(~(_e1754))));
+                                                let _e1783 = bitcast<f32>((_e1758 & bitcast<u32>(~(_e1763))));
+                                                let _e1787 = bitcast<f32>((_e1767 & bitcast<u32>(~(_e1772))));
+                                                let _e1788 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1657 & 2097151u))) - 8388608f) * _e1714));
+                                                let _e1793 = (bitcast<i32>((_e1657 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
                                                 let _e1796 = bitcast<f32>((_e1788 & bitcast<u32>(_e1793)));
-                                                let _e1797 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1710 & 2097151u))) - 8388608f) * _e1748));
-                                                let _e1802 = (bitcast<i32>((_e1710 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1797 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1672 & 2097151u))) - 8388608f) * _e1716));
+                                                let _e1802 = (bitcast<i32>((_e1672 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
                                                 let _e1805 = bitcast<f32>((_e1797 & bitcast<u32>(_e1802)));
-                                                let _e1809 = bitcast<f32>((_e1779 & bitcast<u32>(~(_e1784))));
-                                                let _e1813 = bitcast<f32>((_e1788 & bitcast<u32>(~(_e1793))));
-                                                let _e1817 = bitcast<f32>((_e1797 & bitcast<u32>(~(_e1802))));
-                                                let _e1818 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1687 & 2097151u))) - 8388608f) * _e1744));
-                                                let _e1823 = (bitcast<i32>((_e1687 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1826 = bitcast<f32>((_e1818 & bitcast<u32>(_e1823)));
-                                                let _e1827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1702 & 2097151u))) - 8388608f) * _e1746));
-                                                let _e1832 = (bitcast<i32>((_e1702 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1835 = bitcast<f32>((_e1827 & bitcast<u32>(_e1832)));
-                                                let _e1836 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1717 & 2097151u))) - 8388608f) * _e1748));
-                                                let _e1841 = (bitcast<i32>((_e1717 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1844 = bitcast<f32>((_e1836 & bitcast<u32>(_e1841)));
-                                                let _e1848 = bitcast<f32>((_e1818 & bitcast<u32>(~(_e1823))));
-                                                let _e1852 = bitcast<f32>((_e1827 & bitcast<u32>(~(_e1832))));
-                                                let _e1856 = bitcast<f32>((_e1836 & bitcast<u32>(~(_e1841))));
-                                                let _e1857 = (_e704.member.member.x + _e1787);
-                                                let _e1858 = (_e704.member.member.y + _e1796);
-                                                let _e1859 = (_e704.member.member.z + _e1805);
-                                                let _e1862 = (_e704.member.member_1.x - _e1826);
-                                                let _e1863 = (_e704.member.member_1.y - _e1835);
-                                                let _e1864 = (_e704.member.member_1.z - _e1844);
-                                                let _e1883 = (_e1862 - _e1857);
-                                                let _e1884 = (_e1863 - _e1858);
-                                                let _e1885 = (_e1864 - _e1859);
-                                                let _e1887 = select(_e1884, _e1883, (_e1883 > _e1884));
-                                                let _e1889 = select(_e1885, _e1887, (_e1887 > _e1885));
-                                                if (_e1889 < (1024f * _e152)) {
-                                                    phi_3522_ = 0u;
+                                                let _e1806 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1687 & 2097151u))) - 8388608f) * _e1718));
+                                                let _e1811 = (bitcast<i32>((_e1687 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e1814 = bitcast<f32>((_e1806 & bitcast<u32>(_e1811)));
+                                                let _e1818 = bitcast<f32>((_e1788 & bitcast<u32>(~(_e1793))));
+                                                let _e1822 = bitcast<f32>((_e1797 & bitcast<u32>(~(_e1802))));
+                                                let _e1826 = bitcast<f32>((_e1806 & bitcast<u32>(~(_e1811))));
+                                                let _e1827 = (_e689.member.member.x + _e1757);
+                                                let _e1828 = (_e689.member.member.y + _e1766);
+                                                let _e1829 = (_e689.member.member.z + _e1775);
+                                                let _e1832 = (_e689.member.member_1.x - _e1796);
+                                                let _e1833 = (_e689.member.member_1.y - _e1805);
+                                                let _e1834 = (_e689.member.member_1.z - _e1814);
+                                                let _e1853 = (_e1832 - _e1827);
+                                                let _e1854 = (_e1833 - _e1828);
+                                                let _e1855 = (_e1834 - _e1829);
+                                                let _e1857 = select(_e1854, _e1853, (_e1853 > _e1854));
+                                                let _e1859 = select(_e1855, _e1857, (_e1857 > _e1855));
+                                                if (_e1859 < (1024f * _e152)) {
+                                                    phi_3439_ = 0u;
                                                 } else {
-                                                    phi_3522_ = select(2u, 1u, (_e1889 < (2097152f * _e152)));
+                                                    phi_3439_ = select(2u, 1u, (_e1859 < (2097152f * _e152)));
                                                 }
-                                                let _e1896 = phi_3522_;
-                                                switch bitcast<i32>(_e1896) {
+                                                let _e1866 = phi_3439_;
+                                                switch bitcast<i32>(_e1866) {
                                                     case 0: {
-                                                        phi_3528_ = 1u;
+                                                        phi_3445_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3528_ = 2u;
+                                                        phi_3445_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3528_ = 3u;
+                                                        phi_3445_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3528_ = u32();
+                                                        phi_3445_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1899 = phi_3528_;
-                                                let _e1905 = global_6.member[_e704.member_1][0u];
-                                                let _e1909 = global_6.member[_e704.member_1][2u];
-                                                let _e1913 = global_6.member[_e704.member_1][4u];
-                                                let _e1917 = global_6.member[_e704.member_1][6u];
-                                                let _e1929 = (((_e1909 >> bitcast<u32>(22i)) | ((_e1913 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1917 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e1930 = (_e1905 & 268435455u);
-                                                let _e1931 = (_e1929 & 268435455u);
-                                                let _e1934 = ((_e1905 >> bitcast<u32>(28u)) & 7u);
-                                                let _e1942 = ((_e1905 >> bitcast<u32>(31i)) | (((_e1929 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e1943 = (_e1934 != 0u);
-                                                if (_e1934 == 0u) {
-                                                    phi_3783_ = _e1930;
+                                                let _e1869 = phi_3445_;
+                                                let _e1875 = global_6.member[_e689.member_1][0u];
+                                                let _e1879 = global_6.member[_e689.member_1][2u];
+                                                let _e1883 = global_6.member[_e689.member_1][4u];
+                                                let _e1887 = global_6.member[_e689.member_1][6u];
+                                                let _e1899 = (((_e1879 >> bitcast<u32>(22i)) | ((_e1883 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1887 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1900 = (_e1875 & 268435455u);
+                                                let _e1901 = (_e1899 & 268435455u);
+                                                let _e1904 = ((_e1875 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1912 = ((_e1875 >> bitcast<u32>(31i)) | (((_e1899 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1913 = (_e1904 != 0u);
+                                                if (_e1904 == 0u) {
+                                                    phi_3700_ = _e1900;
                                                 } else {
-                                                    if (_e1934 == 7u) {
-                                                        phi_3782_ = 2147483648u;
+                                                    if (_e1904 == 7u) {
+                                                        phi_3699_ = 2147483648u;
                                                     } else {
-                                                        phi_3782_ = ((2147483648u | (_e1934 << bitcast<u32>(28u))) | (_e1931 & 268435455u));
+                                                        phi_3699_ = ((2147483648u | (_e1904 << bitcast<u32>(28u))) | (_e1901 & 268435455u));
                                                     }
-                                                    let _e1952 = phi_3782_;
-                                                    phi_3783_ = _e1952;
+                                                    let _e1922 = phi_3699_;
+                                                    phi_3700_ = _e1922;
                                                 }
-                                                let _e1954 = phi_3783_;
-                                                if _e1943 {
-                                                    let _e1955 = (_e1934 != 7u);
-                                                    if _e1955 {
-                                                        phi_3793_ = (_e1931 + (_e1934 * ((3u * _e1899) + 1u)));
+                                                let _e1924 = phi_3700_;
+                                                if _e1913 {
+                                                    let _e1925 = (_e1904 != 7u);
+                                                    if _e1925 {
+                                                        phi_3710_ = (_e1901 + (_e1904 * ((3u * _e1869) + 1u)));
                                                     } else {
-                                                        phi_3793_ = u32();
+                                                        phi_3710_ = u32();
                                                     }
-                                                    let _e1959 = phi_3793_;
-                                                    phi_3795_ = _e1959;
-                                                    phi_3796_ = select(true, false, _e1955);
+                                                    let _e1929 = phi_3710_;
+                                                    phi_3712_ = _e1929;
+                                                    phi_3713_ = select(true, false, _e1925);
                                                 } else {
-                                                    phi_3795_ = u32();
-                                                    phi_3796_ = true;
+                                                    phi_3712_ = u32();
+                                                    phi_3713_ = true;
                                                 }
-                                                let _e1962 = phi_3795_;
-                                                let _e1964 = phi_3796_;
-                                                if (_e1942 == 0u) {
-                                                    phi_3817_ = (_e1930 + select(0u, 1u, !(_e1943)));
+                                                let _e1932 = phi_3712_;
+                                                let _e1934 = phi_3713_;
+                                                if (_e1912 == 0u) {
+                                                    phi_3734_ = (_e1900 + select(0u, 1u, !(_e1913)));
                                                 } else {
-                                                    if (_e1942 == 7u) {
-                                                        phi_3816_ = 2147483648u;
+                                                    if (_e1912 == 7u) {
+                                                        phi_3733_ = 2147483648u;
                                                     } else {
-                                                        phi_3816_ = ((2147483648u | (_e1942 << bitcast<u32>(28u))) | (select(_e1962, _e1931, _e1964) & 268435455u));
+                                                        phi_3733_ = ((2147483648u | (_e1912 << bitcast<u32>(28u))) | (select(_e1932, _e1901, _e1934) & 268435455u));
                                                     }
-                                                    let _e1977 = phi_3816_;
-                                                    phi_3817_ = _e1977;
+                                                    let _e1947 = phi_3733_;
+                                                    phi_3734_ = _e1947;
                                                 }
-                                                let _e1979 = phi_3817_;
-                                                phi_3821_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e1857, (_e704.member.member.x + _e1809), _e1862, (_e704.member.member_1.x - _e1848)), vec4<f32>(_e1858, (_e704.member.member.y + _e1813), _e1863, (_e704.member.member_1.y - _e1852)), vec4<f32>(_e1859, (_e704.member.member.z + _e1817), _e1864, (_e704.member.member_1.z - _e1856))), type_49(type_30((_e704.member.member + vec4<f32>(_e1787, _e1796, _e1805, 0f)), (_e704.member.member_1 - vec4<f32>(_e1826, _e1835, _e1844, 0f))), _e1954), type_49(type_30((_e704.member.member + vec4<f32>(_e1809, _e1813, _e1817, 0f)), (_e704.member.member_1 - vec4<f32>(_e1848, _e1852, _e1856, 0f))), _e1979));
+                                                let _e1949 = phi_3734_;
+                                                phi_3738_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e1827, (_e689.member.member.x + _e1779), _e1832, (_e689.member.member_1.x - _e1818)), vec4<f32>(_e1828, (_e689.member.member.y + _e1783), _e1833, (_e689.member.member_1.y - _e1822)), vec4<f32>(_e1829, (_e689.member.member.z + _e1787), _e1834, (_e689.member.member_1.z - _e1826))), type_50(type_30((_e689.member.member + vec4<f32>(_e1757, _e1766, _e1775, 0f)), (_e689.member.member_1 - vec4<f32>(_e1796, _e1805, _e1814, 0f))), _e1924), type_50(type_30((_e689.member.member + vec4<f32>(_e1779, _e1783, _e1787, 0f)), (_e689.member.member_1 - vec4<f32>(_e1818, _e1822, _e1826, 0f))), _e1949));
                                             }
-                                            let _e1984 = phi_3821_;
-                                            let _e2003 = ((_e1984.member[0].x - _e363) * _e368);
-                                            let _e2004 = ((_e1984.member[0].y - _e363) * _e368);
-                                            let _e2005 = ((_e1984.member[0].z - _e364) * _e368);
-                                            let _e2006 = ((_e1984.member[0].w - _e364) * _e368);
-                                            let _e2016 = ((_e1984.member[1].x - _e429) * _e434);
-                                            let _e2017 = ((_e1984.member[1].y - _e429) * _e434);
-                                            let _e2018 = ((_e1984.member[1].z - _e430) * _e434);
-                                            let _e2019 = ((_e1984.member[1].w - _e430) * _e434);
-                                            let _e2029 = ((_e1984.member[2].x - _e495) * _e500);
-                                            let _e2030 = ((_e1984.member[2].y - _e495) * _e500);
-                                            let _e2031 = ((_e1984.member[2].z - _e496) * _e500);
-                                            let _e2032 = ((_e1984.member[2].w - _e496) * _e500);
-                                            let _e2034 = select(_e2031, _e2029, (_e2029 < _e2031));
-                                            let _e2036 = select(_e2032, _e2030, (_e2030 < _e2032));
-                                            let _e2038 = select(_e2031, _e2029, (_e2029 > _e2031));
-                                            let _e2040 = select(_e2032, _e2030, (_e2030 > _e2032));
-                                            let _e2042 = select(_e2005, _e2003, (_e2003 < _e2005));
-                                            let _e2044 = select(_e2006, _e2004, (_e2004 < _e2006));
-                                            let _e2046 = select(_e2018, _e2016, (_e2016 < _e2018));
-                                            let _e2048 = select(_e2019, _e2017, (_e2017 < _e2019));
-                                            let _e2050 = select(_e2046, _e2042, (_e2042 > _e2046));
-                                            let _e2052 = select(_e2048, _e2044, (_e2044 > _e2048));
-                                            let _e2054 = select(_e2034, _e2050, (_e2050 > _e2034));
-                                            let _e2056 = select(_e2036, _e2052, (_e2052 > _e2036));
-                                            let _e2058 = select(_e2005, _e2003, (_e2003 > _e2005));
-                                            let _e2060 = select(_e2006, _e2004, (_e2004 > _e2006));
-                                            let _e2062 = select(_e2018, _e2016, (_e2016 > _e2018));
-                                            let _e2064 = select(_e2019, _e2017, (_e2017 > _e2019));
-                                            let _e2066 = select(_e2062, _e2058, (_e2058 < _e2062));
-                                            let _e2068 = select(_e2064, _e2060, (_e2060 < _e2064));
-                                            let _e2073 = -(_e2034);
-                                            let _e2074 = -(_e2036);
-                                            let _e2081 = (select(_e2038, _e2066, (_e2066 < _e2038)) + (select(_e2073, _e2038, (_e2038 > _e2073)) * 0.0000019073523f));
-                                            let _e2082 = (select(_e2040, _e2068, (_e2068 < _e2040)) + (select(_e2074, _e2040, (_e2040 > _e2074)) * 0.0000019073523f));
-                                            let _e2084 = select(_e611, _e2054, (_e2054 > _e611));
-                                            let _e2086 = select(_e611, _e2056, (_e2056 > _e611));
-                                            let _e2091 = (_e2084 <= select(_e1670.member.member_1, _e2081, (_e2081 < _e1670.member.member_1)));
-                                            let _e2092 = (_e2086 <= select(_e1670.member.member_1, _e2082, (_e2082 < _e1670.member.member_1)));
-                                            let _e2093 = (_e2084 <= _e2086);
-                                            if _e2091 {
-                                                if _e2092 {
-                                                    if _e2093 {
-                                                        phi_4186_ = _e1984.member_2;
+                                            let _e1954 = phi_3738_;
+                                            let _e1973 = ((_e1954.member[0].x - _e363) * _e366);
+                                            let _e1974 = ((_e1954.member[0].y - _e363) * _e366);
+                                            let _e1975 = ((_e1954.member[0].z - _e364) * _e366);
+                                            let _e1976 = ((_e1954.member[0].w - _e364) * _e366);
+                                            let _e1986 = ((_e1954.member[1].x - _e427) * _e430);
+                                            let _e1987 = ((_e1954.member[1].y - _e427) * _e430);
+                                            let _e1988 = ((_e1954.member[1].z - _e428) * _e430);
+                                            let _e1989 = ((_e1954.member[1].w - _e428) * _e430);
+                                            let _e1999 = ((_e1954.member[2].x - _e491) * _e494);
+                                            let _e2000 = ((_e1954.member[2].y - _e491) * _e494);
+                                            let _e2001 = ((_e1954.member[2].z - _e492) * _e494);
+                                            let _e2002 = ((_e1954.member[2].w - _e492) * _e494);
+                                            let _e2004 = select(_e2001, _e1999, (_e1999 < _e2001));
+                                            let _e2006 = select(_e2002, _e2000, (_e2000 < _e2002));
+                                            let _e2008 = select(_e2001, _e1999, (_e1999 > _e2001));
+                                            let _e2010 = select(_e2002, _e2000, (_e2000 > _e2002));
+                                            let _e2012 = select(_e1975, _e1973, (_e1973 < _e1975));
+                                            let _e2014 = select(_e1976, _e1974, (_e1974 < _e1976));
+                                            let _e2016 = select(_e1988, _e1986, (_e1986 < _e1988));
+                                            let _e2018 = select(_e1989, _e1987, (_e1987 < _e1989));
+                                            let _e2020 = select(_e2016, _e2012, (_e2012 > _e2016));
+                                            let _e2022 = select(_e2018, _e2014, (_e2014 > _e2018));
+                                            let _e2024 = select(_e2004, _e2020, (_e2020 > _e2004));
+                                            let _e2026 = select(_e2006, _e2022, (_e2022 > _e2006));
+                                            let _e2028 = select(_e1975, _e1973, (_e1973 > _e1975));
+                                            let _e2030 = select(_e1976, _e1974, (_e1974 > _e1976));
+                                            let _e2032 = select(_e1988, _e1986, (_e1986 > _e1988));
+                                            let _e2034 = select(_e1989, _e1987, (_e1987 > _e1989));
+                                            let _e2036 = select(_e2032, _e2028, (_e2028 < _e2032));
+                                            let _e2038 = select(_e2034, _e2030, (_e2030 < _e2034));
+                                            let _e2043 = -(_e2004);
+                                            let _e2044 = -(_e2006);
+                                            let _e2051 = (select(_e2008, _e2036, (_e2036 < _e2008)) + (select(_e2043, _e2008, (_e2008 > _e2043)) * 0.0000019073523f));
+                                            let _e2052 = (select(_e2010, _e2038, (_e2038 < _e2010)) + (select(_e2044, _e2010, (_e2010 > _e2044)) * 0.0000019073523f));
+                                            let _e2054 = select(_e596, _e2024, (_e2024 > _e596));
+                                            let _e2056 = select(_e596, _e2026, (_e2026 > _e596));
+                                            let _e2061 = (_e2054 <= select(_e1640.member.member_1, _e2051, (_e2051 < _e1640.member.member_1)));
+                                            let _e2062 = (_e2056 <= select(_e1640.member.member_1, _e2052, (_e2052 < _e1640.member.member_1)));
+                                            let _e2063 = (_e2054 <= _e2056);
+                                            if _e2061 {
+                                                if _e2062 {
+                                                    if _e2063 {
+                                                        phi_4103_ = _e1954.member_2;
                                                     } else {
-                                                        phi_4186_ = _e1984.member_1;
+                                                        phi_4103_ = _e1954.member_1;
                                                     }
-                                                    let _e2097 = phi_4186_;
-                                                    let _e2118 = (_e702 % 128u);
-                                                    let _e2119 = (_e2118 < 128u);
-                                                    if _e2119 {
+                                                    let _e2067 = phi_4103_;
+                                                    let _e2088 = (_e687 % 128u);
+                                                    let _e2089 = (_e2088 < 128u);
+                                                    if _e2089 {
                                                     } else {
-                                                        phi_4990_ = true;
+                                                        phi_5092_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e2118] = _e2097.member_1;
-                                                    if _e2119 {
+                                                    local_8[_e2088] = _e2067.member_1;
+                                                    if _e2089 {
                                                     } else {
-                                                        phi_4990_ = true;
+                                                        phi_5092_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e2118] = _e2097.member.member.x;
-                                                    if _e2119 {
+                                                    local_7[_e2088] = _e2067.member.member.x;
+                                                    if _e2089 {
                                                     } else {
-                                                        phi_4990_ = true;
+                                                        phi_5092_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e2118] = _e2097.member.member.y;
-                                                    if _e2119 {
+                                                    local_6[_e2088] = _e2067.member.member.y;
+                                                    if _e2089 {
                                                     } else {
-                                                        phi_4990_ = true;
+                                                        phi_5092_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e2118] = _e2097.member.member.z;
-                                                    if _e2119 {
+                                                    local_5[_e2088] = _e2067.member.member.z;
+                                                    if _e2089 {
                                                     } else {
-                                                        phi_4990_ = true;
+                                                        phi_5092_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e2118] = _e2097.member.member_1.x;
-                                                    if _e2119 {
+                                                    local_4[_e2088] = _e2067.member.member_1.x;
+                                                    if _e2089 {
                                                     } else {
-                                                        phi_4990_ = true;
+                                                        phi_5092_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e2118] = _e2097.member.member_1.y;
-                                                    if _e2119 {
+                                                    local_3[_e2088] = _e2067.member.member_1.y;
+                                                    if _e2089 {
                                                     } else {
-                                                        phi_4990_ = true;
+                                                        phi_5092_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e2118] = _e2097.member.member_1.z;
-                                                    if _e2119 {
+                                                    local_2[_e2088] = _e2067.member.member_1.z;
+                                                    if _e2089 {
                                                     } else {
-                                                        phi_4990_ = true;
+                                                        phi_5092_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e2118] = select(_e2084, _e2086, _e2093);
-                                                    if _e2093 {
-                                                        phi_4262_ = _e1984.member_1;
+                                                    local_9[_e2088] = select(_e2054, _e2056, _e2063);
+                                                    if _e2063 {
+                                                        phi_4179_ = _e1954.member_1;
                                                     } else {
-                                                        phi_4262_ = _e1984.member_2;
+                                                        phi_4179_ = _e1954.member_2;
                                                     }
-                                                    let _e2132 = phi_4262_;
-                                                    phi_4263_ = (_e702 + 1u);
-                                                    phi_4264_ = _e2132;
+                                                    let _e2102 = phi_4179_;
+                                                    phi_4180_ = (_e687 + 1u);
+                                                    phi_4181_ = _e2102;
                                                 } else {
-                                                    phi_4263_ = u32();
-                                                    phi_4264_ = type_49();
+                                                    phi_4180_ = u32();
+                                                    phi_4181_ = type_50();
                                                 }
-                                                let _e2134 = phi_4263_;
-                                                let _e2136 = phi_4264_;
-                                                phi_4266_ = _e2134;
-                                                phi_4267_ = _e2136;
-                                                phi_4268_ = select(true, false, _e2092);
+                                                let _e2104 = phi_4180_;
+                                                let _e2106 = phi_4181_;
+                                                phi_4183_ = _e2104;
+                                                phi_4184_ = _e2106;
+                                                phi_4185_ = select(true, false, _e2062);
                                             } else {
-                                                phi_4266_ = u32();
-                                                phi_4267_ = type_49();
-                                                phi_4268_ = true;
+                                                phi_4183_ = u32();
+                                                phi_4184_ = type_50();
+                                                phi_4185_ = true;
                                             }
-                                            let _e2139 = phi_4266_;
-                                            let _e2141 = phi_4267_;
-                                            let _e2143 = phi_4268_;
-                                            if _e2143 {
-                                                if _e2091 {
-                                                    phi_4277_ = _e1984.member_1;
+                                            let _e2109 = phi_4183_;
+                                            let _e2111 = phi_4184_;
+                                            let _e2113 = phi_4185_;
+                                            if _e2113 {
+                                                if _e2061 {
+                                                    phi_4194_ = _e1954.member_1;
                                                 } else {
-                                                    phi_4277_ = _e1984.member_2;
+                                                    phi_4194_ = _e1954.member_2;
                                                 }
-                                                let _e2147 = phi_4277_;
-                                                phi_4282_ = select(_e2092, true, _e2091);
-                                                phi_4284_ = _e2147;
+                                                let _e2117 = phi_4194_;
+                                                phi_4199_ = select(_e2062, true, _e2061);
+                                                phi_4201_ = _e2117;
                                             } else {
-                                                phi_4282_ = _e700;
-                                                phi_4284_ = _e2141;
+                                                phi_4199_ = _e685;
+                                                phi_4201_ = _e2111;
                                             }
-                                            let _e2150 = phi_4282_;
-                                            let _e2152 = phi_4284_;
-                                            phi_4289_ = type_38(_e1670.member, (_e1670.member_1 + 1u), _e1670.member_2);
-                                            phi_4290_ = _e2150;
-                                            phi_4291_ = select(_e2139, _e702, _e2143);
-                                            phi_4292_ = _e2152;
+                                            let _e2120 = phi_4199_;
+                                            let _e2122 = phi_4201_;
+                                            phi_4206_ = type_39(_e1640.member, (_e1640.member_1 + 1u), _e1640.member_2);
+                                            phi_4207_ = _e2120;
+                                            phi_4208_ = select(_e2109, _e687, _e2113);
+                                            phi_4209_ = _e2122;
                                         }
-                                        let _e2155 = phi_4289_;
-                                        let _e2157 = phi_4290_;
-                                        let _e2159 = phi_4291_;
-                                        let _e2161 = phi_4292_;
-                                        if _e708 {
-                                            phi_4300_ = _e1670;
-                                            phi_4303_ = _e704;
+                                        let _e2125 = phi_4206_;
+                                        let _e2127 = phi_4207_;
+                                        let _e2129 = phi_4208_;
+                                        let _e2131 = phi_4209_;
+                                        if _e693 {
+                                            phi_4217_ = _e1640;
+                                            phi_4220_ = _e689;
                                         } else {
-                                            phi_4300_ = _e2155;
-                                            phi_4303_ = _e2161;
+                                            phi_4217_ = _e2125;
+                                            phi_4220_ = _e2131;
                                         }
-                                        let _e2163 = phi_4300_;
-                                        let _e2165 = phi_4303_;
-                                        phi_4993_ = _e1668;
-                                        phi_4304_ = _e2163;
-                                        phi_4305_ = (_e662 - 1u);
-                                        phi_4306_ = select(_e2157, false, _e708);
-                                        phi_4307_ = select(_e2159, _e702, _e708);
-                                        phi_4308_ = _e2165;
+                                        let _e2133 = phi_4217_;
+                                        let _e2135 = phi_4220_;
+                                        phi_5095_ = _e1638;
+                                        phi_4221_ = _e2133;
+                                        phi_4222_ = (_e647 - 1u);
+                                        phi_4223_ = select(_e2127, false, _e693);
+                                        phi_4224_ = select(_e2129, _e687, _e693);
+                                        phi_4225_ = _e2135;
                                     } else {
-                                        phi_4993_ = _e658;
-                                        phi_4304_ = _e660;
-                                        phi_4305_ = _e662;
-                                        phi_4306_ = _e700;
-                                        phi_4307_ = _e702;
-                                        phi_4308_ = _e704;
+                                        phi_5095_ = _e643;
+                                        phi_4221_ = _e645;
+                                        phi_4222_ = _e647;
+                                        phi_4223_ = _e685;
+                                        phi_4224_ = _e687;
+                                        phi_4225_ = _e689;
                                     }
-                                    let _e2169 = phi_4993_;
-                                    let _e2171 = phi_4304_;
-                                    let _e2173 = phi_4305_;
-                                    let _e2175 = phi_4306_;
-                                    let _e2177 = phi_4307_;
-                                    let _e2179 = phi_4308_;
-                                    phi_4992_ = _e2169;
-                                    phi_4309_ = _e2171;
-                                    phi_4310_ = _e2173;
-                                    phi_4311_ = _e2175;
-                                    phi_4312_ = _e2177;
-                                    phi_4313_ = _e2179;
+                                    let _e2139 = phi_5095_;
+                                    let _e2141 = phi_4221_;
+                                    let _e2143 = phi_4222_;
+                                    let _e2145 = phi_4223_;
+                                    let _e2147 = phi_4224_;
+                                    let _e2149 = phi_4225_;
+                                    phi_5094_ = _e2139;
+                                    phi_4226_ = _e2141;
+                                    phi_4227_ = _e2143;
+                                    phi_4228_ = _e2145;
+                                    phi_4229_ = _e2147;
+                                    phi_4230_ = _e2149;
                                 } else {
-                                    phi_4992_ = _e658;
-                                    phi_4309_ = type_38();
-                                    phi_4310_ = u32();
-                                    phi_4311_ = bool();
-                                    phi_4312_ = u32();
-                                    phi_4313_ = type_49();
+                                    phi_5094_ = _e643;
+                                    phi_4226_ = type_39();
+                                    phi_4227_ = u32();
+                                    phi_4228_ = bool();
+                                    phi_4229_ = u32();
+                                    phi_4230_ = type_50();
                                 }
-                                let _e2181 = phi_4992_;
-                                let _e2183 = phi_4309_;
-                                let _e2185 = phi_4310_;
-                                let _e2187 = phi_4311_;
-                                let _e2189 = phi_4312_;
-                                let _e2191 = phi_4313_;
-                                phi_4991_ = _e2181;
-                                phi_1192_ = _e2183;
-                                phi_1195_ = _e2185;
-                                phi_1197_ = _e2187;
-                                phi_1199_ = _e2189;
-                                phi_1201_ = _e2191;
-                                phi_4314_ = _e672;
+                                let _e2151 = phi_5094_;
+                                let _e2153 = phi_4226_;
+                                let _e2155 = phi_4227_;
+                                let _e2157 = phi_4228_;
+                                let _e2159 = phi_4229_;
+                                let _e2161 = phi_4230_;
+                                phi_5093_ = _e2151;
+                                phi_1212_ = _e2153;
+                                phi_1215_ = _e2155;
+                                phi_1217_ = _e2157;
+                                phi_1219_ = _e2159;
+                                phi_1221_ = _e2161;
+                                phi_4231_ = _e657;
                             } else {
-                                phi_4991_ = _e658;
-                                phi_1192_ = type_38();
-                                phi_1195_ = u32();
-                                phi_1197_ = bool();
-                                phi_1199_ = u32();
-                                phi_1201_ = type_49();
-                                phi_4314_ = false;
+                                phi_5093_ = _e643;
+                                phi_1212_ = type_39();
+                                phi_1215_ = u32();
+                                phi_1217_ = bool();
+                                phi_1219_ = u32();
+                                phi_1221_ = type_50();
+                                phi_4231_ = false;
                             }
-                            let _e2193 = phi_4991_;
-                            let _e2195 = phi_1192_;
-                            let _e2197 = phi_1195_;
-                            let _e2199 = phi_1197_;
-                            let _e2201 = phi_1199_;
-                            let _e2203 = phi_1201_;
-                            let _e2205 = phi_4314_;
+                            let _e2163 = phi_5093_;
+                            let _e2165 = phi_1212_;
+                            let _e2167 = phi_1215_;
+                            let _e2169 = phi_1217_;
+                            let _e2171 = phi_1219_;
+                            let _e2173 = phi_1221_;
+                            let _e2175 = phi_4231_;
                             continue;
                             continuing {
-                                phi_4789_ = _e2193;
-                                phi_1191_ = _e2195;
-                                phi_1194_ = _e2197;
-                                phi_1196_ = _e2199;
-                                phi_1198_ = _e2201;
-                                phi_1200_ = _e2203;
-                                phi_4990_ = _e2193;
-                                break if !(_e2205);
+                                phi_4886_ = _e2163;
+                                phi_1211_ = _e2165;
+                                phi_1214_ = _e2167;
+                                phi_1216_ = _e2169;
+                                phi_1218_ = _e2171;
+                                phi_1220_ = _e2173;
+                                phi_5092_ = _e2163;
+                                break if !(_e2175);
                             }
                         }
-                        let _e2208 = phi_4990_;
-                        if _e2208 {
+                        let _e2178 = phi_5092_;
+                        if _e2178 {
                             break;
                         }
-                        let _e2210 = local_10;
-                        if (_e2210.member.member.member_3 != 4294967295u) {
-                            let _e2216 = bitcast<u32>(_e2210.member.member.member);
-                            let _e2220 = (bitcast<i32>((_e2216 >> bitcast<u32>(23i))) & 255i);
-                            let _e2221 = (_e2220 + _e280);
-                            if (_e2220 == 255i) {
-                                phi_4373_ = _e2210.member.member.member;
+                        let _e2180 = local_10;
+                        if (_e2180.member.member.member_3 != 4294967295u) {
+                            let _e2186 = bitcast<u32>(_e2180.member.member.member);
+                            let _e2190 = (bitcast<i32>((_e2186 >> bitcast<u32>(23i))) & 255i);
+                            let _e2191 = (_e2190 + _e280);
+                            if (_e2190 == 255i) {
+                                phi_4290_ = _e2180.member.member.member;
                             } else {
-                                if (_e2220 > 0i) {
-                                    if (_e2221 > 0i) {
-                                        let _e2225 = (_e2221 < 255i);
-                                        if _e2225 {
-                                            phi_4352_ = bitcast<f32>((_e2216 + bitcast<u32>((_e280 << bitcast<u32>(23i)))));
+                                if (_e2190 > 0i) {
+                                    if (_e2191 > 0i) {
+                                        let _e2195 = (_e2191 < 255i);
+                                        if _e2195 {
+                                            phi_4269_ = bitcast<f32>((_e2186 + bitcast<u32>((_e280 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_4352_ = f32();
+                                            phi_4269_ = f32();
                                         }
-                                        let _e2232 = phi_4352_;
-                                        phi_4354_ = _e2232;
-                                        phi_4355_ = select(true, false, _e2225);
+                                        let _e2202 = phi_4269_;
+                                        phi_4271_ = _e2202;
+                                        phi_4272_ = select(true, false, _e2195);
                                     } else {
-                                        phi_4354_ = f32();
-                                        phi_4355_ = true;
+                                        phi_4271_ = f32();
+                                        phi_4272_ = true;
                                     }
-                                    let _e2235 = phi_4354_;
-                                    let _e2237 = phi_4355_;
-                                    phi_4356_ = _e2235;
-                                    phi_4357_ = _e2237;
+                                    let _e2205 = phi_4271_;
+                                    let _e2207 = phi_4272_;
+                                    phi_4273_ = _e2205;
+                                    phi_4274_ = _e2207;
                                 } else {
-                                    phi_4356_ = f32();
-                                    phi_4357_ = true;
+                                    phi_4273_ = f32();
+                                    phi_4274_ = true;
                                 }
-                                let _e2239 = phi_4356_;
-                                let _e2241 = phi_4357_;
-                                if _e2241 {
-                                    let _e2242 = (_e2216 & 2147483648u);
-                                    let _e2249 = ((_e2216 & 8388607u) | (select(0u, 1u, ((_e2216 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e2253 = (_e2249 == 0u);
-                                    if _e2253 {
-                                        phi_4741_ = bitcast<f32>(_e2242);
+                                let _e2209 = phi_4273_;
+                                let _e2211 = phi_4274_;
+                                if _e2211 {
+                                    let _e2212 = (_e2186 & 2147483648u);
+                                    let _e2219 = ((_e2186 & 8388607u) | (select(0u, 1u, ((_e2186 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e2223 = (_e2219 == 0u);
+                                    if _e2223 {
+                                        phi_4838_ = bitcast<f32>(_e2212);
                                     } else {
-                                        let _e2258 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2249)), 32u, _e2253) - 8u);
-                                        let _e2261 = (_e2249 << bitcast<u32>((_e2258 & 31u)));
-                                        let _e2263 = ((_e2221 + select(0i, 1i, (_e2220 == 0i))) - bitcast<i32>(_e2258));
-                                        if (_e2263 >= 255i) {
-                                            phi_4731_ = bitcast<f32>((_e2242 | 2139095040u));
-                                            phi_4732_ = f32();
-                                            phi_4733_ = true;
+                                        let _e2228 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2219)), 32u, _e2223) - 8u);
+                                        let _e2231 = (_e2219 << bitcast<u32>((_e2228 & 31u)));
+                                        let _e2233 = ((_e2191 + select(0i, 1i, (_e2190 == 0i))) - bitcast<i32>(_e2228));
+                                        if (_e2233 >= 255i) {
+                                            phi_4828_ = bitcast<f32>((_e2212 | 2139095040u));
+                                            phi_4829_ = f32();
+                                            phi_4830_ = true;
                                         } else {
-                                            let _e2265 = (_e2263 > 0i);
-                                            if _e2265 {
-                                                phi_4725_ = bitcast<f32>(((_e2242 | (bitcast<u32>(_e2263) << bitcast<u32>(23i))) | (_e2261 & 8388607u)));
-                                                phi_4726_ = f32();
+                                            let _e2235 = (_e2233 > 0i);
+                                            if _e2235 {
+                                                phi_4822_ = bitcast<f32>(((_e2212 | (bitcast<u32>(_e2233) << bitcast<u32>(23i))) | (_e2231 & 8388607u)));
+                                                phi_4823_ = f32();
                                             } else {
-                                                if (_e2263 < -24i) {
-                                                    phi_4691_ = 26u;
+                                                if (_e2233 < -24i) {
+                                                    phi_4788_ = 26u;
                                                 } else {
-                                                    phi_4691_ = bitcast<u32>((1i - _e2263));
+                                                    phi_4788_ = bitcast<u32>((1i - _e2233));
                                                 }
-                                                let _e2270 = phi_4691_;
-                                                let _e2271 = (_e2270 & 31u);
-                                                let _e2273 = (_e2261 >> bitcast<u32>(_e2271));
-                                                let _e2277 = (_e2261 & ((1u << bitcast<u32>(_e2271)) - 1u));
-                                                let _e2281 = (1u << bitcast<u32>(((_e2270 - 1u) & 31u)));
-                                                if (_e2277 > _e2281) {
-                                                    phi_4712_ = true;
+                                                let _e2240 = phi_4788_;
+                                                let _e2241 = (_e2240 & 31u);
+                                                let _e2243 = (_e2231 >> bitcast<u32>(_e2241));
+                                                let _e2247 = (_e2231 & ((1u << bitcast<u32>(_e2241)) - 1u));
+                                                let _e2251 = (1u << bitcast<u32>(((_e2240 - 1u) & 31u)));
+                                                if (_e2247 > _e2251) {
+                                                    phi_4809_ = true;
                                                 } else {
-                                                    if (_e2277 == _e2281) {
-                                                        phi_4709_ = ((_e2273 & 1u) == 1u);
+                                                    if (_e2247 == _e2251) {
+                                                        phi_4806_ = ((_e2243 & 1u) == 1u);
                                                     } else {
-                                                        phi_4709_ = false;
+                                                        phi_4806_ = false;
                                                     }
-                                                    let _e2287 = phi_4709_;
-                                                    phi_4712_ = _e2287;
+                                                    let _e2257 = phi_4806_;
+                                                    phi_4809_ = _e2257;
                                                 }
-                                                let _e2289 = phi_4712_;
-                                                phi_4725_ = f32();
-                                                phi_4726_ = bitcast<f32>((_e2242 | (_e2273 + select(0u, 1u, _e2289))));
+                                                let _e2259 = phi_4809_;
+                                                phi_4822_ = f32();
+                                                phi_4823_ = bitcast<f32>((_e2212 | (_e2243 + select(0u, 1u, _e2259))));
                                             }
-                                            let _e2302 = phi_4725_;
-                                            let _e2304 = phi_4726_;
-                                            phi_4731_ = _e2302;
-                                            phi_4732_ = _e2304;
-                                            phi_4733_ = _e2265;
+                                            let _e2272 = phi_4822_;
+                                            let _e2274 = phi_4823_;
+                                            phi_4828_ = _e2272;
+                                            phi_4829_ = _e2274;
+                                            phi_4830_ = _e2235;
                                         }
-                                        let _e2308 = phi_4731_;
-                                        let _e2310 = phi_4732_;
-                                        let _e2312 = phi_4733_;
-                                        phi_4741_ = select(_e2310, _e2308, _e2312);
+                                        let _e2278 = phi_4828_;
+                                        let _e2280 = phi_4829_;
+                                        let _e2282 = phi_4830_;
+                                        phi_4838_ = select(_e2280, _e2278, _e2282);
                                     }
-                                    let _e2316 = phi_4741_;
-                                    phi_4372_ = _e2316;
+                                    let _e2286 = phi_4838_;
+                                    phi_4289_ = _e2286;
                                 } else {
-                                    phi_4372_ = _e2239;
+                                    phi_4289_ = _e2209;
                                 }
-                                let _e2318 = phi_4372_;
-                                phi_4373_ = _e2318;
+                                let _e2288 = phi_4289_;
+                                phi_4290_ = _e2288;
                             }
-                            let _e2320 = phi_4373_;
-                            let _e2321 = bitcast<u32>(_e2320);
-                            if ((_e2321 & 2147483647u) >= 2139095040u) {
-                                phi_4385_ = bitcast<f32>(((_e2321 & 2147483648u) | 2139095039u));
+                            let _e2290 = phi_4290_;
+                            let _e2291 = bitcast<u32>(_e2290);
+                            if ((_e2291 & 2147483647u) >= 2139095040u) {
+                                phi_4302_ = bitcast<f32>(((_e2291 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_4385_ = _e2320;
+                                phi_4302_ = _e2290;
                             }
-                            let _e2328 = phi_4385_;
-                            phi_4390_ = type_18(_e2328, _e2210.member.member.member_1, _e2210.member.member.member_2, _e2210.member.member.member_3);
+                            let _e2298 = phi_4302_;
+                            phi_4307_ = type_18(_e2298, _e2180.member.member.member_1, _e2180.member.member.member_2, _e2180.member.member.member_3);
                         } else {
-                            phi_4390_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_4307_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e2333 = phi_4390_;
+                        let _e2303 = phi_4307_;
                         if _e156 {
                         } else {
                             break;
                         }
-                        global_1.member[_e140] = _e2333;
-                        let _e2337 = local_11;
+                        global_1.member[_e140] = _e2303;
+                        let _e2307 = local_11;
                         if _e157 {
                         } else {
                             break;
                         }
-                        global_4.member[_e140] = _e2337.member_1;
+                        global_4.member[_e140] = _e2307.member_1;
                         if _e155 {
                         } else {
                             break;
                         }
-                        let _e2342 = select(0u, 1u, (_e224 <= _e234));
-                        if (_e2342 > 0u) {
-                            let _e2344 = (1u < _e108);
-                            if _e2344 {
+                        let _e2312 = select(0u, 1u, (_e224 <= _e234));
+                        if (_e2312 > 0u) {
+                            let _e2314 = (1u < _e108);
+                            if _e2314 {
                                 if (0u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2348 = atomicAdd((&global_5.member[0u]), _e2342);
-                                if ((_e2348 + _e2342) < _e2348) {
-                                    if _e2344 {
+                                let _e2318 = atomicAdd((&global_5.member[0u]), _e2312);
+                                if ((_e2318 + _e2312) < _e2318) {
+                                    if _e2314 {
                                     } else {
                                         break;
                                     }
-                                    let _e2353 = atomicAdd((&global_5.member[1u]), 1u);
+                                    let _e2323 = atomicAdd((&global_5.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e2356 = select(0u, 1u, (_e2333.member_3 != 4294967295u));
-                        if (_e2356 > 0u) {
-                            let _e2358 = (3u < _e108);
-                            if _e2358 {
+                        let _e2326 = select(0u, 1u, (_e2303.member_3 != 4294967295u));
+                        if (_e2326 > 0u) {
+                            let _e2328 = (3u < _e108);
+                            if _e2328 {
                                 if (2u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2362 = atomicAdd((&global_5.member[2u]), _e2356);
-                                if ((_e2362 + _e2356) < _e2362) {
-                                    if _e2358 {
+                                let _e2332 = atomicAdd((&global_5.member[2u]), _e2326);
+                                if ((_e2332 + _e2326) < _e2332) {
+                                    if _e2328 {
                                     } else {
                                         break;
                                     }
-                                    let _e2367 = atomicAdd((&global_5.member[3u]), 1u);
+                                    let _e2337 = atomicAdd((&global_5.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e2337.member_1 > 0u) {
-                            let _e2369 = (5u < _e108);
-                            if _e2369 {
+                        if (_e2307.member_1 > 0u) {
+                            let _e2339 = (5u < _e108);
+                            if _e2339 {
                                 if (4u < _e108) {
                                 } else {
                                     break;
                                 }
-                                let _e2373 = atomicAdd((&global_5.member[4u]), _e2337.member_1);
-                                if ((_e2373 + _e2337.member_1) < _e2373) {
-                                    if _e2369 {
+                                let _e2343 = atomicAdd((&global_5.member[4u]), _e2307.member_1);
+                                if ((_e2343 + _e2307.member_1) < _e2343) {
+                                    if _e2339 {
                                     } else {
                                         break;
                                     }
-                                    let _e2378 = atomicAdd((&global_5.member[5u]), 1u);
+                                    let _e2348 = atomicAdd((&global_5.member[5u]), 1u);
                                 }
                             }
                         }

@@ -62,36 +62,43 @@ struct type_43 {
     member_1: f32,
 }
 
-struct type_47 {
+struct type_46 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_48 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_50 {
+struct type_51 {
     member: array<i32>,
 }
 
-struct type_54 {
+struct type_55 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_56 {
-    member: array<type_54>,
+struct type_57 {
+    member: array<type_55>,
 }
 
-struct type_59 {
+struct type_60 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_61 {
-    member: type_59,
+struct type_62 {
+    member: type_60,
     member_1: u32,
 }
 
-struct type_66 {
+struct type_67 {
     member: array<atomic<u32>>,
 }
 
@@ -99,23 +106,23 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<uniform> global_2: type_47;
+var<uniform> global_2: type_48;
 @group(0) @binding(2) 
-var<uniform> global_3: type_47;
+var<uniform> global_3: type_48;
 @group(0) @binding(4) 
 var<storage> global_4: type_20;
 @group(0) @binding(5) 
 var<storage> global_5: type_4;
 @group(0) @binding(6) 
-var<storage> global_6: type_50;
+var<storage> global_6: type_51;
 @group(0) @binding(7) 
 var<storage> global_7: type_34;
 @group(0) @binding(8) 
 var<storage, read_write> global_8: type_29;
 @group(0) @binding(9) 
-var<storage, read_write> global_9: type_66;
+var<storage, read_write> global_9: type_67;
 @group(0) @binding(3) 
-var<storage> global_10: type_56;
+var<storage> global_10: type_57;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -128,169 +135,156 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_364_: u32;
-    var phi_408_: i32;
-    var phi_548_: type_40;
-    var phi_654_: i32;
-    var phi_655_: i32;
-    var phi_665_: bool;
-    var phi_675_: u32;
-    var phi_676_: u32;
-    var phi_678_: bool;
-    var phi_683_: u32;
-    var phi_716_: i32;
-    var phi_734_: f32;
-    var phi_740_: f32;
-    var phi_780_: f32;
-    var phi_786_: f32;
-    var phi_838_: f32;
-    var phi_850_: f32;
-    var phi_859_: f32;
-    var phi_865_: f32;
-    var phi_905_: f32;
-    var phi_911_: f32;
-    var phi_963_: f32;
-    var phi_975_: f32;
-    var phi_984_: f32;
-    var phi_990_: f32;
-    var phi_1030_: f32;
-    var phi_1036_: f32;
-    var phi_1088_: f32;
-    var phi_1100_: f32;
-    var phi_1155_: i32;
-    var phi_1177_: u32;
-    var phi_1178_: u32;
-    var phi_1215_: i32;
-    var phi_1237_: u32;
-    var phi_1238_: u32;
-    var phi_1246_: f32;
-    var phi_1247_: f32;
-    var phi_4165_: bool;
-    var phi_1330_: type_43;
-    var phi_1333_: u32;
-    var phi_1335_: bool;
-    var phi_1337_: u32;
-    var phi_1339_: type_61;
-    var phi_1350_: bool;
-    var phi_1436_: bool;
-    var phi_1437_: u32;
-    var phi_1438_: type_61;
-    var phi_1456_: type_43;
-    var phi_1459_: type_8;
-    var phi_1460_: type_8;
-    var phi_1482_: type_8;
-    var phi_1503_: u32;
-    var phi_1595_: array<array<f32, 3>, 3>;
-    var phi_1747_: bool;
-    var phi_1776_: bool;
-    var phi_2195_: f32;
-    var phi_2196_: f32;
-    var phi_2197_: f32;
-    var phi_2198_: f32;
-    var phi_2199_: vec3<f32>;
-    var phi_2200_: vec3<f32>;
-    var phi_2201_: vec3<f32>;
-    var phi_2202_: vec3<f32>;
-    var phi_2239_: bool;
-    var phi_2248_: vec3<f32>;
-    var phi_2413_: f32;
-    var phi_2415_: f32;
-    var phi_2416_: bool;
-    var phi_2436_: f32;
-    var phi_2437_: f32;
-    var phi_2460_: type_27;
-    var phi_2462_: type_27;
-    var phi_2463_: bool;
-    var phi_2467_: type_27;
-    var phi_2468_: type_27;
-    var phi_2469_: type_27;
-    var phi_2470_: bool;
-    var phi_2474_: type_27;
-    var phi_2475_: bool;
-    var phi_2476_: type_27;
-    var phi_2477_: bool;
-    var phi_2478_: bool;
-    var phi_2479_: type_27;
-    var phi_2480_: bool;
-    var phi_2481_: bool;
-    var phi_2489_: type_27;
-    var phi_2490_: bool;
-    var phi_2494_: type_27;
-    var phi_2517_: u32;
-    var phi_2531_: i32;
-    var phi_2553_: vec3<f32>;
-    var phi_2554_: vec3<f32>;
-    var phi_2572_: vec3<f32>;
-    var phi_2573_: vec3<f32>;
-    var phi_2591_: vec3<f32>;
-    var phi_2592_: vec3<f32>;
-    var phi_2628_: vec3<f32>;
-    var phi_2810_: f32;
-    var phi_2828_: bool;
-    var phi_2829_: bool;
-    var phi_2848_: bool;
-    var phi_2849_: bool;
-    var phi_2855_: type_43;
-    var phi_2856_: type_43;
-    var phi_2857_: type_43;
-    var phi_1457_: type_43;
-    var phi_4159_: bool;
-    var phi_4410_: bool;
-    var phi_2858_: type_43;
-    var phi_2879_: type_54;
-    var phi_3765_: type_61;
-    var phi_3841_: type_61;
-    var phi_3842_: u32;
-    var phi_3843_: type_61;
-    var phi_3845_: u32;
-    var phi_3846_: type_61;
-    var phi_3847_: bool;
-    var phi_3854_: type_61;
-    var phi_3859_: bool;
-    var phi_3861_: type_61;
-    var phi_3865_: bool;
-    var phi_3866_: u32;
-    var phi_3867_: type_61;
-    var phi_3877_: type_61;
-    var phi_4354_: bool;
-    var phi_3878_: type_43;
-    var phi_3879_: u32;
-    var phi_3880_: bool;
-    var phi_3881_: u32;
-    var phi_3882_: type_61;
-    var phi_4353_: bool;
-    var phi_3883_: type_43;
-    var phi_3884_: u32;
-    var phi_3885_: bool;
-    var phi_3886_: u32;
-    var phi_3887_: type_61;
-    var phi_4352_: bool;
-    var phi_1331_: type_43;
-    var phi_1334_: u32;
-    var phi_1336_: bool;
-    var phi_1338_: u32;
-    var phi_1340_: type_61;
-    var phi_3888_: bool;
-    var phi_4351_: bool;
+    var phi_384_: u32;
+    var phi_428_: i32;
+    var phi_568_: type_40;
+    var phi_674_: i32;
+    var phi_675_: i32;
+    var phi_685_: bool;
+    var phi_695_: u32;
+    var phi_696_: u32;
+    var phi_698_: bool;
+    var phi_703_: u32;
+    var phi_736_: i32;
+    var phi_754_: f32;
+    var phi_760_: f32;
+    var phi_800_: f32;
+    var phi_806_: f32;
+    var phi_879_: f32;
+    var phi_885_: f32;
+    var phi_925_: f32;
+    var phi_931_: f32;
+    var phi_1004_: f32;
+    var phi_1010_: f32;
+    var phi_1050_: f32;
+    var phi_1056_: f32;
+    var phi_1175_: i32;
+    var phi_1197_: u32;
+    var phi_1198_: u32;
+    var phi_1235_: i32;
+    var phi_1257_: u32;
+    var phi_1258_: u32;
+    var phi_1266_: f32;
+    var phi_1267_: f32;
+    var phi_4262_: bool;
+    var phi_1350_: type_43;
+    var phi_1353_: u32;
+    var phi_1355_: bool;
+    var phi_1357_: u32;
+    var phi_1359_: type_62;
+    var phi_1370_: bool;
+    var phi_1456_: bool;
+    var phi_1457_: u32;
+    var phi_1458_: type_62;
+    var phi_1476_: type_43;
+    var phi_1479_: type_8;
+    var phi_1480_: type_8;
+    var phi_1502_: type_8;
+    var phi_1523_: u32;
+    var phi_1615_: array<array<f32, 3>, 3>;
+    var phi_3983_: bool;
+    var phi_3998_: bool;
+    var phi_4013_: bool;
+    var phi_4028_: bool;
+    var phi_4043_: bool;
+    var phi_4058_: bool;
+    var phi_2157_: f32;
+    var phi_2158_: f32;
+    var phi_2159_: f32;
+    var phi_2160_: f32;
+    var phi_2161_: vec3<f32>;
+    var phi_2162_: vec3<f32>;
+    var phi_2163_: vec3<f32>;
+    var phi_2164_: vec3<f32>;
+    var phi_4073_: bool;
+    var phi_4088_: bool;
+    var phi_4103_: bool;
+    var phi_4118_: bool;
+    var phi_4133_: bool;
+    var phi_4148_: bool;
+    var phi_2372_: f32;
+    var phi_2392_: type_46;
+    var phi_2393_: type_46;
+    var phi_2396_: type_46;
+    var phi_2397_: type_46;
+    var phi_2398_: bool;
+    var phi_2402_: type_46;
+    var phi_2411_: type_27;
+    var phi_2434_: u32;
+    var phi_2448_: i32;
+    var phi_2470_: vec3<f32>;
+    var phi_2471_: vec3<f32>;
+    var phi_2489_: vec3<f32>;
+    var phi_2490_: vec3<f32>;
+    var phi_2508_: vec3<f32>;
+    var phi_2509_: vec3<f32>;
+    var phi_2545_: vec3<f32>;
+    var phi_2727_: f32;
+    var phi_2745_: bool;
+    var phi_2746_: bool;
+    var phi_2765_: bool;
+    var phi_2766_: bool;
+    var phi_2772_: type_43;
+    var phi_2773_: type_43;
+    var phi_2774_: type_43;
+    var phi_1477_: type_43;
+    var phi_4256_: bool;
+    var phi_4512_: bool;
+    var phi_2775_: type_43;
+    var phi_2796_: type_55;
+    var phi_3682_: type_62;
+    var phi_3758_: type_62;
+    var phi_3759_: u32;
+    var phi_3760_: type_62;
+    var phi_3762_: u32;
+    var phi_3763_: type_62;
+    var phi_3764_: bool;
+    var phi_3771_: type_62;
+    var phi_3776_: bool;
+    var phi_3778_: type_62;
+    var phi_3782_: bool;
+    var phi_3783_: u32;
+    var phi_3784_: type_62;
+    var phi_3794_: type_62;
+    var phi_4456_: bool;
+    var phi_3795_: type_43;
+    var phi_3796_: u32;
+    var phi_3797_: bool;
+    var phi_3798_: u32;
+    var phi_3799_: type_62;
+    var phi_4455_: bool;
+    var phi_3800_: type_43;
+    var phi_3801_: u32;
+    var phi_3802_: bool;
+    var phi_3803_: u32;
+    var phi_3804_: type_62;
+    var phi_4454_: bool;
+    var phi_1351_: type_43;
+    var phi_1354_: u32;
+    var phi_1356_: bool;
+    var phi_1358_: u32;
+    var phi_1360_: type_62;
+    var phi_3805_: bool;
+    var phi_4453_: bool;
     var local_10: type_43;
-    var phi_3926_: f32;
-    var phi_3928_: f32;
-    var phi_3929_: bool;
-    var phi_3930_: f32;
-    var phi_3931_: bool;
-    var phi_4079_: u32;
-    var phi_4097_: bool;
-    var phi_4100_: bool;
-    var phi_4113_: f32;
-    var phi_4114_: f32;
-    var phi_4119_: f32;
-    var phi_4120_: f32;
-    var phi_4121_: bool;
-    var phi_4129_: f32;
-    var phi_3946_: f32;
-    var phi_3947_: f32;
-    var phi_3959_: f32;
-    var phi_3964_: type_27;
+    var phi_3843_: f32;
+    var phi_3845_: f32;
+    var phi_3846_: bool;
+    var phi_3847_: f32;
+    var phi_3848_: bool;
+    var phi_4176_: u32;
+    var phi_4194_: bool;
+    var phi_4197_: bool;
+    var phi_4210_: f32;
+    var phi_4211_: f32;
+    var phi_4216_: f32;
+    var phi_4217_: f32;
+    var phi_4218_: bool;
+    var phi_4226_: f32;
+    var phi_3863_: f32;
+    var phi_3864_: f32;
+    var phi_3876_: f32;
+    var phi_3881_: type_27;
     var local_11: type_43;
 
     switch bitcast<i32>(0u) {
@@ -314,11 +308,11 @@ fn function_() {
                     break;
                 }
                 let _e155 = global_7.member[_e144].member_2;
-                phi_364_ = _e155;
+                phi_384_ = _e155;
             } else {
-                phi_364_ = 4294967295u;
+                phi_384_ = 4294967295u;
             }
-            let _e157 = phi_364_;
+            let _e157 = phi_384_;
             let _e160 = global_1.member[0u];
             let _e164 = global_2.member[0u][0u];
             let _e168 = global_2.member[0u][1u];
@@ -335,15 +329,15 @@ fn function_() {
             let _e198 = array<u32, 3>(_e184, _e188, _e192);
             let _e200 = bitcast<i32>(_e160);
             if (_e200 < -126i) {
-                phi_408_ = -126i;
+                phi_428_ = -126i;
             } else {
-                phi_408_ = select(_e200, 127i, (_e200 > 127i));
+                phi_428_ = select(_e200, 127i, (_e200 > 127i));
             }
-            let _e205 = phi_408_;
+            let _e205 = phi_428_;
             let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
             let _e216 = bitcast<f32>((bitcast<u32>(((_e200 - _e205) + 127i)) << bitcast<u32>(23i)));
             if (_e176 == 0u) {
-                phi_548_ = type_40(array<f32, 3>(_e193, _e194, _e195), _e176, _e197, _e198);
+                phi_568_ = type_40(array<f32, 3>(_e193, _e194, _e195), _e176, _e197, _e198);
             } else {
                 let _e218 = bitcast<u32>(_e193);
                 let _e220 = ((_e218 & 2139095040u) != 0u);
@@ -353,9 +347,9 @@ fn function_() {
                 let _e254 = ((_e252 & 2139095040u) != 0u);
                 let _e270 = bitcast<u32>(_e197);
                 let _e272 = ((_e270 & 2139095040u) != 0u);
-                phi_548_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e218 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e218 & 2147483648u))), _e193, _e220) * _e210) * select(0.00000011920929f, 1f, _e220)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e194, _e237) * _e210) * select(0.00000011920929f, 1f, _e237)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e195, _e254) * _e210) * select(0.00000011920929f, 1f, _e254)) * _e216)), _e176, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e197, _e272) * _e210) * select(0.00000011920929f, 1f, _e272)) * _e216), _e198);
+                phi_568_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e218 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e218 & 2147483648u))), _e193, _e220) * _e210) * select(0.00000011920929f, 1f, _e220)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e194, _e237) * _e210) * select(0.00000011920929f, 1f, _e237)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e195, _e254) * _e210) * select(0.00000011920929f, 1f, _e254)) * _e216)), _e176, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e197, _e272) * _e210) * select(0.00000011920929f, 1f, _e272)) * _e216), _e198);
             }
-            let _e289 = phi_548_;
+            let _e289 = phi_568_;
             if _e151 {
                 let _e290 = (_e144 < arrayLength((&global_8.member)));
                 if _e290 {
@@ -390,262 +384,232 @@ fn function_() {
                     if _e373 {
                         let _e376 = (bitcast<u32>(bitcast<f32>(_e346)) & 2147483647u);
                         if (_e376 >= 8388608u) {
-                            phi_654_ = (bitcast<i32>((_e376 >> bitcast<u32>(23i))) - 127i);
+                            phi_674_ = (bitcast<i32>((_e376 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_654_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e376)), 32u, (_e376 == 0u))));
+                            phi_674_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e376)), 32u, (_e376 == 0u))));
                         }
-                        let _e390 = phi_654_;
-                        phi_655_ = _e390;
+                        let _e390 = phi_674_;
+                        phi_675_ = _e390;
                     } else {
-                        phi_655_ = 0i;
+                        phi_675_ = 0i;
                     }
-                    let _e392 = phi_655_;
+                    let _e392 = phi_675_;
                     let _e393 = (_e302 == _e346);
                     if _e393 {
-                        phi_665_ = true;
+                        phi_685_ = true;
                     } else {
-                        phi_665_ = (_e310 == _e346);
+                        phi_685_ = (_e310 == _e346);
                     }
-                    let _e396 = phi_665_;
+                    let _e396 = phi_685_;
                     let _e397 = select(1u, 0u, _e393);
                     if _e396 {
                         let _e398 = (_e397 + 1u);
-                        phi_675_ = _e398;
-                        phi_676_ = _e398;
-                        phi_678_ = select(true, false, (_e398 == 2u));
+                        phi_695_ = _e398;
+                        phi_696_ = _e398;
+                        phi_698_ = select(true, false, (_e398 == 2u));
                     } else {
-                        phi_675_ = u32();
-                        phi_676_ = 0u;
-                        phi_678_ = true;
+                        phi_695_ = u32();
+                        phi_696_ = 0u;
+                        phi_698_ = true;
                     }
-                    let _e402 = phi_675_;
-                    let _e404 = phi_676_;
-                    let _e406 = phi_678_;
+                    let _e402 = phi_695_;
+                    let _e404 = phi_696_;
+                    let _e406 = phi_698_;
                     if _e406 {
-                        phi_683_ = (_e404 + 1u);
+                        phi_703_ = (_e404 + 1u);
                     } else {
-                        phi_683_ = 0u;
+                        phi_703_ = 0u;
                     }
-                    let _e410 = phi_683_;
+                    let _e410 = phi_703_;
                     let _e411 = select(_e402, _e404, _e406);
                     let _e412 = select(_e397, select(2u, _e397, _e396), _e406);
                     let _e413 = -(_e392);
                     if (_e413 < -126i) {
-                        phi_716_ = -126i;
+                        phi_736_ = -126i;
                     } else {
-                        phi_716_ = select(_e413, 127i, (_e413 > 127i));
+                        phi_736_ = select(_e413, 127i, (_e413 > 127i));
                     }
-                    let _e418 = phi_716_;
+                    let _e418 = phi_736_;
                     let _e423 = bitcast<f32>((bitcast<u32>((_e418 + 127i)) << bitcast<u32>(23i)));
                     let _e429 = bitcast<f32>((bitcast<u32>(((_e413 - _e418) + 127i)) << bitcast<u32>(23i)));
                     let _e434 = global_7.member[_e144].member.member;
                     let _e435 = (_e411 == 0u);
                     if _e435 {
-                        phi_734_ = _e434[0];
+                        phi_754_ = _e434[0];
                     } else {
-                        phi_734_ = _e434[1];
+                        phi_754_ = _e434[1];
                     }
-                    let _e439 = phi_734_;
+                    let _e439 = phi_754_;
                     let _e440 = (_e411 == 2u);
                     if _e440 {
-                        phi_740_ = _e434[2];
+                        phi_760_ = _e434[2];
                     } else {
-                        phi_740_ = _e439;
+                        phi_760_ = _e439;
                     }
-                    let _e443 = phi_740_;
+                    let _e443 = phi_760_;
                     let _e444 = bitcast<u32>(_e443);
                     let _e446 = ((_e444 & 2139095040u) != 0u);
                     let _e458 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e444 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e444 & 2147483648u))), _e443, _e446) * select(0.00000011920929f, 1f, _e446));
                     let _e459 = global_7.member[_e144].member.member_2;
                     if _e435 {
-                        phi_780_ = _e459[0];
+                        phi_800_ = _e459[0];
                     } else {
-                        phi_780_ = _e459[1];
+                        phi_800_ = _e459[1];
                     }
-                    let _e463 = phi_780_;
+                    let _e463 = phi_800_;
                     if _e440 {
-                        phi_786_ = _e459[2];
+                        phi_806_ = _e459[2];
                     } else {
-                        phi_786_ = _e463;
+                        phi_806_ = _e463;
                     }
-                    let _e466 = phi_786_;
+                    let _e466 = phi_806_;
                     let _e467 = bitcast<u32>(_e466);
                     let _e469 = ((_e467 & 2139095040u) != 0u);
                     let _e483 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * _e423) * select(0.00000011920929f, 1f, _e469)) * _e429);
-                    let _e487 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e487 {
-                        let _e491 = (bitcast<f32>((bitcast<u32>(_e458) & 2147483647u)) * 0.00000011920929f);
-                        phi_838_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
+                    let _e487 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e490 = bitcast<f32>((bitcast<u32>(_e458) & 2147483647u));
+                    let _e491 = (_e490 * 0.00000011920929f);
+                    let _e494 = select(select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f)), 0f, _e487);
+                    let _e495 = select(0f, _e483, _e487);
+                    let _e496 = (_e458 + _e494);
+                    let _e497 = (_e458 - _e494);
+                    let _e499 = select(38685626000000000000000000f, (1f / _e483), _e487);
+                    let _e500 = (_e410 == 0u);
+                    if _e500 {
+                        phi_879_ = _e434[0];
                     } else {
-                        phi_838_ = 0f;
+                        phi_879_ = _e434[1];
                     }
-                    let _e495 = phi_838_;
-                    let _e496 = (_e458 + _e495);
-                    let _e497 = (_e458 - _e495);
-                    let _e498 = select(_e483, 0f, _e487);
-                    if _e487 {
-                        phi_850_ = 38685626000000000000000000f;
+                    let _e504 = phi_879_;
+                    let _e505 = (_e410 == 2u);
+                    if _e505 {
+                        phi_885_ = _e434[2];
                     } else {
-                        phi_850_ = (1f / _e483);
+                        phi_885_ = _e504;
                     }
-                    let _e501 = phi_850_;
-                    let _e502 = (_e410 == 0u);
-                    if _e502 {
-                        phi_859_ = _e434[0];
+                    let _e508 = phi_885_;
+                    let _e509 = bitcast<u32>(_e508);
+                    let _e511 = ((_e509 & 2139095040u) != 0u);
+                    let _e523 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e509 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e509 & 2147483648u))), _e508, _e511) * select(0.00000011920929f, 1f, _e511));
+                    if _e500 {
+                        phi_925_ = _e459[0];
                     } else {
-                        phi_859_ = _e434[1];
+                        phi_925_ = _e459[1];
                     }
-                    let _e506 = phi_859_;
-                    let _e507 = (_e410 == 2u);
-                    if _e507 {
-                        phi_865_ = _e434[2];
+                    let _e527 = phi_925_;
+                    if _e505 {
+                        phi_931_ = _e459[2];
                     } else {
-                        phi_865_ = _e506;
+                        phi_931_ = _e527;
                     }
-                    let _e510 = phi_865_;
-                    let _e511 = bitcast<u32>(_e510);
-                    let _e513 = ((_e511 & 2139095040u) != 0u);
-                    let _e525 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e511 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e511 & 2147483648u))), _e510, _e513) * select(0.00000011920929f, 1f, _e513));
-                    if _e502 {
-                        phi_905_ = _e459[0];
+                    let _e530 = phi_931_;
+                    let _e531 = bitcast<u32>(_e530);
+                    let _e533 = ((_e531 & 2139095040u) != 0u);
+                    let _e547 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e531 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e531 & 2147483648u))), _e530, _e533) * _e423) * select(0.00000011920929f, 1f, _e533)) * _e429);
+                    let _e551 = (bitcast<f32>((bitcast<u32>(_e547) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e554 = bitcast<f32>((bitcast<u32>(_e523) & 2147483647u));
+                    let _e555 = (_e554 * 0.00000011920929f);
+                    let _e558 = select(select(0.00000000000011368684f, _e555, (_e555 > 0.00000000000011368684f)), 0f, _e551);
+                    let _e559 = select(0f, _e547, _e551);
+                    let _e560 = (_e523 + _e558);
+                    let _e561 = (_e523 - _e558);
+                    let _e563 = select(38685626000000000000000000f, (1f / _e547), _e551);
+                    let _e564 = (_e412 == 0u);
+                    if _e564 {
+                        phi_1004_ = _e434[0];
                     } else {
-                        phi_905_ = _e459[1];
+                        phi_1004_ = _e434[1];
                     }
-                    let _e529 = phi_905_;
-                    if _e507 {
-                        phi_911_ = _e459[2];
+                    let _e568 = phi_1004_;
+                    let _e569 = (_e412 == 2u);
+                    if _e569 {
+                        phi_1010_ = _e434[2];
                     } else {
-                        phi_911_ = _e529;
+                        phi_1010_ = _e568;
                     }
-                    let _e532 = phi_911_;
-                    let _e533 = bitcast<u32>(_e532);
-                    let _e535 = ((_e533 & 2139095040u) != 0u);
-                    let _e549 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e533 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e533 & 2147483648u))), _e532, _e535) * _e423) * select(0.00000011920929f, 1f, _e535)) * _e429);
-                    let _e553 = (bitcast<f32>((bitcast<u32>(_e549) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e553 {
-                        let _e557 = (bitcast<f32>((bitcast<u32>(_e525) & 2147483647u)) * 0.00000011920929f);
-                        phi_963_ = select(0.00000000000011368684f, _e557, (_e557 > 0.00000000000011368684f));
+                    let _e572 = phi_1010_;
+                    let _e573 = bitcast<u32>(_e572);
+                    let _e575 = ((_e573 & 2139095040u) != 0u);
+                    let _e587 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e573 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e573 & 2147483648u))), _e572, _e575) * select(0.00000011920929f, 1f, _e575));
+                    if _e564 {
+                        phi_1050_ = _e459[0];
                     } else {
-                        phi_963_ = 0f;
+                        phi_1050_ = _e459[1];
                     }
-                    let _e561 = phi_963_;
-                    let _e562 = (_e525 + _e561);
-                    let _e563 = (_e525 - _e561);
-                    let _e564 = select(_e549, 0f, _e553);
-                    if _e553 {
-                        phi_975_ = 38685626000000000000000000f;
+                    let _e591 = phi_1050_;
+                    if _e569 {
+                        phi_1056_ = _e459[2];
                     } else {
-                        phi_975_ = (1f / _e549);
+                        phi_1056_ = _e591;
                     }
-                    let _e567 = phi_975_;
-                    let _e568 = (_e412 == 0u);
-                    if _e568 {
-                        phi_984_ = _e434[0];
-                    } else {
-                        phi_984_ = _e434[1];
-                    }
-                    let _e572 = phi_984_;
-                    let _e573 = (_e412 == 2u);
-                    if _e573 {
-                        phi_990_ = _e434[2];
-                    } else {
-                        phi_990_ = _e572;
-                    }
-                    let _e576 = phi_990_;
-                    let _e577 = bitcast<u32>(_e576);
-                    let _e579 = ((_e577 & 2139095040u) != 0u);
-                    let _e591 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e577 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e577 & 2147483648u))), _e576, _e579) * select(0.00000011920929f, 1f, _e579));
-                    if _e568 {
-                        phi_1030_ = _e459[0];
-                    } else {
-                        phi_1030_ = _e459[1];
-                    }
-                    let _e595 = phi_1030_;
-                    if _e573 {
-                        phi_1036_ = _e459[2];
-                    } else {
-                        phi_1036_ = _e595;
-                    }
-                    let _e598 = phi_1036_;
-                    let _e599 = bitcast<u32>(_e598);
-                    let _e601 = ((_e599 & 2139095040u) != 0u);
-                    let _e615 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e599 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e599 & 2147483648u))), _e598, _e601) * _e423) * select(0.00000011920929f, 1f, _e601)) * _e429);
-                    let _e619 = (bitcast<f32>((bitcast<u32>(_e615) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e619 {
-                        let _e623 = (bitcast<f32>((bitcast<u32>(_e591) & 2147483647u)) * 0.00000011920929f);
-                        phi_1088_ = select(0.00000000000011368684f, _e623, (_e623 > 0.00000000000011368684f));
-                    } else {
-                        phi_1088_ = 0f;
-                    }
-                    let _e627 = phi_1088_;
-                    let _e628 = (_e591 + _e627);
-                    let _e629 = (_e591 - _e627);
-                    let _e630 = select(_e615, 0f, _e619);
-                    if _e619 {
-                        phi_1100_ = 38685626000000000000000000f;
-                    } else {
-                        phi_1100_ = (1f / _e615);
-                    }
-                    let _e633 = phi_1100_;
-                    let _e636 = bitcast<f32>((bitcast<u32>(_e458) & 2147483647u));
-                    let _e639 = bitcast<f32>((bitcast<u32>(_e525) & 2147483647u));
-                    let _e641 = select(_e639, _e636, (_e636 > _e639));
-                    let _e644 = bitcast<f32>((bitcast<u32>(_e591) & 2147483647u));
-                    if (_e373 && (select(_e644, _e641, (_e641 > _e644)) <= 1099511600000f)) {
-                        let _e656 = ((_e359 & 8388607u) | (select(0u, 1u, ((_e359 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e659 = bitcast<i32>((_e359 >> bitcast<u32>(23i)));
-                        let _e663 = (_e656 == 0u);
-                        let _e666 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e656)), 32u, _e663)) - 8i);
-                        if (_e659 == 255i) {
-                            phi_1155_ = 255i;
+                    let _e594 = phi_1056_;
+                    let _e595 = bitcast<u32>(_e594);
+                    let _e597 = ((_e595 & 2139095040u) != 0u);
+                    let _e611 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e595 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e595 & 2147483648u))), _e594, _e597) * _e423) * select(0.00000011920929f, 1f, _e597)) * _e429);
+                    let _e615 = (bitcast<f32>((bitcast<u32>(_e611) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e618 = bitcast<f32>((bitcast<u32>(_e587) & 2147483647u));
+                    let _e619 = (_e618 * 0.00000011920929f);
+                    let _e622 = select(select(0.00000000000011368684f, _e619, (_e619 > 0.00000000000011368684f)), 0f, _e615);
+                    let _e623 = select(0f, _e611, _e615);
+                    let _e624 = (_e587 + _e622);
+                    let _e625 = (_e587 - _e622);
+                    let _e627 = select(38685626000000000000000000f, (1f / _e611), _e615);
+                    let _e629 = select(_e554, _e490, (_e490 > _e554));
+                    if (_e373 && (select(_e618, _e629, (_e629 > _e618)) <= 1099511600000f)) {
+                        let _e641 = ((_e359 & 8388607u) | (select(0u, 1u, ((_e359 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e644 = bitcast<i32>((_e359 >> bitcast<u32>(23i)));
+                        let _e648 = (_e641 == 0u);
+                        let _e651 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e641)), 32u, _e648)) - 8i);
+                        if (_e644 == 255i) {
+                            phi_1175_ = 255i;
                         } else {
-                            phi_1155_ = (((_e659 + select(0i, 1i, (_e659 == 0i))) - _e666) + _e392);
+                            phi_1175_ = (((_e644 + select(0i, 1i, (_e644 == 0i))) - _e651) + _e392);
                         }
-                        let _e674 = phi_1155_;
-                        let _e684 = (_e674 <= 0i);
-                        if _e684 {
-                            phi_1178_ = u32();
+                        let _e659 = phi_1175_;
+                        let _e669 = (_e659 <= 0i);
+                        if _e669 {
+                            phi_1198_ = u32();
                         } else {
-                            if _e663 {
-                                phi_1177_ = u32();
+                            if _e648 {
+                                phi_1197_ = u32();
                             } else {
-                                phi_1177_ = select(((bitcast<u32>(_e674) << bitcast<u32>(23i)) | ((_e656 << bitcast<u32>(((_e666 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e674 >= 255i));
+                                phi_1197_ = select(((bitcast<u32>(_e659) << bitcast<u32>(23i)) | ((_e641 << bitcast<u32>(((_e651 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e659 >= 255i));
                             }
-                            let _e688 = phi_1177_;
-                            phi_1178_ = _e688;
+                            let _e673 = phi_1197_;
+                            phi_1198_ = _e673;
                         }
-                        let _e690 = phi_1178_;
-                        let _e702 = ((_e369 & 8388607u) | (select(0u, 1u, ((_e369 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e705 = bitcast<i32>((_e369 >> bitcast<u32>(23i)));
-                        let _e709 = (_e702 == 0u);
-                        let _e712 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e702)), 32u, _e709)) - 8i);
-                        if (_e705 == 255i) {
-                            phi_1215_ = 255i;
+                        let _e675 = phi_1198_;
+                        let _e687 = ((_e369 & 8388607u) | (select(0u, 1u, ((_e369 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e690 = bitcast<i32>((_e369 >> bitcast<u32>(23i)));
+                        let _e694 = (_e687 == 0u);
+                        let _e697 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e687)), 32u, _e694)) - 8i);
+                        if (_e690 == 255i) {
+                            phi_1235_ = 255i;
                         } else {
-                            phi_1215_ = (((_e705 + select(0i, 1i, (_e705 == 0i))) - _e712) + _e392);
+                            phi_1235_ = (((_e690 + select(0i, 1i, (_e690 == 0i))) - _e697) + _e392);
                         }
-                        let _e720 = phi_1215_;
-                        let _e730 = (_e720 <= 0i);
-                        if _e730 {
-                            phi_1238_ = u32();
+                        let _e705 = phi_1235_;
+                        let _e715 = (_e705 <= 0i);
+                        if _e715 {
+                            phi_1258_ = u32();
                         } else {
-                            if _e709 {
-                                phi_1237_ = u32();
+                            if _e694 {
+                                phi_1257_ = u32();
                             } else {
-                                phi_1237_ = select(((bitcast<u32>(_e720) << bitcast<u32>(23i)) | ((_e702 << bitcast<u32>(((_e712 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e720 >= 255i));
+                                phi_1257_ = select(((bitcast<u32>(_e705) << bitcast<u32>(23i)) | ((_e687 << bitcast<u32>(((_e697 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e705 >= 255i));
                             }
-                            let _e734 = phi_1237_;
-                            phi_1238_ = _e734;
+                            let _e719 = phi_1257_;
+                            phi_1258_ = _e719;
                         }
-                        let _e736 = phi_1238_;
-                        phi_1246_ = bitcast<f32>(((_e368 & 2147483648u) | select(_e736, 0u, select(_e709, true, _e730))));
-                        phi_1247_ = bitcast<f32>(((_e358 & 2147483648u) | select(_e690, 0u, select(_e663, true, _e684))));
+                        let _e721 = phi_1258_;
+                        phi_1266_ = bitcast<f32>(((_e368 & 2147483648u) | select(_e721, 0u, select(_e694, true, _e715))));
+                        phi_1267_ = bitcast<f32>(((_e358 & 2147483648u) | select(_e675, 0u, select(_e648, true, _e669))));
                     } else {
-                        phi_1246_ = 0f;
-                        phi_1247_ = 1f;
+                        phi_1266_ = 0f;
+                        phi_1267_ = 1f;
                     }
-                    let _e742 = phi_1246_;
-                    let _e744 = phi_1247_;
+                    let _e727 = phi_1266_;
+                    let _e729 = phi_1267_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -655,1133 +619,1110 @@ fn function_() {
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 3>(bitcast<f32>(_e116), bitcast<f32>(_e120), bitcast<f32>(_e124));
-                    let _e749 = (_e411 % 3u);
-                    let _e750 = (_e749 < 3u);
-                    if _e750 {
+                    let _e734 = (_e411 % 3u);
+                    let _e735 = (_e734 < 3u);
+                    if _e735 {
                     } else {
                         break;
                     }
-                    let _e752 = local_9[_e749];
-                    let _e753 = (_e410 % 3u);
-                    let _e754 = (_e753 < 3u);
-                    if _e754 {
+                    let _e737 = local_9[_e734];
+                    let _e738 = (_e410 % 3u);
+                    let _e739 = (_e738 < 3u);
+                    if _e739 {
                     } else {
                         break;
                     }
-                    let _e756 = local_9[_e753];
-                    let _e757 = (_e412 % 3u);
-                    let _e758 = (_e757 < 3u);
-                    if _e758 {
+                    let _e741 = local_9[_e738];
+                    let _e742 = (_e412 % 3u);
+                    let _e743 = (_e742 < 3u);
+                    if _e743 {
                     } else {
                         break;
                     }
-                    let _e760 = local_9[_e757];
+                    let _e745 = local_9[_e742];
                     local_8 = array<f32, 3>(bitcast<f32>(_e128), bitcast<f32>(_e132), bitcast<f32>(_e136));
-                    if _e750 {
+                    if _e735 {
                     } else {
                         break;
                     }
-                    let _e764 = local_8[_e749];
-                    if _e754 {
+                    let _e749 = local_8[_e734];
+                    if _e739 {
                     } else {
                         break;
                     }
-                    let _e766 = local_8[_e753];
-                    if _e758 {
+                    let _e751 = local_8[_e738];
+                    if _e743 {
                     } else {
                         break;
                     }
-                    let _e768 = local_8[_e757];
-                    phi_4165_ = false;
-                    phi_1330_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e742);
-                    phi_1333_ = ((3u * _e98) + 1u);
-                    phi_1335_ = (_e744 <= _e742);
-                    phi_1337_ = 0u;
-                    phi_1339_ = type_61(type_59(array<f32, 3>(_e752, _e756, _e760), array<f32, 3>(_e764, _e766, _e768)), select(0u, 2147483648u, (_e98 == 0u)));
+                    let _e753 = local_8[_e742];
+                    phi_4262_ = false;
+                    phi_1350_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e727);
+                    phi_1353_ = ((3u * _e98) + 1u);
+                    phi_1355_ = (_e729 <= _e727);
+                    phi_1357_ = 0u;
+                    phi_1359_ = type_62(type_60(array<f32, 3>(_e737, _e741, _e745), array<f32, 3>(_e749, _e751, _e753)), select(0u, 2147483648u, (_e98 == 0u)));
                     loop {
-                        let _e776 = phi_4165_;
-                        let _e778 = phi_1330_;
-                        let _e780 = phi_1333_;
-                        let _e782 = phi_1335_;
-                        let _e784 = phi_1337_;
-                        let _e786 = phi_1339_;
-                        local_10 = _e778;
-                        if _e782 {
-                            phi_1350_ = true;
+                        let _e761 = phi_4262_;
+                        let _e763 = phi_1350_;
+                        let _e765 = phi_1353_;
+                        let _e767 = phi_1355_;
+                        let _e769 = phi_1357_;
+                        let _e771 = phi_1359_;
+                        local_10 = _e763;
+                        if _e767 {
+                            phi_1370_ = true;
                         } else {
-                            phi_1350_ = (_e784 > 0u);
+                            phi_1370_ = (_e769 > 0u);
                         }
-                        let _e789 = phi_1350_;
-                        if _e789 {
-                            let _e790 = (_e780 > 0u);
-                            if _e790 {
-                                if _e782 {
-                                    phi_1436_ = _e782;
-                                    phi_1437_ = _e784;
-                                    phi_1438_ = _e786;
+                        let _e774 = phi_1370_;
+                        if _e774 {
+                            let _e775 = (_e765 > 0u);
+                            if _e775 {
+                                if _e767 {
+                                    phi_1456_ = _e767;
+                                    phi_1457_ = _e769;
+                                    phi_1458_ = _e771;
                                 } else {
-                                    let _e791 = (_e784 - 1u);
-                                    let _e792 = (_e791 % 128u);
-                                    let _e793 = (_e792 < 128u);
-                                    if _e793 {
+                                    let _e776 = (_e769 - 1u);
+                                    let _e777 = (_e776 % 128u);
+                                    let _e778 = (_e777 < 128u);
+                                    if _e778 {
                                     } else {
-                                        phi_4351_ = true;
+                                        phi_4453_ = true;
                                         break;
                                     }
-                                    let _e795 = local_6[_e792];
-                                    if _e793 {
+                                    let _e780 = local_6[_e777];
+                                    if _e778 {
                                     } else {
-                                        phi_4351_ = true;
+                                        phi_4453_ = true;
                                         break;
                                     }
-                                    let _e797 = local_5[_e792];
-                                    if _e793 {
+                                    let _e782 = local_5[_e777];
+                                    if _e778 {
                                     } else {
-                                        phi_4351_ = true;
+                                        phi_4453_ = true;
                                         break;
                                     }
-                                    let _e799 = local_4[_e792];
-                                    if _e793 {
+                                    let _e784 = local_4[_e777];
+                                    if _e778 {
                                     } else {
-                                        phi_4351_ = true;
+                                        phi_4453_ = true;
                                         break;
                                     }
-                                    let _e801 = local_3[_e792];
-                                    if _e793 {
+                                    let _e786 = local_3[_e777];
+                                    if _e778 {
                                     } else {
-                                        phi_4351_ = true;
+                                        phi_4453_ = true;
                                         break;
                                     }
-                                    let _e804 = local_2[_e792];
-                                    if _e793 {
+                                    let _e789 = local_2[_e777];
+                                    if _e778 {
                                     } else {
-                                        phi_4351_ = true;
+                                        phi_4453_ = true;
                                         break;
                                     }
-                                    let _e806 = local_1[_e792];
-                                    if _e793 {
+                                    let _e791 = local_1[_e777];
+                                    if _e778 {
                                     } else {
-                                        phi_4351_ = true;
+                                        phi_4453_ = true;
                                         break;
                                     }
-                                    let _e808 = local[_e792];
-                                    if _e793 {
+                                    let _e793 = local[_e777];
+                                    if _e778 {
                                     } else {
-                                        phi_4351_ = true;
+                                        phi_4453_ = true;
                                         break;
                                     }
-                                    let _e813 = local_7[_e792];
-                                    phi_1436_ = (_e813 <= _e778.member_1);
-                                    phi_1437_ = _e791;
-                                    phi_1438_ = type_61(type_59(array<f32, 3>(_e797, _e799, _e801), array<f32, 3>(_e804, _e806, _e808)), _e795);
+                                    let _e798 = local_7[_e777];
+                                    phi_1456_ = (_e798 <= _e763.member_1);
+                                    phi_1457_ = _e776;
+                                    phi_1458_ = type_62(type_60(array<f32, 3>(_e782, _e784, _e786), array<f32, 3>(_e789, _e791, _e793)), _e780);
                                 }
-                                let _e817 = phi_1436_;
-                                let _e819 = phi_1437_;
-                                let _e821 = phi_1438_;
-                                if _e817 {
-                                    let _e825 = ((_e821.member_1 & 2147483648u) != 0u);
-                                    if _e825 {
-                                        phi_1456_ = _e778;
-                                        phi_1459_ = type_8(0u, ((_e821.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e802 = phi_1456_;
+                                let _e804 = phi_1457_;
+                                let _e806 = phi_1458_;
+                                if _e802 {
+                                    let _e810 = ((_e806.member_1 & 2147483648u) != 0u);
+                                    if _e810 {
+                                        phi_1476_ = _e763;
+                                        phi_1479_ = type_8(0u, ((_e806.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e832 = phi_1456_;
-                                            let _e834 = phi_1459_;
-                                            local_11 = _e832;
-                                            if (_e834.member < _e834.member_1) {
-                                                phi_1460_ = type_8((_e834.member + 1u), _e834.member_1);
-                                                phi_1482_ = type_8(1u, _e834.member);
+                                            let _e817 = phi_1476_;
+                                            let _e819 = phi_1479_;
+                                            local_11 = _e817;
+                                            if (_e819.member < _e819.member_1) {
+                                                phi_1480_ = type_8((_e819.member + 1u), _e819.member_1);
+                                                phi_1502_ = type_8(1u, _e819.member);
                                             } else {
-                                                phi_1460_ = _e834;
-                                                phi_1482_ = type_8(0u, type_8().member_1);
+                                                phi_1480_ = _e819;
+                                                phi_1502_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e847 = phi_1460_;
-                                            let _e849 = phi_1482_;
-                                            let _e853 = (bitcast<i32>(_e849.member) != 0i);
-                                            if _e853 {
-                                                let _e854 = ((_e821.member_1 & 268435455u) + _e849.member_1);
-                                                let _e855 = (_e854 < _e100);
-                                                if _e855 {
-                                                    if _e855 {
+                                            let _e832 = phi_1480_;
+                                            let _e834 = phi_1502_;
+                                            let _e838 = (bitcast<i32>(_e834.member) != 0i);
+                                            if _e838 {
+                                                let _e839 = ((_e806.member_1 & 268435455u) + _e834.member_1);
+                                                let _e840 = (_e839 < _e100);
+                                                if _e840 {
+                                                    if _e840 {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    let _e859 = global_4.member[_e854].member_1;
-                                                    phi_1503_ = _e859;
+                                                    let _e844 = global_4.member[_e839].member_1;
+                                                    phi_1523_ = _e844;
                                                 } else {
-                                                    phi_1503_ = 4294967295u;
+                                                    phi_1523_ = 4294967295u;
                                                 }
-                                                let _e861 = phi_1503_;
-                                                if (_e854 >= _e100) {
-                                                    phi_1595_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e846 = phi_1523_;
+                                                if (_e839 >= _e100) {
+                                                    phi_1615_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e855 {
+                                                    if _e840 {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    if (_e749 < 9u) {
+                                                    if (_e734 < 9u) {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    let _e868 = global_4.member[_e854].member[_e749];
-                                                    if (_e753 < 9u) {
+                                                    let _e853 = global_4.member[_e839].member[_e734];
+                                                    if (_e738 < 9u) {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    let _e874 = global_4.member[_e854].member[_e753];
-                                                    if (_e757 < 9u) {
+                                                    let _e859 = global_4.member[_e839].member[_e738];
+                                                    if (_e742 < 9u) {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    let _e880 = global_4.member[_e854].member[_e757];
-                                                    let _e882 = (3u + _e749);
-                                                    if (_e882 < 9u) {
+                                                    let _e865 = global_4.member[_e839].member[_e742];
+                                                    let _e867 = (3u + _e734);
+                                                    if (_e867 < 9u) {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    let _e888 = global_4.member[_e854].member[_e882];
-                                                    let _e889 = (3u + _e753);
+                                                    let _e873 = global_4.member[_e839].member[_e867];
+                                                    let _e874 = (3u + _e738);
+                                                    if (_e874 < 9u) {
+                                                    } else {
+                                                        phi_4256_ = true;
+                                                        break;
+                                                    }
+                                                    let _e880 = global_4.member[_e839].member[_e874];
+                                                    let _e881 = (3u + _e742);
+                                                    if (_e881 < 9u) {
+                                                    } else {
+                                                        phi_4256_ = true;
+                                                        break;
+                                                    }
+                                                    let _e887 = global_4.member[_e839].member[_e881];
+                                                    let _e889 = (6u + _e734);
                                                     if (_e889 < 9u) {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    let _e895 = global_4.member[_e854].member[_e889];
-                                                    let _e896 = (3u + _e757);
+                                                    let _e895 = global_4.member[_e839].member[_e889];
+                                                    let _e896 = (6u + _e738);
                                                     if (_e896 < 9u) {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    let _e902 = global_4.member[_e854].member[_e896];
-                                                    let _e904 = (6u + _e749);
-                                                    if (_e904 < 9u) {
+                                                    let _e902 = global_4.member[_e839].member[_e896];
+                                                    let _e903 = (6u + _e742);
+                                                    if (_e903 < 9u) {
                                                     } else {
-                                                        phi_4159_ = true;
+                                                        phi_4256_ = true;
                                                         break;
                                                     }
-                                                    let _e910 = global_4.member[_e854].member[_e904];
-                                                    let _e911 = (6u + _e753);
-                                                    if (_e911 < 9u) {
-                                                    } else {
-                                                        phi_4159_ = true;
-                                                        break;
-                                                    }
-                                                    let _e917 = global_4.member[_e854].member[_e911];
-                                                    let _e918 = (6u + _e757);
-                                                    if (_e918 < 9u) {
-                                                    } else {
-                                                        phi_4159_ = true;
-                                                        break;
-                                                    }
-                                                    let _e924 = global_4.member[_e854].member[_e918];
-                                                    phi_1595_ = array<array<f32, 3>, 3>(array<f32, 3>(_e868, _e874, _e880), array<f32, 3>(_e888, _e895, _e902), array<f32, 3>(_e910, _e917, _e924));
+                                                    let _e909 = global_4.member[_e839].member[_e903];
+                                                    phi_1615_ = array<array<f32, 3>, 3>(array<f32, 3>(_e853, _e859, _e865), array<f32, 3>(_e873, _e880, _e887), array<f32, 3>(_e895, _e902, _e909));
                                                 }
-                                                let _e928 = phi_1595_;
-                                                let _e936 = (_e928[0][2] - _e591);
-                                                let _e939 = (((_e928[0][0] - _e458) * _e630) - (_e936 * _e498));
-                                                let _e942 = (((_e928[0][1] - _e525) * _e630) - (_e936 * _e564));
-                                                let _e949 = (_e928[1][2] - _e591);
-                                                let _e952 = (((_e928[1][0] - _e458) * _e630) - (_e949 * _e498));
-                                                let _e955 = (((_e928[1][1] - _e525) * _e630) - (_e949 * _e564));
-                                                let _e962 = (_e928[2][2] - _e591);
-                                                let _e965 = (((_e928[2][0] - _e458) * _e630) - (_e962 * _e498));
-                                                let _e968 = (((_e928[2][1] - _e525) * _e630) - (_e962 * _e564));
-                                                let _e969 = (_e965 * _e955);
-                                                let _e970 = (_e968 * _e952);
-                                                let _e971 = (_e939 * _e968);
-                                                let _e972 = (_e942 * _e965);
-                                                let _e973 = (_e952 * _e942);
-                                                let _e974 = (_e955 * _e939);
-                                                let _e979 = (((_e969 >= _e970) && (_e971 >= _e972)) && (_e973 >= _e974));
-                                                if (_e979 || (((_e969 <= _e970) && (_e971 <= _e972)) && (_e973 <= _e974))) {
-                                                    let _e986 = select(-1f, 1f, _e979);
-                                                    let _e988 = ((_e969 - _e970) * _e986);
-                                                    let _e990 = select(0f, _e988, (_e988 > 0f));
-                                                    let _e992 = ((_e971 - _e972) * _e986);
-                                                    let _e994 = select(0f, _e992, (_e992 > 0f));
-                                                    let _e996 = ((_e973 - _e974) * _e986);
-                                                    let _e998 = select(0f, _e996, (_e996 > 0f));
-                                                    let _e1000 = ((_e990 + _e994) + _e998);
-                                                    if (_e1000 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2479_ = type_27();
-                                                        phi_2480_ = true;
-                                                        phi_2481_ = false;
-                                                    } else {
-                                                        let _e1003 = select(_e952, _e939, (_e939 < _e952));
-                                                        if (select(_e965, _e1003, (_e1003 < _e965)) > 0f) {
-                                                            phi_1747_ = true;
+                                                let _e913 = phi_1615_;
+                                                let _e929 = (_e913[0][2] - _e587);
+                                                let _e932 = (((_e913[0][0] - _e458) * _e623) - (_e929 * _e495));
+                                                let _e935 = (((_e913[0][1] - _e523) * _e623) - (_e929 * _e559));
+                                                let _e938 = (_e913[1][2] - _e587);
+                                                let _e941 = (((_e913[1][0] - _e458) * _e623) - (_e938 * _e495));
+                                                let _e944 = (((_e913[1][1] - _e523) * _e623) - (_e938 * _e559));
+                                                let _e947 = (_e913[2][2] - _e587);
+                                                let _e950 = (((_e913[2][0] - _e458) * _e623) - (_e947 * _e495));
+                                                let _e953 = (((_e913[2][1] - _e523) * _e623) - (_e947 * _e559));
+                                                let _e954 = (_e950 * _e944);
+                                                let _e955 = (_e953 * _e941);
+                                                let _e956 = (_e932 * _e953);
+                                                let _e957 = (_e935 * _e950);
+                                                let _e958 = (_e941 * _e935);
+                                                let _e959 = (_e944 * _e932);
+                                                let _e964 = (((_e954 >= _e955) && (_e956 >= _e957)) && (_e958 >= _e959));
+                                                let _e970 = (_e964 || (((_e954 <= _e955) && (_e956 <= _e957)) && (_e958 <= _e959)));
+                                                if _e970 {
+                                                    let _e972 = select(-1f, 1f, _e964);
+                                                    let _e974 = ((_e954 - _e955) * _e972);
+                                                    let _e976 = select(0f, _e974, (_e974 > 0f));
+                                                    let _e978 = ((_e956 - _e957) * _e972);
+                                                    let _e980 = select(0f, _e978, (_e978 > 0f));
+                                                    let _e982 = ((_e958 - _e959) * _e972);
+                                                    let _e984 = select(0f, _e982, (_e982 > 0f));
+                                                    let _e986 = ((_e976 + _e980) + _e984);
+                                                    let _e988 = select(_e913[1][0], _e913[0][0], (_e913[0][0] < _e913[1][0]));
+                                                    let _e992 = select(_e913[1][0], _e913[0][0], (_e913[0][0] > _e913[1][0]));
+                                                    let _e996 = select(_e913[1][1], _e913[0][1], (_e913[0][1] < _e913[1][1]));
+                                                    let _e1000 = select(_e913[1][1], _e913[0][1], (_e913[0][1] > _e913[1][1]));
+                                                    let _e1004 = select(_e913[1][2], _e913[0][2], (_e913[0][2] < _e913[1][2]));
+                                                    let _e1008 = select(_e913[1][2], _e913[0][2], (_e913[0][2] > _e913[1][2]));
+                                                    let _e1013 = ((select(_e913[2][0], _e988, (_e988 < _e913[2][0])) - _e496) * _e499);
+                                                    let _e1014 = ((select(_e913[2][0], _e992, (_e992 > _e913[2][0])) - _e497) * _e499);
+                                                    let _e1017 = ((select(_e913[2][1], _e996, (_e996 < _e913[2][1])) - _e560) * _e563);
+                                                    let _e1018 = ((select(_e913[2][1], _e1000, (_e1000 > _e913[2][1])) - _e561) * _e563);
+                                                    let _e1021 = ((select(_e913[2][2], _e1004, (_e1004 < _e913[2][2])) - _e624) * _e627);
+                                                    let _e1022 = ((select(_e913[2][2], _e1008, (_e1008 > _e913[2][2])) - _e625) * _e627);
+                                                    let _e1024 = select(_e1022, _e1021, (_e1021 < _e1022));
+                                                    let _e1026 = select(_e1022, _e1021, (_e1021 > _e1022));
+                                                    let _e1028 = select(_e1014, _e1013, (_e1013 < _e1014));
+                                                    let _e1030 = select(_e1018, _e1017, (_e1017 < _e1018));
+                                                    let _e1032 = select(_e1030, _e1028, (_e1028 > _e1030));
+                                                    let _e1034 = select(_e1024, _e1032, (_e1032 > _e1024));
+                                                    let _e1036 = select(_e1014, _e1013, (_e1013 > _e1014));
+                                                    let _e1038 = select(_e1018, _e1017, (_e1017 > _e1018));
+                                                    let _e1040 = select(_e1038, _e1036, (_e1036 < _e1038));
+                                                    let _e1042 = select(_e1026, _e1040, (_e1040 < _e1026));
+                                                    let _e1043 = -(_e1024);
+                                                    let _e1049 = select(_e729, _e1034, (_e1034 > _e729));
+                                                    let _e1053 = select(_e941, _e932, (_e932 < _e941));
+                                                    let _e1058 = select(_e941, _e932, (_e932 > _e941));
+                                                    let _e1065 = select(_e944, _e935, (_e935 < _e944));
+                                                    let _e1070 = select(_e944, _e935, (_e935 > _e944));
+                                                    let _e1079 = (((((_e970 && (_e986 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e950, _e1053, (_e1053 < _e950)) <= 0f) && (select(_e950, _e1058, (_e1058 > _e950)) >= 0f))) && ((select(_e953, _e1065, (_e1065 < _e953)) <= 0f) && (select(_e953, _e1070, (_e1070 > _e953)) >= 0f))) && (_e1049 <= (_e1042 + (select(_e1043, _e1026, (_e1026 > _e1043)) * 0.0000019073523f)))) && (_e1049 <= _e817.member_1));
+                                                    if _e1079 {
+                                                        let _e1084 = (_e913[1][0] - _e913[0][0]);
+                                                        let _e1085 = (_e913[1][1] - _e913[0][1]);
+                                                        let _e1086 = (_e913[1][2] - _e913[0][2]);
+                                                        let _e1087 = vec3<f32>(_e1084, _e1085, _e1086);
+                                                        let _e1088 = (_e913[2][0] - _e913[1][0]);
+                                                        let _e1089 = (_e913[2][1] - _e913[1][1]);
+                                                        let _e1090 = (_e913[2][2] - _e913[1][2]);
+                                                        let _e1091 = vec3<f32>(_e1088, _e1089, _e1090);
+                                                        let _e1092 = (_e913[0][0] - _e913[2][0]);
+                                                        let _e1093 = (_e913[0][1] - _e913[2][1]);
+                                                        let _e1094 = (_e913[0][2] - _e913[2][2]);
+                                                        let _e1095 = vec3<f32>(_e1092, _e1093, _e1094);
+                                                        let _e1096 = abs(_e1084);
+                                                        let _e1097 = abs(_e1085);
+                                                        if (_e1096 != _e1096) {
+                                                            phi_3983_ = true;
                                                         } else {
-                                                            let _e1008 = select(_e952, _e939, (_e939 > _e952));
-                                                            phi_1747_ = (select(_e965, _e1008, (_e1008 > _e965)) < 0f);
+                                                            phi_3983_ = (_e1097 >= _e1096);
                                                         }
-                                                        let _e1013 = phi_1747_;
-                                                        if _e1013 {
-                                                            phi_2476_ = type_27();
-                                                            phi_2477_ = true;
-                                                            phi_2478_ = false;
+                                                        let _e1101 = phi_3983_;
+                                                        let _e1102 = select(_e1096, _e1097, _e1101);
+                                                        let _e1103 = abs(_e1086);
+                                                        if (_e1102 != _e1102) {
+                                                            phi_3998_ = true;
                                                         } else {
-                                                            let _e1015 = select(_e955, _e942, (_e942 < _e955));
-                                                            if (select(_e968, _e1015, (_e1015 < _e968)) > 0f) {
-                                                                phi_1776_ = true;
-                                                            } else {
-                                                                let _e1020 = select(_e955, _e942, (_e942 > _e955));
-                                                                phi_1776_ = (select(_e968, _e1020, (_e1020 > _e968)) < 0f);
-                                                            }
-                                                            let _e1025 = phi_1776_;
-                                                            if _e1025 {
-                                                                phi_2474_ = type_27();
-                                                                phi_2475_ = false;
-                                                            } else {
-                                                                let _e1027 = select(_e928[1][0], _e928[0][0], (_e928[0][0] < _e928[1][0]));
-                                                                let _e1031 = select(_e928[1][0], _e928[0][0], (_e928[0][0] > _e928[1][0]));
-                                                                let _e1035 = select(_e928[1][1], _e928[0][1], (_e928[0][1] < _e928[1][1]));
-                                                                let _e1039 = select(_e928[1][1], _e928[0][1], (_e928[0][1] > _e928[1][1]));
-                                                                let _e1043 = select(_e928[1][2], _e928[0][2], (_e928[0][2] < _e928[1][2]));
-                                                                let _e1047 = select(_e928[1][2], _e928[0][2], (_e928[0][2] > _e928[1][2]));
-                                                                let _e1052 = ((select(_e928[2][0], _e1027, (_e1027 < _e928[2][0])) - _e496) * _e501);
-                                                                let _e1053 = ((select(_e928[2][0], _e1031, (_e1031 > _e928[2][0])) - _e497) * _e501);
-                                                                let _e1056 = ((select(_e928[2][1], _e1035, (_e1035 < _e928[2][1])) - _e562) * _e567);
-                                                                let _e1057 = ((select(_e928[2][1], _e1039, (_e1039 > _e928[2][1])) - _e563) * _e567);
-                                                                let _e1060 = ((select(_e928[2][2], _e1043, (_e1043 < _e928[2][2])) - _e628) * _e633);
-                                                                let _e1061 = ((select(_e928[2][2], _e1047, (_e1047 > _e928[2][2])) - _e629) * _e633);
-                                                                let _e1063 = select(_e1061, _e1060, (_e1060 < _e1061));
-                                                                let _e1065 = select(_e1061, _e1060, (_e1060 > _e1061));
-                                                                let _e1067 = select(_e1053, _e1052, (_e1052 < _e1053));
-                                                                let _e1069 = select(_e1057, _e1056, (_e1056 < _e1057));
-                                                                let _e1071 = select(_e1069, _e1067, (_e1067 > _e1069));
-                                                                let _e1073 = select(_e1063, _e1071, (_e1071 > _e1063));
-                                                                let _e1075 = select(_e1053, _e1052, (_e1052 > _e1053));
-                                                                let _e1077 = select(_e1057, _e1056, (_e1056 > _e1057));
-                                                                let _e1079 = select(_e1077, _e1075, (_e1075 < _e1077));
-                                                                let _e1081 = select(_e1065, _e1079, (_e1079 < _e1065));
-                                                                let _e1082 = -(_e1063);
-                                                                let _e1088 = select(_e744, _e1073, (_e1073 > _e744));
-                                                                if (_e1088 > (_e1081 + (select(_e1082, _e1065, (_e1065 > _e1082)) * 0.0000019073523f))) {
-                                                                    phi_2469_ = type_27();
-                                                                    phi_2470_ = true;
-                                                                } else {
-                                                                    let _e1090 = (_e1088 > _e832.member_1);
-                                                                    if _e1090 {
-                                                                        phi_2468_ = type_27();
-                                                                    } else {
-                                                                        let _e1091 = vec3<f32>(_e928[0][0], _e928[0][1], _e928[0][2]);
-                                                                        let _e1092 = vec3<f32>(_e928[1][0], _e928[1][1], _e928[1][2]);
-                                                                        let _e1093 = vec3<f32>(_e928[2][0], _e928[2][1], _e928[2][2]);
-                                                                        let _e1094 = (_e928[1][0] - _e928[0][0]);
-                                                                        let _e1095 = (_e928[1][1] - _e928[0][1]);
-                                                                        let _e1096 = (_e928[1][2] - _e928[0][2]);
-                                                                        let _e1097 = vec3<f32>(_e1094, _e1095, _e1096);
-                                                                        let _e1098 = (_e928[2][0] - _e928[1][0]);
-                                                                        let _e1099 = (_e928[2][1] - _e928[1][1]);
-                                                                        let _e1100 = (_e928[2][2] - _e928[1][2]);
-                                                                        let _e1101 = vec3<f32>(_e1098, _e1099, _e1100);
-                                                                        let _e1102 = (_e928[0][0] - _e928[2][0]);
-                                                                        let _e1103 = (_e928[0][1] - _e928[2][1]);
-                                                                        let _e1104 = (_e928[0][2] - _e928[2][2]);
-                                                                        let _e1105 = vec3<f32>(_e1102, _e1103, _e1104);
-                                                                        let _e1108 = bitcast<f32>((bitcast<u32>(_e1094) & 2147483647u));
-                                                                        let _e1111 = bitcast<f32>((bitcast<u32>(_e1095) & 2147483647u));
-                                                                        let _e1113 = select(_e1111, _e1108, (_e1108 > _e1111));
-                                                                        let _e1116 = bitcast<f32>((bitcast<u32>(_e1096) & 2147483647u));
-                                                                        let _e1118 = select(_e1116, _e1113, (_e1113 > _e1116));
-                                                                        let _e1121 = bitcast<f32>((bitcast<u32>(_e1098) & 2147483647u));
-                                                                        let _e1124 = bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u));
-                                                                        let _e1126 = select(_e1124, _e1121, (_e1121 > _e1124));
-                                                                        let _e1129 = bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u));
-                                                                        let _e1131 = select(_e1129, _e1126, (_e1126 > _e1129));
-                                                                        let _e1134 = bitcast<f32>((bitcast<u32>(_e1102) & 2147483647u));
-                                                                        let _e1137 = bitcast<f32>((bitcast<u32>(_e1103) & 2147483647u));
-                                                                        let _e1139 = select(_e1137, _e1134, (_e1134 > _e1137));
-                                                                        let _e1142 = bitcast<f32>((bitcast<u32>(_e1104) & 2147483647u));
-                                                                        let _e1144 = select(_e1142, _e1139, (_e1139 > _e1142));
-                                                                        let _e1146 = select(_e1131, _e1118, (_e1118 > _e1131));
-                                                                        let _e1148 = select(_e1144, _e1146, (_e1146 > _e1144));
-                                                                        if (_e1118 == _e1148) {
-                                                                            phi_2195_ = _e955;
-                                                                            phi_2196_ = _e952;
-                                                                            phi_2197_ = _e942;
-                                                                            phi_2198_ = _e939;
-                                                                            phi_2199_ = _e1091;
-                                                                            phi_2200_ = _e1105;
-                                                                            phi_2201_ = _e1101;
-                                                                            phi_2202_ = _e1097;
-                                                                        } else {
-                                                                            let _e1150 = (_e1131 == _e1148);
-                                                                            let _e1155 = vec3(_e1150);
-                                                                            phi_2195_ = select(_e942, _e968, _e1150);
-                                                                            phi_2196_ = select(_e939, _e965, _e1150);
-                                                                            phi_2197_ = select(_e968, _e955, _e1150);
-                                                                            phi_2198_ = select(_e965, _e952, _e1150);
-                                                                            phi_2199_ = select(_e1093, _e1092, _e1155);
-                                                                            phi_2200_ = select(_e1101, _e1097, _e1155);
-                                                                            phi_2201_ = select(_e1097, _e1105, _e1155);
-                                                                            phi_2202_ = select(_e1105, _e1101, _e1155);
-                                                                        }
-                                                                        let _e1161 = phi_2195_;
-                                                                        let _e1163 = phi_2196_;
-                                                                        let _e1165 = phi_2197_;
-                                                                        let _e1167 = phi_2198_;
-                                                                        let _e1169 = phi_2199_;
-                                                                        let _e1171 = phi_2200_;
-                                                                        let _e1173 = phi_2201_;
-                                                                        let _e1175 = phi_2202_;
-                                                                        let _e1182 = ((_e1173.y * _e1171.z) - (_e1171.y * _e1173.z));
-                                                                        let _e1187 = ((_e1173.z * _e1171.x) - (_e1171.z * _e1173.x));
-                                                                        let _e1190 = ((_e1173.x * _e1171.y) - (_e1171.x * _e1173.y));
-                                                                        if (_e990 >= _e994) {
-                                                                            phi_2239_ = select(true, false, (_e990 >= _e998));
-                                                                        } else {
-                                                                            phi_2239_ = true;
-                                                                        }
-                                                                        let _e1195 = phi_2239_;
-                                                                        if _e1195 {
-                                                                            phi_2248_ = select(_e1093, _e1092, vec3((_e994 >= _e998)));
-                                                                        } else {
-                                                                            phi_2248_ = _e1091;
-                                                                        }
-                                                                        let _e1200 = phi_2248_;
-                                                                        let _e1211 = (((_e1182 * (_e1200.x - _e458)) + (_e1187 * (_e1200.y - _e525))) + (_e1190 * (_e1200.z - _e591)));
-                                                                        let _e1216 = (((_e1182 * _e498) + (_e1187 * _e564)) + (_e1190 * _e630));
-                                                                        let _e1217 = (_e1163 - _e1167);
-                                                                        let _e1218 = (_e1161 - _e1165);
-                                                                        let _e1226 = (-(((_e1167 * _e1217) + (_e1165 * _e1218))) / ((_e1217 * _e1217) + (_e1218 * _e1218)));
-                                                                        let _e1228 = select(1f, _e1226, (_e1226 < 1f));
-                                                                        let _e1230 = select(0f, _e1228, (_e1228 > 0f));
-                                                                        let _e1243 = ((_e1169.x + (_e1175.x * _e1230)) - _e458);
-                                                                        let _e1244 = ((_e1169.y + (_e1175.y * _e1230)) - _e525);
-                                                                        let _e1245 = ((_e1169.z + (_e1175.z * _e1230)) - _e591);
-                                                                        let _e1246 = (_e1245 / _e630);
-                                                                        let _e1258 = bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u));
-                                                                        let _e1261 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
-                                                                        let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
-                                                                        let _e1266 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
-                                                                        let _e1268 = select(_e1266, _e1263, (_e1263 > _e1266));
-                                                                        let _e1274 = bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u));
-                                                                        let _e1277 = bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u));
-                                                                        let _e1279 = select(_e1277, _e1274, (_e1274 > _e1277));
-                                                                        let _e1282 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1182 * _e1243) + (_e1187 * _e1244)) + (_e1190 * _e1245)) - _e1211)) & 2147483647u)) <= ((0.0000009536743f * select(_e1148, _e1268, (_e1268 > _e1148))) * select(_e1282, _e1279, (_e1279 > _e1282)))) {
-                                                                            let _e1292 = bitcast<f32>((bitcast<u32>(_e1173.x) & 2147483647u));
-                                                                            let _e1295 = bitcast<f32>((bitcast<u32>(_e1173.y) & 2147483647u));
-                                                                            let _e1297 = select(_e1295, _e1292, (_e1292 > _e1295));
-                                                                            let _e1300 = bitcast<f32>((bitcast<u32>(_e1173.z) & 2147483647u));
-                                                                            let _e1306 = bitcast<f32>((bitcast<u32>(_e1171.x) & 2147483647u));
-                                                                            let _e1309 = bitcast<f32>((bitcast<u32>(_e1171.y) & 2147483647u));
-                                                                            let _e1311 = select(_e1309, _e1306, (_e1306 > _e1309));
-                                                                            let _e1314 = bitcast<f32>((bitcast<u32>(_e1171.z) & 2147483647u));
-                                                                            let _e1318 = (bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u)) > ((0.0000038146973f * select(_e1300, _e1297, (_e1297 > _e1300))) * select(_e1314, _e1311, (_e1311 > _e1314))));
-                                                                            if _e1318 {
-                                                                                phi_2413_ = (_e1211 / _e1216);
-                                                                            } else {
-                                                                                phi_2413_ = f32();
-                                                                            }
-                                                                            let _e1321 = phi_2413_;
-                                                                            phi_2415_ = _e1321;
-                                                                            phi_2416_ = select(true, false, _e1318);
-                                                                        } else {
-                                                                            phi_2415_ = f32();
-                                                                            phi_2416_ = true;
-                                                                        }
-                                                                        let _e1324 = phi_2415_;
-                                                                        let _e1326 = phi_2416_;
-                                                                        if _e1326 {
-                                                                            let _e1334 = (((_e1182 * (_e1243 - (_e498 * _e1246))) + (_e1187 * (_e1244 - (_e564 * _e1246)))) / _e1216);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u)) <= _e1148) {
-                                                                                phi_2436_ = (_e1246 + _e1334);
-                                                                            } else {
-                                                                                phi_2436_ = _e1246;
-                                                                            }
-                                                                            let _e1341 = phi_2436_;
-                                                                            phi_2437_ = _e1341;
-                                                                        } else {
-                                                                            phi_2437_ = _e1324;
-                                                                        }
-                                                                        let _e1343 = phi_2437_;
-                                                                        let _e1345 = select(_e1081, _e1343, (_e1343 < _e1081));
-                                                                        let _e1347 = select(_e1073, _e1345, (_e1345 > _e1073));
-                                                                        if (_e1347 >= _e744) {
-                                                                            let _e1349 = (_e1347 <= _e832.member_1);
-                                                                            if _e1349 {
-                                                                                let _e1350 = (1f / _e1000);
-                                                                                phi_2460_ = type_27(_e1347, (_e994 * _e1350), (_e998 * _e1350), _e861);
-                                                                            } else {
-                                                                                phi_2460_ = type_27();
-                                                                            }
-                                                                            let _e1355 = phi_2460_;
-                                                                            phi_2462_ = _e1355;
-                                                                            phi_2463_ = select(true, false, _e1349);
-                                                                        } else {
-                                                                            phi_2462_ = type_27();
-                                                                            phi_2463_ = true;
-                                                                        }
-                                                                        let _e1358 = phi_2462_;
-                                                                        let _e1360 = phi_2463_;
-                                                                        if _e1360 {
-                                                                            phi_2467_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_2467_ = _e1358;
-                                                                        }
-                                                                        let _e1362 = phi_2467_;
-                                                                        phi_2468_ = _e1362;
-                                                                    }
-                                                                    let _e1364 = phi_2468_;
-                                                                    phi_2469_ = _e1364;
-                                                                    phi_2470_ = _e1090;
-                                                                }
-                                                                let _e1366 = phi_2469_;
-                                                                let _e1368 = phi_2470_;
-                                                                phi_2474_ = _e1366;
-                                                                phi_2475_ = _e1368;
-                                                            }
-                                                            let _e1370 = phi_2474_;
-                                                            let _e1372 = phi_2475_;
-                                                            phi_2476_ = _e1370;
-                                                            phi_2477_ = _e1025;
-                                                            phi_2478_ = _e1372;
+                                                            phi_3998_ = (_e1103 >= _e1102);
                                                         }
-                                                        let _e1374 = phi_2476_;
-                                                        let _e1376 = phi_2477_;
-                                                        let _e1378 = phi_2478_;
-                                                        phi_2479_ = _e1374;
-                                                        phi_2480_ = _e1376;
-                                                        phi_2481_ = _e1378;
-                                                    }
-                                                    let _e1380 = phi_2479_;
-                                                    let _e1382 = phi_2480_;
-                                                    let _e1384 = phi_2481_;
-                                                    phi_2489_ = _e1380;
-                                                    phi_2490_ = select(_e1384, true, _e1382);
-                                                } else {
-                                                    phi_2489_ = type_27();
-                                                    phi_2490_ = true;
-                                                }
-                                                let _e1387 = phi_2489_;
-                                                let _e1389 = phi_2490_;
-                                                if _e1389 {
-                                                    phi_2494_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_2494_ = _e1387;
-                                                }
-                                                let _e1391 = phi_2494_;
-                                                if (_e1391.member_3 != 4294967295u) {
-                                                    if (_e861 == _e157) {
-                                                        phi_2829_ = false;
+                                                        let _e1107 = phi_3998_;
+                                                        let _e1108 = select(_e1102, _e1103, _e1107);
+                                                        let _e1109 = abs(_e1088);
+                                                        let _e1110 = abs(_e1089);
+                                                        if (_e1109 != _e1109) {
+                                                            phi_4013_ = true;
+                                                        } else {
+                                                            phi_4013_ = (_e1110 >= _e1109);
+                                                        }
+                                                        let _e1114 = phi_4013_;
+                                                        let _e1115 = select(_e1109, _e1110, _e1114);
+                                                        let _e1116 = abs(_e1090);
+                                                        if (_e1115 != _e1115) {
+                                                            phi_4028_ = true;
+                                                        } else {
+                                                            phi_4028_ = (_e1116 >= _e1115);
+                                                        }
+                                                        let _e1120 = phi_4028_;
+                                                        let _e1121 = select(_e1115, _e1116, _e1120);
+                                                        let _e1122 = abs(_e1092);
+                                                        let _e1123 = abs(_e1093);
+                                                        if (_e1122 != _e1122) {
+                                                            phi_4043_ = true;
+                                                        } else {
+                                                            phi_4043_ = (_e1123 >= _e1122);
+                                                        }
+                                                        let _e1127 = phi_4043_;
+                                                        let _e1128 = select(_e1122, _e1123, _e1127);
+                                                        let _e1129 = abs(_e1094);
+                                                        if (_e1128 != _e1128) {
+                                                            phi_4058_ = true;
+                                                        } else {
+                                                            phi_4058_ = (_e1129 >= _e1128);
+                                                        }
+                                                        let _e1133 = phi_4058_;
+                                                        let _e1134 = select(_e1128, _e1129, _e1133);
+                                                        let _e1136 = select(_e1121, _e1108, (_e1108 > _e1121));
+                                                        let _e1138 = select(_e1134, _e1136, (_e1136 > _e1134));
+                                                        if (_e1108 == _e1138) {
+                                                            phi_2157_ = _e944;
+                                                            phi_2158_ = _e941;
+                                                            phi_2159_ = _e935;
+                                                            phi_2160_ = _e932;
+                                                            phi_2161_ = vec3<f32>(_e913[0][0], _e913[0][1], _e913[0][2]);
+                                                            phi_2162_ = _e1095;
+                                                            phi_2163_ = _e1091;
+                                                            phi_2164_ = _e1087;
+                                                        } else {
+                                                            let _e1140 = (_e1121 == _e1138);
+                                                            let _e1145 = vec3(_e1140);
+                                                            phi_2157_ = select(_e935, _e953, _e1140);
+                                                            phi_2158_ = select(_e932, _e950, _e1140);
+                                                            phi_2159_ = select(_e953, _e944, _e1140);
+                                                            phi_2160_ = select(_e950, _e941, _e1140);
+                                                            phi_2161_ = select(vec3<f32>(_e913[2][0], _e913[2][1], _e913[2][2]), vec3<f32>(_e913[1][0], _e913[1][1], _e913[1][2]), _e1145);
+                                                            phi_2162_ = select(_e1091, _e1087, _e1145);
+                                                            phi_2163_ = select(_e1087, _e1095, _e1145);
+                                                            phi_2164_ = select(_e1095, _e1091, _e1145);
+                                                        }
+                                                        let _e1151 = phi_2157_;
+                                                        let _e1153 = phi_2158_;
+                                                        let _e1155 = phi_2159_;
+                                                        let _e1157 = phi_2160_;
+                                                        let _e1159 = phi_2161_;
+                                                        let _e1161 = phi_2162_;
+                                                        let _e1163 = phi_2163_;
+                                                        let _e1165 = phi_2164_;
+                                                        let _e1172 = ((_e1163.y * _e1161.z) - (_e1161.y * _e1163.z));
+                                                        let _e1177 = ((_e1163.z * _e1161.x) - (_e1161.z * _e1163.x));
+                                                        let _e1180 = ((_e1163.x * _e1161.y) - (_e1161.x * _e1163.y));
+                                                        let _e1183 = ((_e976 >= _e980) && (_e976 >= _e984));
+                                                        let _e1184 = (_e980 >= _e984);
+                                                        let _e1198 = (((_e1172 * (select(select(_e913[2][0], _e913[1][0], _e1184), _e913[0][0], _e1183) - _e458)) + (_e1177 * (select(select(_e913[2][1], _e913[1][1], _e1184), _e913[0][1], _e1183) - _e523))) + (_e1180 * (select(select(_e913[2][2], _e913[1][2], _e1184), _e913[0][2], _e1183) - _e587)));
+                                                        let _e1203 = (((_e1172 * _e495) + (_e1177 * _e559)) + (_e1180 * _e623));
+                                                        let _e1204 = (_e1153 - _e1157);
+                                                        let _e1205 = (_e1151 - _e1155);
+                                                        let _e1208 = ((_e1204 * _e1204) + (_e1205 * _e1205));
+                                                        let _e1215 = (-(((_e1157 * _e1204) + (_e1155 * _e1205))) / select(0.000000000000000000000000000000000000011754944f, _e1208, (_e1208 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1217 = select(1f, _e1215, (_e1215 < 1f));
+                                                        let _e1219 = select(0f, _e1217, (_e1217 > 0f));
+                                                        let _e1228 = ((_e1159.x + (_e1165.x * _e1219)) - _e458);
+                                                        let _e1231 = ((_e1159.y + (_e1165.y * _e1219)) - _e523);
+                                                        let _e1234 = ((_e1159.z + (_e1165.z * _e1219)) - _e587);
+                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
+                                                        let _e1240 = bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u));
+                                                        let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
+                                                        let _e1245 = bitcast<f32>((bitcast<u32>(_e1234) & 2147483647u));
+                                                        let _e1247 = select(_e1245, _e1242, (_e1242 > _e1245));
+                                                        let _e1251 = abs(_e1172);
+                                                        let _e1252 = abs(_e1177);
+                                                        if (_e1251 != _e1251) {
+                                                            phi_4073_ = true;
+                                                        } else {
+                                                            phi_4073_ = (_e1252 >= _e1251);
+                                                        }
+                                                        let _e1256 = phi_4073_;
+                                                        let _e1257 = select(_e1251, _e1252, _e1256);
+                                                        let _e1258 = abs(_e1180);
+                                                        if (_e1257 != _e1257) {
+                                                            phi_4088_ = true;
+                                                        } else {
+                                                            phi_4088_ = (_e1258 >= _e1257);
+                                                        }
+                                                        let _e1262 = phi_4088_;
+                                                        let _e1278 = abs(_e1163.x);
+                                                        let _e1279 = abs(_e1163.y);
+                                                        if (_e1278 != _e1278) {
+                                                            phi_4103_ = true;
+                                                        } else {
+                                                            phi_4103_ = (_e1279 >= _e1278);
+                                                        }
+                                                        let _e1283 = phi_4103_;
+                                                        let _e1284 = select(_e1278, _e1279, _e1283);
+                                                        let _e1285 = abs(_e1163.z);
+                                                        if (_e1284 != _e1284) {
+                                                            phi_4118_ = true;
+                                                        } else {
+                                                            phi_4118_ = (_e1285 >= _e1284);
+                                                        }
+                                                        let _e1289 = phi_4118_;
+                                                        let _e1292 = abs(_e1161.x);
+                                                        let _e1293 = abs(_e1161.y);
+                                                        if (_e1292 != _e1292) {
+                                                            phi_4133_ = true;
+                                                        } else {
+                                                            phi_4133_ = (_e1293 >= _e1292);
+                                                        }
+                                                        let _e1297 = phi_4133_;
+                                                        let _e1298 = select(_e1292, _e1293, _e1297);
+                                                        let _e1299 = abs(_e1161.z);
+                                                        if (_e1298 != _e1298) {
+                                                            phi_4148_ = true;
+                                                        } else {
+                                                            phi_4148_ = (_e1299 >= _e1298);
+                                                        }
+                                                        let _e1303 = phi_4148_;
+                                                        let _e1308 = ((bitcast<f32>((bitcast<u32>(((((_e1172 * _e1228) + (_e1177 * _e1231)) + (_e1180 * _e1234)) - _e1198)) & 2147483647u)) <= ((0.0000009536743f * select(_e1138, _e1247, (_e1247 > _e1138))) * select(_e1257, _e1258, _e1262))) && !((bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u)) <= ((0.0000038146973f * select(_e1284, _e1285, _e1289)) * select(_e1298, _e1299, _e1303)))));
+                                                        let _e1309 = (_e1198 / _e1203);
+                                                        if (_e1079 && !(_e1308)) {
+                                                            let _e1312 = (_e1234 / _e623);
+                                                            let _e1320 = (((_e1172 * (_e1228 - (_e495 * _e1312))) + (_e1177 * (_e1231 - (_e559 * _e1312)))) / _e1203);
+                                                            phi_2372_ = select(select(_e1312, (_e1312 + _e1320), (bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u)) <= _e1138)), _e1309, _e1308);
+                                                        } else {
+                                                            phi_2372_ = _e1309;
+                                                        }
+                                                        let _e1329 = phi_2372_;
+                                                        let _e1331 = select(_e1042, _e1329, (_e1329 < _e1042));
+                                                        let _e1333 = select(_e1034, _e1331, (_e1331 > _e1034));
+                                                        let _e1334 = (1f / _e986);
+                                                        phi_2392_ = type_46(_e1333, (_e980 * _e1334), (_e984 * _e1334), ((_e1079 && (_e1333 >= _e729)) && (_e1333 <= _e817.member_1)));
+                                                        phi_2393_ = type_46();
                                                     } else {
-                                                        let _e1395 = (_e861 < arrayLength((&global_5.member)));
-                                                        if _e1395 {
-                                                            if _e1395 {
+                                                        phi_2392_ = type_46();
+                                                        phi_2393_ = type_46(0f, 0f, 0f, _e1079);
+                                                    }
+                                                    let _e1343 = phi_2392_;
+                                                    let _e1345 = phi_2393_;
+                                                    phi_2396_ = _e1343;
+                                                    phi_2397_ = _e1345;
+                                                    phi_2398_ = select(true, false, _e1079);
+                                                } else {
+                                                    phi_2396_ = type_46();
+                                                    phi_2397_ = type_46(0f, 0f, 0f, _e970);
+                                                    phi_2398_ = true;
+                                                }
+                                                let _e1348 = phi_2396_;
+                                                let _e1350 = phi_2397_;
+                                                let _e1352 = phi_2398_;
+                                                if _e1352 {
+                                                    phi_2402_ = _e1350;
+                                                } else {
+                                                    phi_2402_ = _e1348;
+                                                }
+                                                let _e1354 = phi_2402_;
+                                                if _e1354.member_3 {
+                                                    phi_2411_ = type_27(_e1354.member, _e1354.member_1, _e1354.member_2, _e846);
+                                                } else {
+                                                    phi_2411_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1361 = phi_2411_;
+                                                if (_e1361.member_3 != 4294967295u) {
+                                                    if (_e846 == _e157) {
+                                                        phi_2746_ = false;
+                                                    } else {
+                                                        let _e1365 = (_e846 < arrayLength((&global_5.member)));
+                                                        if _e1365 {
+                                                            if _e1365 {
                                                             } else {
-                                                                phi_4159_ = true;
+                                                                phi_4256_ = true;
                                                                 break;
                                                             }
-                                                            let _e1397 = global_5.member[_e861];
-                                                            phi_2517_ = _e1397;
+                                                            let _e1367 = global_5.member[_e846];
+                                                            phi_2434_ = _e1367;
                                                         } else {
-                                                            phi_2517_ = 4294967295u;
+                                                            phi_2434_ = 4294967295u;
                                                         }
-                                                        let _e1399 = phi_2517_;
-                                                        let _e1400 = (_e1399 < arrayLength((&global_6.member)));
-                                                        if _e1400 {
-                                                            if _e1400 {
+                                                        let _e1369 = phi_2434_;
+                                                        let _e1370 = (_e1369 < arrayLength((&global_6.member)));
+                                                        if _e1370 {
+                                                            if _e1370 {
                                                             } else {
-                                                                phi_4159_ = true;
+                                                                phi_4256_ = true;
                                                                 break;
                                                             }
-                                                            let _e1402 = global_6.member[_e1399];
-                                                            phi_2531_ = _e1402;
+                                                            let _e1372 = global_6.member[_e1369];
+                                                            phi_2448_ = _e1372;
                                                         } else {
-                                                            phi_2531_ = 0i;
+                                                            phi_2448_ = 0i;
                                                         }
-                                                        let _e1404 = phi_2531_;
-                                                        let _e1405 = (_e1404 == 0i);
-                                                        if _e1405 {
-                                                            phi_2828_ = true;
+                                                        let _e1374 = phi_2448_;
+                                                        let _e1375 = (_e1374 == 0i);
+                                                        if _e1375 {
+                                                            phi_2745_ = true;
                                                         } else {
                                                             if _e435 {
-                                                                phi_2554_ = vec3<f32>(_e928[0][0], _e928[0][1], _e928[0][2]);
+                                                                phi_2471_ = vec3<f32>(_e913[0][0], _e913[0][1], _e913[0][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2553_ = vec3<f32>(_e928[0][2], _e928[0][0], _e928[0][1]);
+                                                                    phi_2470_ = vec3<f32>(_e913[0][2], _e913[0][0], _e913[0][1]);
                                                                 } else {
-                                                                    phi_2553_ = vec3<f32>(_e928[0][1], _e928[0][2], _e928[0][0]);
+                                                                    phi_2470_ = vec3<f32>(_e913[0][1], _e913[0][2], _e913[0][0]);
                                                                 }
-                                                                let _e1410 = phi_2553_;
-                                                                phi_2554_ = _e1410;
+                                                                let _e1380 = phi_2470_;
+                                                                phi_2471_ = _e1380;
                                                             }
-                                                            let _e1413 = phi_2554_;
+                                                            let _e1383 = phi_2471_;
                                                             if _e435 {
-                                                                phi_2573_ = vec3<f32>(_e928[1][0], _e928[1][1], _e928[1][2]);
+                                                                phi_2490_ = vec3<f32>(_e913[1][0], _e913[1][1], _e913[1][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2572_ = vec3<f32>(_e928[1][2], _e928[1][0], _e928[1][1]);
+                                                                    phi_2489_ = vec3<f32>(_e913[1][2], _e913[1][0], _e913[1][1]);
                                                                 } else {
-                                                                    phi_2572_ = vec3<f32>(_e928[1][1], _e928[1][2], _e928[1][0]);
+                                                                    phi_2489_ = vec3<f32>(_e913[1][1], _e913[1][2], _e913[1][0]);
                                                                 }
-                                                                let _e1418 = phi_2572_;
-                                                                phi_2573_ = _e1418;
+                                                                let _e1388 = phi_2489_;
+                                                                phi_2490_ = _e1388;
                                                             }
-                                                            let _e1421 = phi_2573_;
+                                                            let _e1391 = phi_2490_;
                                                             if _e435 {
-                                                                phi_2592_ = vec3<f32>(_e928[2][0], _e928[2][1], _e928[2][2]);
+                                                                phi_2509_ = vec3<f32>(_e913[2][0], _e913[2][1], _e913[2][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2591_ = vec3<f32>(_e928[2][2], _e928[2][0], _e928[2][1]);
+                                                                    phi_2508_ = vec3<f32>(_e913[2][2], _e913[2][0], _e913[2][1]);
                                                                 } else {
-                                                                    phi_2591_ = vec3<f32>(_e928[2][1], _e928[2][2], _e928[2][0]);
+                                                                    phi_2508_ = vec3<f32>(_e913[2][1], _e913[2][2], _e913[2][0]);
                                                                 }
-                                                                let _e1426 = phi_2591_;
-                                                                phi_2592_ = _e1426;
+                                                                let _e1396 = phi_2508_;
+                                                                phi_2509_ = _e1396;
                                                             }
-                                                            let _e1429 = phi_2592_;
-                                                            let _e1432 = (_e1421.x - _e1413.x);
-                                                            let _e1435 = (_e1421.y - _e1413.y);
-                                                            let _e1438 = (_e1421.z - _e1413.z);
-                                                            let _e1440 = (_e1429.x - _e1413.x);
-                                                            let _e1442 = (_e1429.y - _e1413.y);
-                                                            let _e1444 = (_e1429.z - _e1413.z);
+                                                            let _e1399 = phi_2509_;
+                                                            let _e1402 = (_e1391.x - _e1383.x);
+                                                            let _e1405 = (_e1391.y - _e1383.y);
+                                                            let _e1408 = (_e1391.z - _e1383.z);
+                                                            let _e1410 = (_e1399.x - _e1383.x);
+                                                            let _e1412 = (_e1399.y - _e1383.y);
+                                                            let _e1414 = (_e1399.z - _e1383.z);
                                                             if (_e289.member_1 == 1u) {
-                                                                phi_2628_ = (vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]) - _e1413);
+                                                                phi_2545_ = (vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]) - _e1383);
                                                             } else {
-                                                                phi_2628_ = vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]);
+                                                                phi_2545_ = vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]);
                                                             }
-                                                            let _e1459 = phi_2628_;
-                                                            let _e1465 = bitcast<f32>((bitcast<u32>((_e1432 * _e1442)) ^ _e289.member_3[0]));
-                                                            let _e1469 = bitcast<f32>((bitcast<u32>((_e1435 * _e1440)) ^ _e289.member_3[0]));
-                                                            let _e1473 = bitcast<f32>((bitcast<u32>((_e1435 * _e1444)) ^ _e289.member_3[0]));
-                                                            let _e1477 = bitcast<f32>((bitcast<u32>((_e1438 * _e1442)) ^ _e289.member_3[0]));
-                                                            let _e1481 = bitcast<f32>((bitcast<u32>((_e1438 * _e1440)) ^ _e289.member_3[0]));
-                                                            let _e1485 = bitcast<f32>((bitcast<u32>((_e1432 * _e1444)) ^ _e289.member_3[0]));
-                                                            let _e1486 = (_e1473 - _e1477);
-                                                            let _e1487 = (_e1481 - _e1485);
-                                                            let _e1488 = (_e1465 - _e1469);
-                                                            let _e1512 = (bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u)));
-                                                            let _e1519 = (bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u)));
-                                                            let _e1526 = (bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u)));
+                                                            let _e1429 = phi_2545_;
+                                                            let _e1435 = bitcast<f32>((bitcast<u32>((_e1402 * _e1412)) ^ _e289.member_3[0]));
+                                                            let _e1439 = bitcast<f32>((bitcast<u32>((_e1405 * _e1410)) ^ _e289.member_3[0]));
+                                                            let _e1443 = bitcast<f32>((bitcast<u32>((_e1405 * _e1414)) ^ _e289.member_3[0]));
+                                                            let _e1447 = bitcast<f32>((bitcast<u32>((_e1408 * _e1412)) ^ _e289.member_3[0]));
+                                                            let _e1451 = bitcast<f32>((bitcast<u32>((_e1408 * _e1410)) ^ _e289.member_3[0]));
+                                                            let _e1455 = bitcast<f32>((bitcast<u32>((_e1402 * _e1414)) ^ _e289.member_3[0]));
+                                                            let _e1456 = (_e1443 - _e1447);
+                                                            let _e1457 = (_e1451 - _e1455);
+                                                            let _e1458 = (_e1435 - _e1439);
+                                                            let _e1482 = (bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u)));
+                                                            let _e1489 = (bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1455) & 2147483647u)));
+                                                            let _e1496 = (bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u)));
                                                             if (_e289.member_2 == 0f) {
-                                                                phi_2810_ = 0f;
+                                                                phi_2727_ = 0f;
                                                             } else {
-                                                                let _e1556 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
-                                                                let _e1559 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
-                                                                let _e1562 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
-                                                                let _e1564 = select(_e1562, _e1559, (_e1559 > _e1562));
-                                                                let _e1568 = select(_e1562, _e1559, (_e1559 < _e1562));
-                                                                let _e1572 = select(_e1559, _e1556, (_e1556 < _e1559));
-                                                                let _e1574 = select(_e1559, _e1556, (_e1556 > _e1559));
-                                                                let _e1576 = select(_e1562, _e1574, (_e1574 < _e1562));
-                                                                phi_2810_ = bitcast<f32>((bitcast<u32>((_e289.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1564, _e1556, (_e1556 > _e1564)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1576, _e1572, (_e1572 > _e1576)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1568, _e1556, (_e1556 < _e1568)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1512 + _e1519) + _e1526))) ^ _e289.member_3[0]))) * 1.0000005f)) ^ _e289.member_3[0])))) ^ _e289.member_3[0]));
+                                                                let _e1526 = bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u));
+                                                                let _e1529 = bitcast<f32>((bitcast<u32>(_e1457) & 2147483647u));
+                                                                let _e1532 = bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u));
+                                                                let _e1534 = select(_e1532, _e1529, (_e1529 > _e1532));
+                                                                let _e1538 = select(_e1532, _e1529, (_e1529 < _e1532));
+                                                                let _e1542 = select(_e1529, _e1526, (_e1526 < _e1529));
+                                                                let _e1544 = select(_e1529, _e1526, (_e1526 > _e1529));
+                                                                let _e1546 = select(_e1532, _e1544, (_e1544 < _e1532));
+                                                                phi_2727_ = bitcast<f32>((bitcast<u32>((_e289.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1534, _e1526, (_e1526 > _e1534)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1546, _e1542, (_e1542 > _e1546)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1538, _e1526, (_e1526 < _e1538)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1482 + _e1489) + _e1496))) ^ _e289.member_3[0]))) * 1.0000005f)) ^ _e289.member_3[0])))) ^ _e289.member_3[0]));
                                                             }
-                                                            let _e1603 = phi_2810_;
-                                                            phi_2828_ = (_e1405 || !(((((bitcast<f32>((bitcast<u32>((_e1459.x * _e1486)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1459.y * _e1487)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1459.z * _e1488)) ^ _e289.member_3[0]))) * f32(-(_e1404))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1459.x) & 2147483647u)) * _e1512)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1459.y) & 2147483647u)) * _e1519)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1459.z) & 2147483647u)) * _e1526)) ^ _e289.member_3[0]))))) ^ _e289.member_3[0])) + _e1603) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1573 = phi_2727_;
+                                                            phi_2745_ = (_e1375 || !(((((bitcast<f32>((bitcast<u32>((_e1429.x * _e1456)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1429.y * _e1457)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1429.z * _e1458)) ^ _e289.member_3[0]))) * f32(-(_e1374))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1429.x) & 2147483647u)) * _e1482)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1429.y) & 2147483647u)) * _e1489)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1429.z) & 2147483647u)) * _e1496)) ^ _e289.member_3[0]))))) ^ _e289.member_3[0])) + _e1573) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1617 = phi_2828_;
-                                                        phi_2829_ = _e1617;
+                                                        let _e1587 = phi_2745_;
+                                                        phi_2746_ = _e1587;
                                                     }
-                                                    let _e1619 = phi_2829_;
-                                                    if _e1619 {
-                                                        if (_e1391.member < _e832.member.member) {
-                                                            phi_2849_ = true;
+                                                    let _e1589 = phi_2746_;
+                                                    if _e1589 {
+                                                        if (_e1361.member < _e817.member.member) {
+                                                            phi_2766_ = true;
                                                         } else {
-                                                            if (_e1391.member == _e832.member.member) {
-                                                                phi_2848_ = (_e1391.member_3 < _e832.member.member_3);
+                                                            if (_e1361.member == _e817.member.member) {
+                                                                phi_2765_ = (_e1361.member_3 < _e817.member.member_3);
                                                             } else {
-                                                                phi_2848_ = false;
+                                                                phi_2765_ = false;
                                                             }
-                                                            let _e1629 = phi_2848_;
-                                                            phi_2849_ = _e1629;
+                                                            let _e1599 = phi_2765_;
+                                                            phi_2766_ = _e1599;
                                                         }
-                                                        let _e1631 = phi_2849_;
-                                                        if _e1631 {
-                                                            phi_2855_ = type_43(_e1391, _e1391.member);
+                                                        let _e1601 = phi_2766_;
+                                                        if _e1601 {
+                                                            phi_2772_ = type_43(_e1361, _e1361.member);
                                                         } else {
-                                                            phi_2855_ = _e832;
+                                                            phi_2772_ = _e817;
                                                         }
-                                                        let _e1634 = phi_2855_;
-                                                        phi_2856_ = _e1634;
+                                                        let _e1604 = phi_2772_;
+                                                        phi_2773_ = _e1604;
                                                     } else {
-                                                        phi_2856_ = _e832;
+                                                        phi_2773_ = _e817;
                                                     }
-                                                    let _e1636 = phi_2856_;
-                                                    phi_2857_ = _e1636;
+                                                    let _e1606 = phi_2773_;
+                                                    phi_2774_ = _e1606;
                                                 } else {
-                                                    phi_2857_ = _e832;
+                                                    phi_2774_ = _e817;
                                                 }
-                                                let _e1638 = phi_2857_;
-                                                phi_1457_ = _e1638;
+                                                let _e1608 = phi_2774_;
+                                                phi_1477_ = _e1608;
                                             } else {
-                                                phi_1457_ = type_43();
+                                                phi_1477_ = type_43();
                                             }
-                                            let _e1640 = phi_1457_;
+                                            let _e1610 = phi_1477_;
                                             continue;
                                             continuing {
-                                                phi_1456_ = _e1640;
-                                                phi_1459_ = _e847;
-                                                phi_4159_ = _e776;
-                                                break if !(_e853);
+                                                phi_1476_ = _e1610;
+                                                phi_1479_ = _e832;
+                                                phi_4256_ = _e761;
+                                                break if !(_e838);
                                             }
                                         }
-                                        let _e1643 = phi_4159_;
-                                        phi_4351_ = _e1643;
-                                        if _e1643 {
+                                        let _e1613 = phi_4256_;
+                                        phi_4453_ = _e1613;
+                                        if _e1613 {
                                             break;
                                         }
-                                        phi_4410_ = _e1643;
-                                        let _e2326 = local_11;
-                                        phi_2858_ = _e2326;
+                                        phi_4512_ = _e1613;
+                                        let _e2283 = local_11;
+                                        phi_2775_ = _e2283;
                                     } else {
-                                        phi_4410_ = _e776;
-                                        phi_2858_ = _e778;
+                                        phi_4512_ = _e761;
+                                        phi_2775_ = _e763;
                                     }
-                                    let _e1645 = phi_4410_;
-                                    let _e1647 = phi_2858_;
-                                    if _e825 {
-                                        phi_3865_ = bool();
-                                        phi_3866_ = u32();
-                                        phi_3867_ = type_61();
+                                    let _e1615 = phi_4512_;
+                                    let _e1617 = phi_2775_;
+                                    if _e810 {
+                                        phi_3782_ = bool();
+                                        phi_3783_ = u32();
+                                        phi_3784_ = type_62();
                                     } else {
-                                        let _e1648 = (_e821.member_1 < _e98);
-                                        if _e1648 {
-                                            if _e1648 {
+                                        let _e1618 = (_e806.member_1 < _e98);
+                                        if _e1618 {
+                                            if _e1618 {
                                             } else {
-                                                phi_4351_ = true;
+                                                phi_4453_ = true;
                                                 break;
                                             }
-                                            let _e1650 = global_10.member[_e821.member_1];
-                                            phi_2879_ = _e1650;
+                                            let _e1620 = global_10.member[_e806.member_1];
+                                            phi_2796_ = _e1620;
                                         } else {
-                                            phi_2879_ = type_54(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2796_ = type_55(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1652 = phi_2879_;
-                                        let _e1667 = ((10u * _e411) & 31u);
-                                        let _e1670 = ((_e1652.member[0] >> bitcast<u32>(_e1667)) & 1023u);
-                                        let _e1678 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[0] - _e821.member.member[0]) * 0.0009775171f)) ^ _e140));
-                                        let _e1683 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1670)) - 8388608f) * _e1678)) ^ _e140)));
-                                        let _e1687 = select(select(_e821.member.member_1[0], _e1683, (_e1683 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1670 == 1023u));
-                                        let _e1689 = ((10u * _e410) & 31u);
-                                        let _e1692 = ((_e1652.member[0] >> bitcast<u32>(_e1689)) & 1023u);
-                                        let _e1700 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[1] - _e821.member.member[1]) * 0.0009775171f)) ^ _e140));
-                                        let _e1705 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1692)) - 8388608f) * _e1700)) ^ _e140)));
-                                        let _e1709 = select(select(_e821.member.member_1[1], _e1705, (_e1705 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1692 == 1023u));
-                                        let _e1711 = ((10u * _e412) & 31u);
-                                        let _e1714 = ((_e1652.member[0] >> bitcast<u32>(_e1711)) & 1023u);
-                                        let _e1722 = bitcast<f32>((bitcast<u32>(((_e821.member.member_1[2] - _e821.member.member[2]) * 0.0009775171f)) ^ _e140));
-                                        let _e1727 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1714)) - 8388608f) * _e1722)) ^ _e140)));
-                                        let _e1731 = select(select(_e821.member.member_1[2], _e1727, (_e1727 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1714 == 1023u));
-                                        let _e1734 = ((_e1652.member[1] >> bitcast<u32>(_e1667)) & 1023u);
-                                        let _e1742 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1734)) - 8388608f) * _e1678)) ^ _e140)));
-                                        let _e1746 = select(select(_e821.member.member_1[0], _e1742, (_e1742 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1734 == 1023u));
-                                        let _e1749 = ((_e1652.member[1] >> bitcast<u32>(_e1689)) & 1023u);
-                                        let _e1757 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1749)) - 8388608f) * _e1700)) ^ _e140)));
-                                        let _e1761 = select(select(_e821.member.member_1[1], _e1757, (_e1757 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1749 == 1023u));
-                                        let _e1764 = ((_e1652.member[1] >> bitcast<u32>(_e1711)) & 1023u);
-                                        let _e1772 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1764)) - 8388608f) * _e1722)) ^ _e140)));
-                                        let _e1776 = select(select(_e821.member.member_1[2], _e1772, (_e1772 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1764 == 1023u));
-                                        let _e1782 = ((_e1652.member_1[0] >> bitcast<u32>(_e1667)) & 1023u);
-                                        let _e1790 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1782)) - 8388608f) * _e1678)) ^ _e140)));
-                                        let _e1794 = select(select(_e821.member.member_1[0], _e1790, (_e1790 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1782 == 1023u));
-                                        let _e1797 = ((_e1652.member_1[0] >> bitcast<u32>(_e1689)) & 1023u);
-                                        let _e1805 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1797)) - 8388608f) * _e1700)) ^ _e140)));
-                                        let _e1809 = select(select(_e821.member.member_1[1], _e1805, (_e1805 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1797 == 1023u));
-                                        let _e1812 = ((_e1652.member_1[0] >> bitcast<u32>(_e1711)) & 1023u);
-                                        let _e1820 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1812)) - 8388608f) * _e1722)) ^ _e140)));
-                                        let _e1824 = select(select(_e821.member.member_1[2], _e1820, (_e1820 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1812 == 1023u));
-                                        let _e1827 = ((_e1652.member_1[1] >> bitcast<u32>(_e1667)) & 1023u);
-                                        let _e1835 = (_e821.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1827)) - 8388608f) * _e1678)) ^ _e140)));
-                                        let _e1839 = select(select(_e821.member.member_1[0], _e1835, (_e1835 < _e821.member.member_1[0])), _e821.member.member_1[0], (_e1827 == 1023u));
-                                        let _e1842 = ((_e1652.member_1[1] >> bitcast<u32>(_e1689)) & 1023u);
-                                        let _e1850 = (_e821.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1842)) - 8388608f) * _e1700)) ^ _e140)));
-                                        let _e1854 = select(select(_e821.member.member_1[1], _e1850, (_e1850 < _e821.member.member_1[1])), _e821.member.member_1[1], (_e1842 == 1023u));
-                                        let _e1857 = ((_e1652.member_1[1] >> bitcast<u32>(_e1711)) & 1023u);
-                                        let _e1865 = (_e821.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1857)) - 8388608f) * _e1722)) ^ _e140)));
-                                        let _e1869 = select(select(_e821.member.member_1[2], _e1865, (_e1865 < _e821.member.member_1[2])), _e821.member.member_1[2], (_e1857 == 1023u));
-                                        let _e1874 = type_61(type_59(array<f32, 3>(_e1687, _e1709, _e1731), array<f32, 3>(_e1746, _e1761, _e1776)), _e1652.member_2);
-                                        let _e1879 = type_61(type_59(array<f32, 3>(_e1794, _e1809, _e1824), array<f32, 3>(_e1839, _e1854, _e1869)), _e1652.member_3);
-                                        let _e1885 = ((_e1687 - _e496) * _e501);
-                                        let _e1886 = ((_e1794 - _e496) * _e501);
-                                        let _e1887 = ((_e1746 - _e497) * _e501);
-                                        let _e1888 = ((_e1839 - _e497) * _e501);
-                                        let _e1893 = ((_e1709 - _e562) * _e567);
-                                        let _e1894 = ((_e1809 - _e562) * _e567);
-                                        let _e1895 = ((_e1761 - _e563) * _e567);
-                                        let _e1896 = ((_e1854 - _e563) * _e567);
-                                        let _e1901 = ((_e1731 - _e628) * _e633);
-                                        let _e1902 = ((_e1824 - _e628) * _e633);
-                                        let _e1903 = ((_e1776 - _e629) * _e633);
-                                        let _e1904 = ((_e1869 - _e629) * _e633);
-                                        let _e1906 = select(_e1903, _e1901, (_e1901 < _e1903));
-                                        let _e1908 = select(_e1904, _e1902, (_e1902 < _e1904));
-                                        let _e1910 = select(_e1903, _e1901, (_e1901 > _e1903));
-                                        let _e1912 = select(_e1904, _e1902, (_e1902 > _e1904));
-                                        let _e1914 = select(_e1887, _e1885, (_e1885 < _e1887));
-                                        let _e1916 = select(_e1888, _e1886, (_e1886 < _e1888));
-                                        let _e1918 = select(_e1895, _e1893, (_e1893 < _e1895));
-                                        let _e1920 = select(_e1896, _e1894, (_e1894 < _e1896));
-                                        let _e1922 = select(_e1918, _e1914, (_e1914 > _e1918));
-                                        let _e1924 = select(_e1920, _e1916, (_e1916 > _e1920));
-                                        let _e1926 = select(_e1906, _e1922, (_e1922 > _e1906));
-                                        let _e1928 = select(_e1908, _e1924, (_e1924 > _e1908));
-                                        let _e1930 = select(_e1887, _e1885, (_e1885 > _e1887));
-                                        let _e1932 = select(_e1888, _e1886, (_e1886 > _e1888));
-                                        let _e1934 = select(_e1895, _e1893, (_e1893 > _e1895));
-                                        let _e1936 = select(_e1896, _e1894, (_e1894 > _e1896));
-                                        let _e1938 = select(_e1934, _e1930, (_e1930 < _e1934));
-                                        let _e1940 = select(_e1936, _e1932, (_e1932 < _e1936));
-                                        let _e1945 = -(_e1906);
-                                        let _e1946 = -(_e1908);
-                                        let _e1953 = (select(_e1910, _e1938, (_e1938 < _e1910)) + (select(_e1945, _e1910, (_e1910 > _e1945)) * 0.0000019073523f));
-                                        let _e1954 = (select(_e1912, _e1940, (_e1940 < _e1912)) + (select(_e1946, _e1912, (_e1912 > _e1946)) * 0.0000019073523f));
-                                        let _e1956 = select(_e744, _e1926, (_e1926 > _e744));
-                                        let _e1958 = select(_e744, _e1928, (_e1928 > _e744));
-                                        let _e1963 = (_e1956 <= select(_e1647.member_1, _e1953, (_e1953 < _e1647.member_1)));
-                                        let _e1964 = (_e1958 <= select(_e1647.member_1, _e1954, (_e1954 < _e1647.member_1)));
-                                        let _e1965 = (_e1956 <= _e1958);
-                                        if _e1963 {
-                                            if _e1964 {
-                                                if _e1965 {
-                                                    phi_3765_ = _e1879;
+                                        let _e1622 = phi_2796_;
+                                        let _e1637 = ((10u * _e411) & 31u);
+                                        let _e1640 = ((_e1622.member[0] >> bitcast<u32>(_e1637)) & 1023u);
+                                        let _e1648 = bitcast<f32>((bitcast<u32>(((_e806.member.member_1[0] - _e806.member.member[0]) * 0.0009775171f)) ^ _e140));
+                                        let _e1653 = (_e806.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1640)) - 8388608f) * _e1648)) ^ _e140)));
+                                        let _e1657 = select(select(_e806.member.member_1[0], _e1653, (_e1653 < _e806.member.member_1[0])), _e806.member.member_1[0], (_e1640 == 1023u));
+                                        let _e1659 = ((10u * _e410) & 31u);
+                                        let _e1662 = ((_e1622.member[0] >> bitcast<u32>(_e1659)) & 1023u);
+                                        let _e1670 = bitcast<f32>((bitcast<u32>(((_e806.member.member_1[1] - _e806.member.member[1]) * 0.0009775171f)) ^ _e140));
+                                        let _e1675 = (_e806.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1662)) - 8388608f) * _e1670)) ^ _e140)));
+                                        let _e1679 = select(select(_e806.member.member_1[1], _e1675, (_e1675 < _e806.member.member_1[1])), _e806.member.member_1[1], (_e1662 == 1023u));
+                                        let _e1681 = ((10u * _e412) & 31u);
+                                        let _e1684 = ((_e1622.member[0] >> bitcast<u32>(_e1681)) & 1023u);
+                                        let _e1692 = bitcast<f32>((bitcast<u32>(((_e806.member.member_1[2] - _e806.member.member[2]) * 0.0009775171f)) ^ _e140));
+                                        let _e1697 = (_e806.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1684)) - 8388608f) * _e1692)) ^ _e140)));
+                                        let _e1701 = select(select(_e806.member.member_1[2], _e1697, (_e1697 < _e806.member.member_1[2])), _e806.member.member_1[2], (_e1684 == 1023u));
+                                        let _e1704 = ((_e1622.member[1] >> bitcast<u32>(_e1637)) & 1023u);
+                                        let _e1712 = (_e806.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1704)) - 8388608f) * _e1648)) ^ _e140)));
+                                        let _e1716 = select(select(_e806.member.member_1[0], _e1712, (_e1712 < _e806.member.member_1[0])), _e806.member.member_1[0], (_e1704 == 1023u));
+                                        let _e1719 = ((_e1622.member[1] >> bitcast<u32>(_e1659)) & 1023u);
+                                        let _e1727 = (_e806.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1719)) - 8388608f) * _e1670)) ^ _e140)));
+                                        let _e1731 = select(select(_e806.member.member_1[1], _e1727, (_e1727 < _e806.member.member_1[1])), _e806.member.member_1[1], (_e1719 == 1023u));
+                                        let _e1734 = ((_e1622.member[1] >> bitcast<u32>(_e1681)) & 1023u);
+                                        let _e1742 = (_e806.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1734)) - 8388608f) * _e1692)) ^ _e140)));
+                                        let _e1746 = select(select(_e806.member.member_1[2], _e1742, (_e1742 < _e806.member.member_1[2])), _e806.member.member_1[2], (_e1734 == 1023u));
+                                        let _e1752 = ((_e1622.member_1[0] >> bitcast<u32>(_e1637)) & 1023u);
+                                        let _e1760 = (_e806.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1752)) - 8388608f) * _e1648)) ^ _e140)));
+                                        let _e1764 = select(select(_e806.member.member_1[0], _e1760, (_e1760 < _e806.member.member_1[0])), _e806.member.member_1[0], (_e1752 == 1023u));
+                                        let _e1767 = ((_e1622.member_1[0] >> bitcast<u32>(_e1659)) & 1023u);
+                                        let _e1775 = (_e806.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1767)) - 8388608f) * _e1670)) ^ _e140)));
+                                        let _e1779 = select(select(_e806.member.member_1[1], _e1775, (_e1775 < _e806.member.member_1[1])), _e806.member.member_1[1], (_e1767 == 1023u));
+                                        let _e1782 = ((_e1622.member_1[0] >> bitcast<u32>(_e1681)) & 1023u);
+                                        let _e1790 = (_e806.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1782)) - 8388608f) * _e1692)) ^ _e140)));
+                                        let _e1794 = select(select(_e806.member.member_1[2], _e1790, (_e1790 < _e806.member.member_1[2])), _e806.member.member_1[2], (_e1782 == 1023u));
+                                        let _e1797 = ((_e1622.member_1[1] >> bitcast<u32>(_e1637)) & 1023u);
+                                        let _e1805 = (_e806.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1797)) - 8388608f) * _e1648)) ^ _e140)));
+                                        let _e1809 = select(select(_e806.member.member_1[0], _e1805, (_e1805 < _e806.member.member_1[0])), _e806.member.member_1[0], (_e1797 == 1023u));
+                                        let _e1812 = ((_e1622.member_1[1] >> bitcast<u32>(_e1659)) & 1023u);
+                                        let _e1820 = (_e806.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1812)) - 8388608f) * _e1670)) ^ _e140)));
+                                        let _e1824 = select(select(_e806.member.member_1[1], _e1820, (_e1820 < _e806.member.member_1[1])), _e806.member.member_1[1], (_e1812 == 1023u));
+                                        let _e1827 = ((_e1622.member_1[1] >> bitcast<u32>(_e1681)) & 1023u);
+                                        let _e1835 = (_e806.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1827)) - 8388608f) * _e1692)) ^ _e140)));
+                                        let _e1839 = select(select(_e806.member.member_1[2], _e1835, (_e1835 < _e806.member.member_1[2])), _e806.member.member_1[2], (_e1827 == 1023u));
+                                        let _e1844 = type_62(type_60(array<f32, 3>(_e1657, _e1679, _e1701), array<f32, 3>(_e1716, _e1731, _e1746)), _e1622.member_2);
+                                        let _e1849 = type_62(type_60(array<f32, 3>(_e1764, _e1779, _e1794), array<f32, 3>(_e1809, _e1824, _e1839)), _e1622.member_3);
+                                        let _e1855 = ((_e1657 - _e496) * _e499);
+                                        let _e1856 = ((_e1764 - _e496) * _e499);
+                                        let _e1857 = ((_e1716 - _e497) * _e499);
+                                        let _e1858 = ((_e1809 - _e497) * _e499);
+                                        let _e1863 = ((_e1679 - _e560) * _e563);
+                                        let _e1864 = ((_e1779 - _e560) * _e563);
+                                        let _e1865 = ((_e1731 - _e561) * _e563);
+                                        let _e1866 = ((_e1824 - _e561) * _e563);
+                                        let _e1871 = ((_e1701 - _e624) * _e627);
+                                        let _e1872 = ((_e1794 - _e624) * _e627);
+                                        let _e1873 = ((_e1746 - _e625) * _e627);
+                                        let _e1874 = ((_e1839 - _e625) * _e627);
+                                        let _e1876 = select(_e1873, _e1871, (_e1871 < _e1873));
+                                        let _e1878 = select(_e1874, _e1872, (_e1872 < _e1874));
+                                        let _e1880 = select(_e1873, _e1871, (_e1871 > _e1873));
+                                        let _e1882 = select(_e1874, _e1872, (_e1872 > _e1874));
+                                        let _e1884 = select(_e1857, _e1855, (_e1855 < _e1857));
+                                        let _e1886 = select(_e1858, _e1856, (_e1856 < _e1858));
+                                        let _e1888 = select(_e1865, _e1863, (_e1863 < _e1865));
+                                        let _e1890 = select(_e1866, _e1864, (_e1864 < _e1866));
+                                        let _e1892 = select(_e1888, _e1884, (_e1884 > _e1888));
+                                        let _e1894 = select(_e1890, _e1886, (_e1886 > _e1890));
+                                        let _e1896 = select(_e1876, _e1892, (_e1892 > _e1876));
+                                        let _e1898 = select(_e1878, _e1894, (_e1894 > _e1878));
+                                        let _e1900 = select(_e1857, _e1855, (_e1855 > _e1857));
+                                        let _e1902 = select(_e1858, _e1856, (_e1856 > _e1858));
+                                        let _e1904 = select(_e1865, _e1863, (_e1863 > _e1865));
+                                        let _e1906 = select(_e1866, _e1864, (_e1864 > _e1866));
+                                        let _e1908 = select(_e1904, _e1900, (_e1900 < _e1904));
+                                        let _e1910 = select(_e1906, _e1902, (_e1902 < _e1906));
+                                        let _e1915 = -(_e1876);
+                                        let _e1916 = -(_e1878);
+                                        let _e1923 = (select(_e1880, _e1908, (_e1908 < _e1880)) + (select(_e1915, _e1880, (_e1880 > _e1915)) * 0.0000019073523f));
+                                        let _e1924 = (select(_e1882, _e1910, (_e1910 < _e1882)) + (select(_e1916, _e1882, (_e1882 > _e1916)) * 0.0000019073523f));
+                                        let _e1926 = select(_e729, _e1896, (_e1896 > _e729));
+                                        let _e1928 = select(_e729, _e1898, (_e1898 > _e729));
+                                        let _e1933 = (_e1926 <= select(_e1617.member_1, _e1923, (_e1923 < _e1617.member_1)));
+                                        let _e1934 = (_e1928 <= select(_e1617.member_1, _e1924, (_e1924 < _e1617.member_1)));
+                                        let _e1935 = (_e1926 <= _e1928);
+                                        if _e1933 {
+                                            if _e1934 {
+                                                if _e1935 {
+                                                    phi_3682_ = _e1849;
                                                 } else {
-                                                    phi_3765_ = _e1874;
+                                                    phi_3682_ = _e1844;
                                                 }
-                                                let _e1967 = phi_3765_;
-                                                let _e1974 = (_e819 % 128u);
-                                                let _e1975 = (_e1974 < 128u);
-                                                if _e1975 {
+                                                let _e1937 = phi_3682_;
+                                                let _e1944 = (_e804 % 128u);
+                                                let _e1945 = (_e1944 < 128u);
+                                                if _e1945 {
                                                 } else {
-                                                    phi_4351_ = true;
+                                                    phi_4453_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1974] = _e1967.member_1;
-                                                if _e1975 {
+                                                local_6[_e1944] = _e1937.member_1;
+                                                if _e1945 {
                                                 } else {
-                                                    phi_4351_ = true;
+                                                    phi_4453_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1974] = _e1967.member.member[0];
-                                                if _e1975 {
+                                                local_5[_e1944] = _e1937.member.member[0];
+                                                if _e1945 {
                                                 } else {
-                                                    phi_4351_ = true;
+                                                    phi_4453_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1974] = _e1967.member.member[1];
-                                                if _e1975 {
+                                                local_4[_e1944] = _e1937.member.member[1];
+                                                if _e1945 {
                                                 } else {
-                                                    phi_4351_ = true;
+                                                    phi_4453_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1974] = _e1967.member.member[2];
-                                                if _e1975 {
+                                                local_3[_e1944] = _e1937.member.member[2];
+                                                if _e1945 {
                                                 } else {
-                                                    phi_4351_ = true;
+                                                    phi_4453_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1974] = _e1967.member.member_1[0];
-                                                if _e1975 {
+                                                local_2[_e1944] = _e1937.member.member_1[0];
+                                                if _e1945 {
                                                 } else {
-                                                    phi_4351_ = true;
+                                                    phi_4453_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1974] = _e1967.member.member_1[1];
-                                                if _e1975 {
+                                                local_1[_e1944] = _e1937.member.member_1[1];
+                                                if _e1945 {
                                                 } else {
-                                                    phi_4351_ = true;
+                                                    phi_4453_ = true;
                                                     break;
                                                 }
-                                                local[_e1974] = _e1967.member.member_1[2];
-                                                if _e1975 {
+                                                local[_e1944] = _e1937.member.member_1[2];
+                                                if _e1945 {
                                                 } else {
-                                                    phi_4351_ = true;
+                                                    phi_4453_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1974] = select(_e1956, _e1958, _e1965);
-                                                if _e1965 {
-                                                    phi_3841_ = _e1874;
+                                                local_7[_e1944] = select(_e1926, _e1928, _e1935);
+                                                if _e1935 {
+                                                    phi_3758_ = _e1844;
                                                 } else {
-                                                    phi_3841_ = _e1879;
+                                                    phi_3758_ = _e1849;
                                                 }
-                                                let _e1992 = phi_3841_;
-                                                phi_3842_ = (_e819 + 1u);
-                                                phi_3843_ = _e1992;
+                                                let _e1962 = phi_3758_;
+                                                phi_3759_ = (_e804 + 1u);
+                                                phi_3760_ = _e1962;
                                             } else {
-                                                phi_3842_ = u32();
-                                                phi_3843_ = type_61();
+                                                phi_3759_ = u32();
+                                                phi_3760_ = type_62();
                                             }
-                                            let _e1994 = phi_3842_;
-                                            let _e1996 = phi_3843_;
-                                            phi_3845_ = _e1994;
-                                            phi_3846_ = _e1996;
-                                            phi_3847_ = select(true, false, _e1964);
+                                            let _e1964 = phi_3759_;
+                                            let _e1966 = phi_3760_;
+                                            phi_3762_ = _e1964;
+                                            phi_3763_ = _e1966;
+                                            phi_3764_ = select(true, false, _e1934);
                                         } else {
-                                            phi_3845_ = u32();
-                                            phi_3846_ = type_61();
-                                            phi_3847_ = true;
+                                            phi_3762_ = u32();
+                                            phi_3763_ = type_62();
+                                            phi_3764_ = true;
                                         }
-                                        let _e1999 = phi_3845_;
-                                        let _e2001 = phi_3846_;
-                                        let _e2003 = phi_3847_;
-                                        if _e2003 {
-                                            if _e1963 {
-                                                phi_3854_ = _e1874;
+                                        let _e1969 = phi_3762_;
+                                        let _e1971 = phi_3763_;
+                                        let _e1973 = phi_3764_;
+                                        if _e1973 {
+                                            if _e1933 {
+                                                phi_3771_ = _e1844;
                                             } else {
-                                                phi_3854_ = _e1879;
+                                                phi_3771_ = _e1849;
                                             }
-                                            let _e2005 = phi_3854_;
-                                            phi_3859_ = select(_e1964, true, _e1963);
-                                            phi_3861_ = _e2005;
+                                            let _e1975 = phi_3771_;
+                                            phi_3776_ = select(_e1934, true, _e1933);
+                                            phi_3778_ = _e1975;
                                         } else {
-                                            phi_3859_ = _e817;
-                                            phi_3861_ = _e2001;
+                                            phi_3776_ = _e802;
+                                            phi_3778_ = _e1971;
                                         }
-                                        let _e2008 = phi_3859_;
-                                        let _e2010 = phi_3861_;
-                                        phi_3865_ = _e2008;
-                                        phi_3866_ = select(_e1999, _e819, _e2003);
-                                        phi_3867_ = _e2010;
+                                        let _e1978 = phi_3776_;
+                                        let _e1980 = phi_3778_;
+                                        phi_3782_ = _e1978;
+                                        phi_3783_ = select(_e1969, _e804, _e1973);
+                                        phi_3784_ = _e1980;
                                     }
-                                    let _e2013 = phi_3865_;
-                                    let _e2015 = phi_3866_;
-                                    let _e2017 = phi_3867_;
-                                    if _e825 {
-                                        phi_3877_ = _e821;
+                                    let _e1983 = phi_3782_;
+                                    let _e1985 = phi_3783_;
+                                    let _e1987 = phi_3784_;
+                                    if _e810 {
+                                        phi_3794_ = _e806;
                                     } else {
-                                        phi_3877_ = _e2017;
+                                        phi_3794_ = _e1987;
                                     }
-                                    let _e2019 = phi_3877_;
-                                    phi_4354_ = _e1645;
-                                    phi_3878_ = _e1647;
-                                    phi_3879_ = (_e780 - 1u);
-                                    phi_3880_ = select(_e2013, false, _e825);
-                                    phi_3881_ = select(_e2015, _e819, _e825);
-                                    phi_3882_ = _e2019;
+                                    let _e1989 = phi_3794_;
+                                    phi_4456_ = _e1615;
+                                    phi_3795_ = _e1617;
+                                    phi_3796_ = (_e765 - 1u);
+                                    phi_3797_ = select(_e1983, false, _e810);
+                                    phi_3798_ = select(_e1985, _e804, _e810);
+                                    phi_3799_ = _e1989;
                                 } else {
-                                    phi_4354_ = _e776;
-                                    phi_3878_ = _e778;
-                                    phi_3879_ = _e780;
-                                    phi_3880_ = _e817;
-                                    phi_3881_ = _e819;
-                                    phi_3882_ = _e821;
+                                    phi_4456_ = _e761;
+                                    phi_3795_ = _e763;
+                                    phi_3796_ = _e765;
+                                    phi_3797_ = _e802;
+                                    phi_3798_ = _e804;
+                                    phi_3799_ = _e806;
                                 }
-                                let _e2023 = phi_4354_;
-                                let _e2025 = phi_3878_;
-                                let _e2027 = phi_3879_;
-                                let _e2029 = phi_3880_;
-                                let _e2031 = phi_3881_;
-                                let _e2033 = phi_3882_;
-                                phi_4353_ = _e2023;
-                                phi_3883_ = _e2025;
-                                phi_3884_ = _e2027;
-                                phi_3885_ = _e2029;
-                                phi_3886_ = _e2031;
-                                phi_3887_ = _e2033;
+                                let _e1993 = phi_4456_;
+                                let _e1995 = phi_3795_;
+                                let _e1997 = phi_3796_;
+                                let _e1999 = phi_3797_;
+                                let _e2001 = phi_3798_;
+                                let _e2003 = phi_3799_;
+                                phi_4455_ = _e1993;
+                                phi_3800_ = _e1995;
+                                phi_3801_ = _e1997;
+                                phi_3802_ = _e1999;
+                                phi_3803_ = _e2001;
+                                phi_3804_ = _e2003;
                             } else {
-                                phi_4353_ = _e776;
-                                phi_3883_ = type_43();
-                                phi_3884_ = u32();
-                                phi_3885_ = bool();
-                                phi_3886_ = u32();
-                                phi_3887_ = type_61();
+                                phi_4455_ = _e761;
+                                phi_3800_ = type_43();
+                                phi_3801_ = u32();
+                                phi_3802_ = bool();
+                                phi_3803_ = u32();
+                                phi_3804_ = type_62();
                             }
-                            let _e2035 = phi_4353_;
-                            let _e2037 = phi_3883_;
-                            let _e2039 = phi_3884_;
-                            let _e2041 = phi_3885_;
-                            let _e2043 = phi_3886_;
-                            let _e2045 = phi_3887_;
-                            phi_4352_ = _e2035;
-                            phi_1331_ = _e2037;
-                            phi_1334_ = _e2039;
-                            phi_1336_ = _e2041;
-                            phi_1338_ = _e2043;
-                            phi_1340_ = _e2045;
-                            phi_3888_ = _e790;
+                            let _e2005 = phi_4455_;
+                            let _e2007 = phi_3800_;
+                            let _e2009 = phi_3801_;
+                            let _e2011 = phi_3802_;
+                            let _e2013 = phi_3803_;
+                            let _e2015 = phi_3804_;
+                            phi_4454_ = _e2005;
+                            phi_1351_ = _e2007;
+                            phi_1354_ = _e2009;
+                            phi_1356_ = _e2011;
+                            phi_1358_ = _e2013;
+                            phi_1360_ = _e2015;
+                            phi_3805_ = _e775;
                         } else {
-                            phi_4352_ = _e776;
-                            phi_1331_ = type_43();
-                            phi_1334_ = u32();
-                            phi_1336_ = bool();
-                            phi_1338_ = u32();
-                            phi_1340_ = type_61();
-                            phi_3888_ = false;
+                            phi_4454_ = _e761;
+                            phi_1351_ = type_43();
+                            phi_1354_ = u32();
+                            phi_1356_ = bool();
+                            phi_1358_ = u32();
+                            phi_1360_ = type_62();
+                            phi_3805_ = false;
                         }
-                        let _e2047 = phi_4352_;
-                        let _e2049 = phi_1331_;
-                        let _e2051 = phi_1334_;
-                        let _e2053 = phi_1336_;
-                        let _e2055 = phi_1338_;
-                        let _e2057 = phi_1340_;
-                        let _e2059 = phi_3888_;
+                        let _e2017 = phi_4454_;
+                        let _e2019 = phi_1351_;
+                        let _e2021 = phi_1354_;
+                        let _e2023 = phi_1356_;
+                        let _e2025 = phi_1358_;
+                        let _e2027 = phi_1360_;
+                        let _e2029 = phi_3805_;
                         continue;
                         continuing {
-                            phi_4165_ = _e2047;
-                            phi_1330_ = _e2049;
-                            phi_1333_ = _e2051;
-                            phi_1335_ = _e2053;
-                            phi_1337_ = _e2055;
-                            phi_1339_ = _e2057;
-                            phi_4351_ = _e2047;
-                            break if !(_e2059);
+                            phi_4262_ = _e2017;
+                            phi_1350_ = _e2019;
+                            phi_1353_ = _e2021;
+                            phi_1355_ = _e2023;
+                            phi_1357_ = _e2025;
+                            phi_1359_ = _e2027;
+                            phi_4453_ = _e2017;
+                            break if !(_e2029);
                         }
                     }
-                    let _e2062 = phi_4351_;
-                    if _e2062 {
+                    let _e2032 = phi_4453_;
+                    if _e2032 {
                         break;
                     }
-                    let _e2064 = local_10;
-                    if (_e2064.member.member_3 != 4294967295u) {
-                        let _e2069 = bitcast<u32>(_e2064.member.member);
-                        let _e2073 = (bitcast<i32>((_e2069 >> bitcast<u32>(23i))) & 255i);
-                        let _e2074 = (_e2073 + _e413);
-                        if (_e2073 == 255i) {
-                            phi_3947_ = _e2064.member.member;
+                    let _e2034 = local_10;
+                    if (_e2034.member.member_3 != 4294967295u) {
+                        let _e2039 = bitcast<u32>(_e2034.member.member);
+                        let _e2043 = (bitcast<i32>((_e2039 >> bitcast<u32>(23i))) & 255i);
+                        let _e2044 = (_e2043 + _e413);
+                        if (_e2043 == 255i) {
+                            phi_3864_ = _e2034.member.member;
                         } else {
-                            if (_e2073 > 0i) {
-                                if (_e2074 > 0i) {
-                                    let _e2078 = (_e2074 < 255i);
-                                    if _e2078 {
-                                        phi_3926_ = bitcast<f32>((_e2069 + bitcast<u32>((_e413 << bitcast<u32>(23i)))));
+                            if (_e2043 > 0i) {
+                                if (_e2044 > 0i) {
+                                    let _e2048 = (_e2044 < 255i);
+                                    if _e2048 {
+                                        phi_3843_ = bitcast<f32>((_e2039 + bitcast<u32>((_e413 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3926_ = f32();
+                                        phi_3843_ = f32();
                                     }
-                                    let _e2085 = phi_3926_;
-                                    phi_3928_ = _e2085;
-                                    phi_3929_ = select(true, false, _e2078);
+                                    let _e2055 = phi_3843_;
+                                    phi_3845_ = _e2055;
+                                    phi_3846_ = select(true, false, _e2048);
                                 } else {
-                                    phi_3928_ = f32();
-                                    phi_3929_ = true;
+                                    phi_3845_ = f32();
+                                    phi_3846_ = true;
                                 }
-                                let _e2088 = phi_3928_;
-                                let _e2090 = phi_3929_;
-                                phi_3930_ = _e2088;
-                                phi_3931_ = _e2090;
+                                let _e2058 = phi_3845_;
+                                let _e2060 = phi_3846_;
+                                phi_3847_ = _e2058;
+                                phi_3848_ = _e2060;
                             } else {
-                                phi_3930_ = f32();
-                                phi_3931_ = true;
+                                phi_3847_ = f32();
+                                phi_3848_ = true;
                             }
-                            let _e2092 = phi_3930_;
-                            let _e2094 = phi_3931_;
-                            if _e2094 {
-                                let _e2095 = (_e2069 & 2147483648u);
-                                let _e2102 = ((_e2069 & 8388607u) | (select(0u, 1u, ((_e2069 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2106 = (_e2102 == 0u);
-                                if _e2106 {
-                                    phi_4129_ = bitcast<f32>(_e2095);
+                            let _e2062 = phi_3847_;
+                            let _e2064 = phi_3848_;
+                            if _e2064 {
+                                let _e2065 = (_e2039 & 2147483648u);
+                                let _e2072 = ((_e2039 & 8388607u) | (select(0u, 1u, ((_e2039 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2076 = (_e2072 == 0u);
+                                if _e2076 {
+                                    phi_4226_ = bitcast<f32>(_e2065);
                                 } else {
-                                    let _e2111 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2102)), 32u, _e2106) - 8u);
-                                    let _e2114 = (_e2102 << bitcast<u32>((_e2111 & 31u)));
-                                    let _e2116 = ((_e2074 + select(0i, 1i, (_e2073 == 0i))) - bitcast<i32>(_e2111));
-                                    if (_e2116 >= 255i) {
-                                        phi_4119_ = bitcast<f32>((_e2095 | 2139095040u));
-                                        phi_4120_ = f32();
-                                        phi_4121_ = true;
+                                    let _e2081 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2072)), 32u, _e2076) - 8u);
+                                    let _e2084 = (_e2072 << bitcast<u32>((_e2081 & 31u)));
+                                    let _e2086 = ((_e2044 + select(0i, 1i, (_e2043 == 0i))) - bitcast<i32>(_e2081));
+                                    if (_e2086 >= 255i) {
+                                        phi_4216_ = bitcast<f32>((_e2065 | 2139095040u));
+                                        phi_4217_ = f32();
+                                        phi_4218_ = true;
                                     } else {
-                                        let _e2118 = (_e2116 > 0i);
-                                        if _e2118 {
-                                            phi_4113_ = bitcast<f32>(((_e2095 | (bitcast<u32>(_e2116) << bitcast<u32>(23i))) | (_e2114 & 8388607u)));
-                                            phi_4114_ = f32();
+                                        let _e2088 = (_e2086 > 0i);
+                                        if _e2088 {
+                                            phi_4210_ = bitcast<f32>(((_e2065 | (bitcast<u32>(_e2086) << bitcast<u32>(23i))) | (_e2084 & 8388607u)));
+                                            phi_4211_ = f32();
                                         } else {
-                                            if (_e2116 < -24i) {
-                                                phi_4079_ = 26u;
+                                            if (_e2086 < -24i) {
+                                                phi_4176_ = 26u;
                                             } else {
-                                                phi_4079_ = bitcast<u32>((1i - _e2116));
+                                                phi_4176_ = bitcast<u32>((1i - _e2086));
                                             }
-                                            let _e2123 = phi_4079_;
-                                            let _e2124 = (_e2123 & 31u);
-                                            let _e2126 = (_e2114 >> bitcast<u32>(_e2124));
-                                            let _e2130 = (_e2114 & ((1u << bitcast<u32>(_e2124)) - 1u));
-                                            let _e2134 = (1u << bitcast<u32>(((_e2123 - 1u) & 31u)));
-                                            if (_e2130 > _e2134) {
-                                                phi_4100_ = true;
+                                            let _e2093 = phi_4176_;
+                                            let _e2094 = (_e2093 & 31u);
+                                            let _e2096 = (_e2084 >> bitcast<u32>(_e2094));
+                                            let _e2100 = (_e2084 & ((1u << bitcast<u32>(_e2094)) - 1u));
+                                            let _e2104 = (1u << bitcast<u32>(((_e2093 - 1u) & 31u)));
+                                            if (_e2100 > _e2104) {
+                                                phi_4197_ = true;
                                             } else {
-                                                if (_e2130 == _e2134) {
-                                                    phi_4097_ = ((_e2126 & 1u) == 1u);
+                                                if (_e2100 == _e2104) {
+                                                    phi_4194_ = ((_e2096 & 1u) == 1u);
                                                 } else {
-                                                    phi_4097_ = false;
+                                                    phi_4194_ = false;
                                                 }
-                                                let _e2140 = phi_4097_;
-                                                phi_4100_ = _e2140;
+                                                let _e2110 = phi_4194_;
+                                                phi_4197_ = _e2110;
                                             }
-                                            let _e2142 = phi_4100_;
-                                            phi_4113_ = f32();
-                                            phi_4114_ = bitcast<f32>((_e2095 | (_e2126 + select(0u, 1u, _e2142))));
+                                            let _e2112 = phi_4197_;
+                                            phi_4210_ = f32();
+                                            phi_4211_ = bitcast<f32>((_e2065 | (_e2096 + select(0u, 1u, _e2112))));
                                         }
-                                        let _e2155 = phi_4113_;
-                                        let _e2157 = phi_4114_;
-                                        phi_4119_ = _e2155;
-                                        phi_4120_ = _e2157;
-                                        phi_4121_ = _e2118;
+                                        let _e2125 = phi_4210_;
+                                        let _e2127 = phi_4211_;
+                                        phi_4216_ = _e2125;
+                                        phi_4217_ = _e2127;
+                                        phi_4218_ = _e2088;
                                     }
-                                    let _e2161 = phi_4119_;
-                                    let _e2163 = phi_4120_;
-                                    let _e2165 = phi_4121_;
-                                    phi_4129_ = select(_e2163, _e2161, _e2165);
+                                    let _e2131 = phi_4216_;
+                                    let _e2133 = phi_4217_;
+                                    let _e2135 = phi_4218_;
+                                    phi_4226_ = select(_e2133, _e2131, _e2135);
                                 }
-                                let _e2169 = phi_4129_;
-                                phi_3946_ = _e2169;
+                                let _e2139 = phi_4226_;
+                                phi_3863_ = _e2139;
                             } else {
-                                phi_3946_ = _e2092;
+                                phi_3863_ = _e2062;
                             }
-                            let _e2171 = phi_3946_;
-                            phi_3947_ = _e2171;
+                            let _e2141 = phi_3863_;
+                            phi_3864_ = _e2141;
                         }
-                        let _e2173 = phi_3947_;
-                        let _e2174 = bitcast<u32>(_e2173);
-                        if ((_e2174 & 2147483647u) >= 2139095040u) {
-                            phi_3959_ = bitcast<f32>(((_e2174 & 2147483648u) | 2139095039u));
+                        let _e2143 = phi_3864_;
+                        let _e2144 = bitcast<u32>(_e2143);
+                        if ((_e2144 & 2147483647u) >= 2139095040u) {
+                            phi_3876_ = bitcast<f32>(((_e2144 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3959_ = _e2173;
+                            phi_3876_ = _e2143;
                         }
-                        let _e2181 = phi_3959_;
-                        phi_3964_ = type_27(_e2181, _e2064.member.member_1, _e2064.member.member_2, _e2064.member.member_3);
+                        let _e2151 = phi_3876_;
+                        phi_3881_ = type_27(_e2151, _e2034.member.member_1, _e2034.member.member_2, _e2034.member.member_3);
                     } else {
-                        phi_3964_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3881_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2186 = phi_3964_;
+                    let _e2156 = phi_3881_;
                     if _e290 {
                     } else {
                         break;
                     }
-                    global_8.member[_e144] = _e2186;
+                    global_8.member[_e144] = _e2156;
                     if _e151 {
                     } else {
                         break;
                     }
-                    let _e2190 = select(0u, 1u, (_e357 <= _e367));
-                    if (_e2190 > 0u) {
-                        let _e2192 = (1u < _e112);
-                        if _e2192 {
+                    let _e2160 = select(0u, 1u, (_e357 <= _e367));
+                    if (_e2160 > 0u) {
+                        let _e2162 = (1u < _e112);
+                        if _e2162 {
                             if (0u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e2196 = atomicAdd((&global_9.member[0u]), _e2190);
-                            if ((_e2196 + _e2190) < _e2196) {
-                                if _e2192 {
+                            let _e2166 = atomicAdd((&global_9.member[0u]), _e2160);
+                            if ((_e2166 + _e2160) < _e2166) {
+                                if _e2162 {
                                 } else {
                                     break;
                                 }
-                                let _e2201 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2171 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2204 = select(0u, 1u, (_e2186.member_3 != 4294967295u));
-                    if (_e2204 > 0u) {
-                        let _e2206 = (3u < _e112);
-                        if _e2206 {
+                    let _e2174 = select(0u, 1u, (_e2156.member_3 != 4294967295u));
+                    if (_e2174 > 0u) {
+                        let _e2176 = (3u < _e112);
+                        if _e2176 {
                             if (2u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e2210 = atomicAdd((&global_9.member[2u]), _e2204);
-                            if ((_e2210 + _e2204) < _e2210) {
-                                if _e2206 {
+                            let _e2180 = atomicAdd((&global_9.member[2u]), _e2174);
+                            if ((_e2180 + _e2174) < _e2180) {
+                                if _e2176 {
                                 } else {
                                     break;
                                 }
-                                let _e2215 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2185 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

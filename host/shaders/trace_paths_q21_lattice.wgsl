@@ -58,30 +58,37 @@ struct type_39 {
     member_1: f32,
 }
 
-struct type_43 {
+struct type_42 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_44 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<i32>,
 }
 
-struct type_52 {
+struct type_53 {
     member: array<array<u32, 7>>,
 }
 
-struct type_57 {
+struct type_58 {
     member: type_33,
     member_1: u32,
 }
 
-struct type_58 {
+struct type_59 {
     member: array<vec4<f32>, 3>,
-    member_1: type_57,
-    member_2: type_57,
+    member_1: type_58,
+    member_2: type_58,
 }
 
-struct type_63 {
+struct type_64 {
     member: array<atomic<u32>>,
 }
 
@@ -89,21 +96,21 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<uniform> global_2: type_43;
+var<uniform> global_2: type_44;
 @group(0) @binding(2) 
-var<uniform> global_3: type_43;
+var<uniform> global_3: type_44;
 @group(0) @binding(5) 
 var<storage> global_4: type_4;
 @group(0) @binding(6) 
-var<storage> global_5: type_46;
+var<storage> global_5: type_47;
 @group(0) @binding(7) 
 var<storage> global_6: type_28;
 @group(0) @binding(8) 
 var<storage, read_write> global_7: type_23;
 @group(0) @binding(9) 
-var<storage, read_write> global_8: type_63;
+var<storage, read_write> global_8: type_64;
 @group(0) @binding(3) 
-var<storage> global_9: type_52;
+var<storage> global_9: type_53;
 @group(0) @binding(4) 
 var<storage> global_10: type_4;
 
@@ -118,210 +125,197 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_422_: u32;
-    var phi_466_: i32;
-    var phi_606_: type_35;
-    var phi_712_: i32;
-    var phi_713_: i32;
-    var phi_723_: bool;
-    var phi_733_: u32;
-    var phi_734_: u32;
-    var phi_736_: bool;
-    var phi_741_: u32;
-    var phi_774_: i32;
-    var phi_792_: f32;
-    var phi_798_: f32;
-    var phi_838_: f32;
-    var phi_844_: f32;
-    var phi_896_: f32;
-    var phi_908_: f32;
-    var phi_917_: f32;
-    var phi_923_: f32;
-    var phi_963_: f32;
-    var phi_969_: f32;
-    var phi_1021_: f32;
-    var phi_1033_: f32;
-    var phi_1042_: f32;
-    var phi_1048_: f32;
-    var phi_1088_: f32;
-    var phi_1094_: f32;
-    var phi_1146_: f32;
-    var phi_1158_: f32;
-    var phi_1213_: i32;
-    var phi_1235_: u32;
-    var phi_1236_: u32;
-    var phi_1273_: i32;
-    var phi_1295_: u32;
-    var phi_1296_: u32;
-    var phi_1304_: f32;
-    var phi_1305_: f32;
-    var phi_5280_: bool;
-    var phi_1401_: type_39;
-    var phi_1404_: u32;
-    var phi_1406_: bool;
-    var phi_1408_: u32;
-    var phi_1410_: type_57;
-    var phi_1421_: bool;
-    var phi_1507_: bool;
-    var phi_1508_: u32;
-    var phi_1509_: type_57;
-    var phi_1528_: type_39;
-    var phi_1531_: type_8;
-    var phi_1532_: type_8;
-    var phi_1554_: type_8;
-    var phi_1595_: u32;
-    var phi_1601_: u32;
-    var phi_1611_: u32;
-    var phi_1627_: u32;
-    var phi_1660_: u32;
-    var phi_1666_: u32;
-    var phi_2132_: u32;
-    var phi_2150_: u32;
-    var phi_2168_: u32;
-    var phi_2191_: u32;
-    var phi_2209_: u32;
-    var phi_2227_: u32;
-    var phi_2250_: u32;
-    var phi_2268_: u32;
-    var phi_2286_: u32;
-    var phi_1840_: u32;
-    var phi_1855_: u32;
-    var phi_1865_: u32;
-    var phi_1886_: u32;
-    var phi_1907_: u32;
-    var phi_1937_: u32;
-    var phi_1952_: u32;
-    var phi_1962_: u32;
-    var phi_1983_: u32;
-    var phi_2004_: u32;
-    var phi_2034_: u32;
-    var phi_2049_: u32;
-    var phi_2059_: u32;
-    var phi_2080_: u32;
-    var phi_2101_: u32;
-    var phi_1693_: u32;
-    var phi_1742_: u32;
-    var phi_1791_: u32;
-    var phi_2292_: array<array<f32, 3>, 3>;
-    var phi_2444_: bool;
-    var phi_2473_: bool;
-    var phi_2892_: f32;
-    var phi_2893_: f32;
-    var phi_2894_: f32;
-    var phi_2895_: f32;
-    var phi_2896_: vec3<f32>;
-    var phi_2897_: vec3<f32>;
-    var phi_2898_: vec3<f32>;
-    var phi_2899_: vec3<f32>;
-    var phi_2936_: bool;
-    var phi_2945_: vec3<f32>;
-    var phi_3110_: f32;
-    var phi_3112_: f32;
-    var phi_3113_: bool;
-    var phi_3133_: f32;
-    var phi_3134_: f32;
-    var phi_3157_: type_21;
-    var phi_3159_: type_21;
-    var phi_3160_: bool;
-    var phi_3164_: type_21;
-    var phi_3165_: type_21;
-    var phi_3166_: type_21;
-    var phi_3167_: bool;
-    var phi_3171_: type_21;
-    var phi_3172_: bool;
-    var phi_3173_: type_21;
-    var phi_3174_: bool;
-    var phi_3175_: bool;
-    var phi_3176_: type_21;
-    var phi_3177_: bool;
-    var phi_3178_: bool;
-    var phi_3186_: type_21;
-    var phi_3187_: bool;
-    var phi_3191_: type_21;
-    var phi_3214_: u32;
-    var phi_3228_: i32;
-    var phi_3250_: vec3<f32>;
-    var phi_3251_: vec3<f32>;
-    var phi_3269_: vec3<f32>;
-    var phi_3270_: vec3<f32>;
-    var phi_3288_: vec3<f32>;
-    var phi_3289_: vec3<f32>;
-    var phi_3325_: vec3<f32>;
-    var phi_3507_: f32;
-    var phi_3525_: bool;
-    var phi_3526_: bool;
-    var phi_3545_: bool;
-    var phi_3546_: bool;
-    var phi_3552_: type_39;
-    var phi_3553_: type_39;
-    var phi_3554_: type_39;
-    var phi_1529_: type_39;
-    var phi_5274_: bool;
-    var phi_5604_: bool;
-    var phi_3555_: type_39;
-    var phi_4057_: u32;
-    var phi_4063_: u32;
-    var phi_4317_: u32;
-    var phi_4318_: u32;
-    var phi_4328_: u32;
-    var phi_4330_: u32;
-    var phi_4331_: bool;
-    var phi_4351_: u32;
-    var phi_4352_: u32;
-    var phi_4356_: type_58;
-    var phi_4718_: type_57;
-    var phi_4794_: type_57;
-    var phi_4795_: u32;
-    var phi_4796_: type_57;
-    var phi_4798_: u32;
-    var phi_4799_: type_57;
-    var phi_4800_: bool;
-    var phi_4809_: type_57;
-    var phi_4814_: bool;
-    var phi_4816_: type_57;
-    var phi_4820_: bool;
-    var phi_4821_: u32;
-    var phi_4822_: type_57;
-    var phi_4832_: type_57;
-    var phi_5516_: bool;
-    var phi_4833_: type_39;
-    var phi_4834_: u32;
-    var phi_4835_: bool;
-    var phi_4836_: u32;
-    var phi_4837_: type_57;
-    var phi_5515_: bool;
-    var phi_4838_: type_39;
-    var phi_4839_: u32;
-    var phi_4840_: bool;
-    var phi_4841_: u32;
-    var phi_4842_: type_57;
-    var phi_5514_: bool;
-    var phi_1402_: type_39;
-    var phi_1405_: u32;
-    var phi_1407_: bool;
-    var phi_1409_: u32;
-    var phi_1411_: type_57;
-    var phi_4843_: bool;
-    var phi_5513_: bool;
+    var phi_442_: u32;
+    var phi_486_: i32;
+    var phi_626_: type_35;
+    var phi_732_: i32;
+    var phi_733_: i32;
+    var phi_743_: bool;
+    var phi_753_: u32;
+    var phi_754_: u32;
+    var phi_756_: bool;
+    var phi_761_: u32;
+    var phi_794_: i32;
+    var phi_812_: f32;
+    var phi_818_: f32;
+    var phi_858_: f32;
+    var phi_864_: f32;
+    var phi_937_: f32;
+    var phi_943_: f32;
+    var phi_983_: f32;
+    var phi_989_: f32;
+    var phi_1062_: f32;
+    var phi_1068_: f32;
+    var phi_1108_: f32;
+    var phi_1114_: f32;
+    var phi_1233_: i32;
+    var phi_1255_: u32;
+    var phi_1256_: u32;
+    var phi_1293_: i32;
+    var phi_1315_: u32;
+    var phi_1316_: u32;
+    var phi_1324_: f32;
+    var phi_1325_: f32;
+    var phi_5377_: bool;
+    var phi_1421_: type_39;
+    var phi_1424_: u32;
+    var phi_1426_: bool;
+    var phi_1428_: u32;
+    var phi_1430_: type_58;
+    var phi_1441_: bool;
+    var phi_1527_: bool;
+    var phi_1528_: u32;
+    var phi_1529_: type_58;
+    var phi_1548_: type_39;
+    var phi_1551_: type_8;
+    var phi_1552_: type_8;
+    var phi_1574_: type_8;
+    var phi_1615_: u32;
+    var phi_1621_: u32;
+    var phi_1631_: u32;
+    var phi_1647_: u32;
+    var phi_1680_: u32;
+    var phi_1686_: u32;
+    var phi_2152_: u32;
+    var phi_2170_: u32;
+    var phi_2188_: u32;
+    var phi_2211_: u32;
+    var phi_2229_: u32;
+    var phi_2247_: u32;
+    var phi_2270_: u32;
+    var phi_2288_: u32;
+    var phi_2306_: u32;
+    var phi_1860_: u32;
+    var phi_1875_: u32;
+    var phi_1885_: u32;
+    var phi_1906_: u32;
+    var phi_1927_: u32;
+    var phi_1957_: u32;
+    var phi_1972_: u32;
+    var phi_1982_: u32;
+    var phi_2003_: u32;
+    var phi_2024_: u32;
+    var phi_2054_: u32;
+    var phi_2069_: u32;
+    var phi_2079_: u32;
+    var phi_2100_: u32;
+    var phi_2121_: u32;
+    var phi_1713_: u32;
+    var phi_1762_: u32;
+    var phi_1811_: u32;
+    var phi_2312_: array<array<f32, 3>, 3>;
+    var phi_4938_: bool;
+    var phi_4953_: bool;
+    var phi_4968_: bool;
+    var phi_4983_: bool;
+    var phi_4998_: bool;
+    var phi_5013_: bool;
+    var phi_2854_: f32;
+    var phi_2855_: f32;
+    var phi_2856_: f32;
+    var phi_2857_: f32;
+    var phi_2858_: vec3<f32>;
+    var phi_2859_: vec3<f32>;
+    var phi_2860_: vec3<f32>;
+    var phi_2861_: vec3<f32>;
+    var phi_5028_: bool;
+    var phi_5043_: bool;
+    var phi_5058_: bool;
+    var phi_5073_: bool;
+    var phi_5088_: bool;
+    var phi_5103_: bool;
+    var phi_3069_: f32;
+    var phi_3089_: type_42;
+    var phi_3090_: type_42;
+    var phi_3093_: type_42;
+    var phi_3094_: type_42;
+    var phi_3095_: bool;
+    var phi_3099_: type_42;
+    var phi_3108_: type_21;
+    var phi_3131_: u32;
+    var phi_3145_: i32;
+    var phi_3167_: vec3<f32>;
+    var phi_3168_: vec3<f32>;
+    var phi_3186_: vec3<f32>;
+    var phi_3187_: vec3<f32>;
+    var phi_3205_: vec3<f32>;
+    var phi_3206_: vec3<f32>;
+    var phi_3242_: vec3<f32>;
+    var phi_3424_: f32;
+    var phi_3442_: bool;
+    var phi_3443_: bool;
+    var phi_3462_: bool;
+    var phi_3463_: bool;
+    var phi_3469_: type_39;
+    var phi_3470_: type_39;
+    var phi_3471_: type_39;
+    var phi_1549_: type_39;
+    var phi_5371_: bool;
+    var phi_5706_: bool;
+    var phi_3472_: type_39;
+    var phi_3974_: u32;
+    var phi_3980_: u32;
+    var phi_4234_: u32;
+    var phi_4235_: u32;
+    var phi_4245_: u32;
+    var phi_4247_: u32;
+    var phi_4248_: bool;
+    var phi_4268_: u32;
+    var phi_4269_: u32;
+    var phi_4273_: type_59;
+    var phi_4635_: type_58;
+    var phi_4711_: type_58;
+    var phi_4712_: u32;
+    var phi_4713_: type_58;
+    var phi_4715_: u32;
+    var phi_4716_: type_58;
+    var phi_4717_: bool;
+    var phi_4726_: type_58;
+    var phi_4731_: bool;
+    var phi_4733_: type_58;
+    var phi_4737_: bool;
+    var phi_4738_: u32;
+    var phi_4739_: type_58;
+    var phi_4749_: type_58;
+    var phi_5618_: bool;
+    var phi_4750_: type_39;
+    var phi_4751_: u32;
+    var phi_4752_: bool;
+    var phi_4753_: u32;
+    var phi_4754_: type_58;
+    var phi_5617_: bool;
+    var phi_4755_: type_39;
+    var phi_4756_: u32;
+    var phi_4757_: bool;
+    var phi_4758_: u32;
+    var phi_4759_: type_58;
+    var phi_5616_: bool;
+    var phi_1422_: type_39;
+    var phi_1425_: u32;
+    var phi_1427_: bool;
+    var phi_1429_: u32;
+    var phi_1431_: type_58;
+    var phi_4760_: bool;
+    var phi_5615_: bool;
     var local_10: type_39;
-    var phi_4881_: f32;
-    var phi_4883_: f32;
-    var phi_4884_: bool;
-    var phi_4885_: f32;
-    var phi_4886_: bool;
-    var phi_5182_: u32;
-    var phi_5200_: bool;
-    var phi_5203_: bool;
-    var phi_5216_: f32;
-    var phi_5217_: f32;
-    var phi_5222_: f32;
-    var phi_5223_: f32;
-    var phi_5224_: bool;
-    var phi_5232_: f32;
-    var phi_4901_: f32;
-    var phi_4902_: f32;
-    var phi_4914_: f32;
-    var phi_4919_: type_21;
+    var phi_4798_: f32;
+    var phi_4800_: f32;
+    var phi_4801_: bool;
+    var phi_4802_: f32;
+    var phi_4803_: bool;
+    var phi_5279_: u32;
+    var phi_5297_: bool;
+    var phi_5300_: bool;
+    var phi_5313_: f32;
+    var phi_5314_: f32;
+    var phi_5319_: f32;
+    var phi_5320_: f32;
+    var phi_5321_: bool;
+    var phi_5329_: f32;
+    var phi_4818_: f32;
+    var phi_4819_: f32;
+    var phi_4831_: f32;
+    var phi_4836_: type_21;
     var local_11: type_39;
 
     switch bitcast<i32>(0u) {
@@ -348,11 +342,11 @@ fn function_() {
                     break;
                 }
                 let _e172 = global_6.member[_e153].member_2;
-                phi_422_ = _e172;
+                phi_442_ = _e172;
             } else {
-                phi_422_ = 4294967295u;
+                phi_442_ = 4294967295u;
             }
-            let _e174 = phi_422_;
+            let _e174 = phi_442_;
             let _e177 = global_1.member[0u];
             let _e181 = global_2.member[0u][0u];
             let _e185 = global_2.member[0u][1u];
@@ -369,15 +363,15 @@ fn function_() {
             let _e215 = array<u32, 3>(_e201, _e205, _e209);
             let _e217 = bitcast<i32>(_e177);
             if (_e217 < -126i) {
-                phi_466_ = -126i;
+                phi_486_ = -126i;
             } else {
-                phi_466_ = select(_e217, 127i, (_e217 > 127i));
+                phi_486_ = select(_e217, 127i, (_e217 > 127i));
             }
-            let _e222 = phi_466_;
+            let _e222 = phi_486_;
             let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
             let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
             if (_e193 == 0u) {
-                phi_606_ = type_35(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
+                phi_626_ = type_35(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
             } else {
                 let _e235 = bitcast<u32>(_e210);
                 let _e237 = ((_e235 & 2139095040u) != 0u);
@@ -387,9 +381,9 @@ fn function_() {
                 let _e271 = ((_e269 & 2139095040u) != 0u);
                 let _e287 = bitcast<u32>(_e214);
                 let _e289 = ((_e287 & 2139095040u) != 0u);
-                phi_606_ = type_35(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
+                phi_626_ = type_35(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
             }
-            let _e306 = phi_606_;
+            let _e306 = phi_626_;
             if _e168 {
                 let _e307 = (_e153 < arrayLength((&global_7.member)));
                 if _e307 {
@@ -424,262 +418,232 @@ fn function_() {
                     if _e390 {
                         let _e393 = (bitcast<u32>(bitcast<f32>(_e363)) & 2147483647u);
                         if (_e393 >= 8388608u) {
-                            phi_712_ = (bitcast<i32>((_e393 >> bitcast<u32>(23i))) - 127i);
+                            phi_732_ = (bitcast<i32>((_e393 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_712_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e393)), 32u, (_e393 == 0u))));
+                            phi_732_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e393)), 32u, (_e393 == 0u))));
                         }
-                        let _e407 = phi_712_;
-                        phi_713_ = _e407;
+                        let _e407 = phi_732_;
+                        phi_733_ = _e407;
                     } else {
-                        phi_713_ = 0i;
+                        phi_733_ = 0i;
                     }
-                    let _e409 = phi_713_;
+                    let _e409 = phi_733_;
                     let _e410 = (_e319 == _e363);
                     if _e410 {
-                        phi_723_ = true;
+                        phi_743_ = true;
                     } else {
-                        phi_723_ = (_e327 == _e363);
+                        phi_743_ = (_e327 == _e363);
                     }
-                    let _e413 = phi_723_;
+                    let _e413 = phi_743_;
                     let _e414 = select(1u, 0u, _e410);
                     if _e413 {
                         let _e415 = (_e414 + 1u);
-                        phi_733_ = _e415;
-                        phi_734_ = _e415;
-                        phi_736_ = select(true, false, (_e415 == 2u));
+                        phi_753_ = _e415;
+                        phi_754_ = _e415;
+                        phi_756_ = select(true, false, (_e415 == 2u));
                     } else {
-                        phi_733_ = u32();
-                        phi_734_ = 0u;
-                        phi_736_ = true;
+                        phi_753_ = u32();
+                        phi_754_ = 0u;
+                        phi_756_ = true;
                     }
-                    let _e419 = phi_733_;
-                    let _e421 = phi_734_;
-                    let _e423 = phi_736_;
+                    let _e419 = phi_753_;
+                    let _e421 = phi_754_;
+                    let _e423 = phi_756_;
                     if _e423 {
-                        phi_741_ = (_e421 + 1u);
+                        phi_761_ = (_e421 + 1u);
                     } else {
-                        phi_741_ = 0u;
+                        phi_761_ = 0u;
                     }
-                    let _e427 = phi_741_;
+                    let _e427 = phi_761_;
                     let _e428 = select(_e419, _e421, _e423);
                     let _e429 = select(_e414, select(2u, _e414, _e413), _e423);
                     let _e430 = -(_e409);
                     if (_e430 < -126i) {
-                        phi_774_ = -126i;
+                        phi_794_ = -126i;
                     } else {
-                        phi_774_ = select(_e430, 127i, (_e430 > 127i));
+                        phi_794_ = select(_e430, 127i, (_e430 > 127i));
                     }
-                    let _e435 = phi_774_;
+                    let _e435 = phi_794_;
                     let _e440 = bitcast<f32>((bitcast<u32>((_e435 + 127i)) << bitcast<u32>(23i)));
                     let _e446 = bitcast<f32>((bitcast<u32>(((_e430 - _e435) + 127i)) << bitcast<u32>(23i)));
                     let _e451 = global_6.member[_e153].member.member;
                     let _e452 = (_e428 == 0u);
                     if _e452 {
-                        phi_792_ = _e451[0];
+                        phi_812_ = _e451[0];
                     } else {
-                        phi_792_ = _e451[1];
+                        phi_812_ = _e451[1];
                     }
-                    let _e456 = phi_792_;
+                    let _e456 = phi_812_;
                     let _e457 = (_e428 == 2u);
                     if _e457 {
-                        phi_798_ = _e451[2];
+                        phi_818_ = _e451[2];
                     } else {
-                        phi_798_ = _e456;
+                        phi_818_ = _e456;
                     }
-                    let _e460 = phi_798_;
+                    let _e460 = phi_818_;
                     let _e461 = bitcast<u32>(_e460);
                     let _e463 = ((_e461 & 2139095040u) != 0u);
                     let _e475 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e461 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e461 & 2147483648u))), _e460, _e463) * select(0.00000011920929f, 1f, _e463));
                     let _e476 = global_6.member[_e153].member.member_2;
                     if _e452 {
-                        phi_838_ = _e476[0];
+                        phi_858_ = _e476[0];
                     } else {
-                        phi_838_ = _e476[1];
+                        phi_858_ = _e476[1];
                     }
-                    let _e480 = phi_838_;
+                    let _e480 = phi_858_;
                     if _e457 {
-                        phi_844_ = _e476[2];
+                        phi_864_ = _e476[2];
                     } else {
-                        phi_844_ = _e480;
+                        phi_864_ = _e480;
                     }
-                    let _e483 = phi_844_;
+                    let _e483 = phi_864_;
                     let _e484 = bitcast<u32>(_e483);
                     let _e486 = ((_e484 & 2139095040u) != 0u);
                     let _e500 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e484 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e484 & 2147483648u))), _e483, _e486) * _e440) * select(0.00000011920929f, 1f, _e486)) * _e446);
-                    let _e504 = (bitcast<f32>((bitcast<u32>(_e500) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e504 {
-                        let _e508 = (bitcast<f32>((bitcast<u32>(_e475) & 2147483647u)) * 0.00000011920929f);
-                        phi_896_ = select(0.00000000000011368684f, _e508, (_e508 > 0.00000000000011368684f));
+                    let _e504 = (bitcast<f32>((bitcast<u32>(_e500) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e507 = bitcast<f32>((bitcast<u32>(_e475) & 2147483647u));
+                    let _e508 = (_e507 * 0.00000011920929f);
+                    let _e511 = select(select(0.00000000000011368684f, _e508, (_e508 > 0.00000000000011368684f)), 0f, _e504);
+                    let _e512 = select(0f, _e500, _e504);
+                    let _e513 = (_e475 + _e511);
+                    let _e514 = (_e475 - _e511);
+                    let _e516 = select(38685626000000000000000000f, (1f / _e500), _e504);
+                    let _e517 = (_e427 == 0u);
+                    if _e517 {
+                        phi_937_ = _e451[0];
                     } else {
-                        phi_896_ = 0f;
+                        phi_937_ = _e451[1];
                     }
-                    let _e512 = phi_896_;
-                    let _e513 = (_e475 + _e512);
-                    let _e514 = (_e475 - _e512);
-                    let _e515 = select(_e500, 0f, _e504);
-                    if _e504 {
-                        phi_908_ = 38685626000000000000000000f;
+                    let _e521 = phi_937_;
+                    let _e522 = (_e427 == 2u);
+                    if _e522 {
+                        phi_943_ = _e451[2];
                     } else {
-                        phi_908_ = (1f / _e500);
+                        phi_943_ = _e521;
                     }
-                    let _e518 = phi_908_;
-                    let _e519 = (_e427 == 0u);
-                    if _e519 {
-                        phi_917_ = _e451[0];
+                    let _e525 = phi_943_;
+                    let _e526 = bitcast<u32>(_e525);
+                    let _e528 = ((_e526 & 2139095040u) != 0u);
+                    let _e540 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e526 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e526 & 2147483648u))), _e525, _e528) * select(0.00000011920929f, 1f, _e528));
+                    if _e517 {
+                        phi_983_ = _e476[0];
                     } else {
-                        phi_917_ = _e451[1];
+                        phi_983_ = _e476[1];
                     }
-                    let _e523 = phi_917_;
-                    let _e524 = (_e427 == 2u);
-                    if _e524 {
-                        phi_923_ = _e451[2];
+                    let _e544 = phi_983_;
+                    if _e522 {
+                        phi_989_ = _e476[2];
                     } else {
-                        phi_923_ = _e523;
+                        phi_989_ = _e544;
                     }
-                    let _e527 = phi_923_;
-                    let _e528 = bitcast<u32>(_e527);
-                    let _e530 = ((_e528 & 2139095040u) != 0u);
-                    let _e542 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e528 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e528 & 2147483648u))), _e527, _e530) * select(0.00000011920929f, 1f, _e530));
-                    if _e519 {
-                        phi_963_ = _e476[0];
+                    let _e547 = phi_989_;
+                    let _e548 = bitcast<u32>(_e547);
+                    let _e550 = ((_e548 & 2139095040u) != 0u);
+                    let _e564 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e548 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e548 & 2147483648u))), _e547, _e550) * _e440) * select(0.00000011920929f, 1f, _e550)) * _e446);
+                    let _e568 = (bitcast<f32>((bitcast<u32>(_e564) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e571 = bitcast<f32>((bitcast<u32>(_e540) & 2147483647u));
+                    let _e572 = (_e571 * 0.00000011920929f);
+                    let _e575 = select(select(0.00000000000011368684f, _e572, (_e572 > 0.00000000000011368684f)), 0f, _e568);
+                    let _e576 = select(0f, _e564, _e568);
+                    let _e577 = (_e540 + _e575);
+                    let _e578 = (_e540 - _e575);
+                    let _e580 = select(38685626000000000000000000f, (1f / _e564), _e568);
+                    let _e581 = (_e429 == 0u);
+                    if _e581 {
+                        phi_1062_ = _e451[0];
                     } else {
-                        phi_963_ = _e476[1];
+                        phi_1062_ = _e451[1];
                     }
-                    let _e546 = phi_963_;
-                    if _e524 {
-                        phi_969_ = _e476[2];
+                    let _e585 = phi_1062_;
+                    let _e586 = (_e429 == 2u);
+                    if _e586 {
+                        phi_1068_ = _e451[2];
                     } else {
-                        phi_969_ = _e546;
+                        phi_1068_ = _e585;
                     }
-                    let _e549 = phi_969_;
-                    let _e550 = bitcast<u32>(_e549);
-                    let _e552 = ((_e550 & 2139095040u) != 0u);
-                    let _e566 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e550 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e550 & 2147483648u))), _e549, _e552) * _e440) * select(0.00000011920929f, 1f, _e552)) * _e446);
-                    let _e570 = (bitcast<f32>((bitcast<u32>(_e566) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e570 {
-                        let _e574 = (bitcast<f32>((bitcast<u32>(_e542) & 2147483647u)) * 0.00000011920929f);
-                        phi_1021_ = select(0.00000000000011368684f, _e574, (_e574 > 0.00000000000011368684f));
+                    let _e589 = phi_1068_;
+                    let _e590 = bitcast<u32>(_e589);
+                    let _e592 = ((_e590 & 2139095040u) != 0u);
+                    let _e604 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e590 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e590 & 2147483648u))), _e589, _e592) * select(0.00000011920929f, 1f, _e592));
+                    if _e581 {
+                        phi_1108_ = _e476[0];
                     } else {
-                        phi_1021_ = 0f;
+                        phi_1108_ = _e476[1];
                     }
-                    let _e578 = phi_1021_;
-                    let _e579 = (_e542 + _e578);
-                    let _e580 = (_e542 - _e578);
-                    let _e581 = select(_e566, 0f, _e570);
-                    if _e570 {
-                        phi_1033_ = 38685626000000000000000000f;
+                    let _e608 = phi_1108_;
+                    if _e586 {
+                        phi_1114_ = _e476[2];
                     } else {
-                        phi_1033_ = (1f / _e566);
+                        phi_1114_ = _e608;
                     }
-                    let _e584 = phi_1033_;
-                    let _e585 = (_e429 == 0u);
-                    if _e585 {
-                        phi_1042_ = _e451[0];
-                    } else {
-                        phi_1042_ = _e451[1];
-                    }
-                    let _e589 = phi_1042_;
-                    let _e590 = (_e429 == 2u);
-                    if _e590 {
-                        phi_1048_ = _e451[2];
-                    } else {
-                        phi_1048_ = _e589;
-                    }
-                    let _e593 = phi_1048_;
-                    let _e594 = bitcast<u32>(_e593);
-                    let _e596 = ((_e594 & 2139095040u) != 0u);
-                    let _e608 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e594 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e594 & 2147483648u))), _e593, _e596) * select(0.00000011920929f, 1f, _e596));
-                    if _e585 {
-                        phi_1088_ = _e476[0];
-                    } else {
-                        phi_1088_ = _e476[1];
-                    }
-                    let _e612 = phi_1088_;
-                    if _e590 {
-                        phi_1094_ = _e476[2];
-                    } else {
-                        phi_1094_ = _e612;
-                    }
-                    let _e615 = phi_1094_;
-                    let _e616 = bitcast<u32>(_e615);
-                    let _e618 = ((_e616 & 2139095040u) != 0u);
-                    let _e632 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e616 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e616 & 2147483648u))), _e615, _e618) * _e440) * select(0.00000011920929f, 1f, _e618)) * _e446);
-                    let _e636 = (bitcast<f32>((bitcast<u32>(_e632) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e636 {
-                        let _e640 = (bitcast<f32>((bitcast<u32>(_e608) & 2147483647u)) * 0.00000011920929f);
-                        phi_1146_ = select(0.00000000000011368684f, _e640, (_e640 > 0.00000000000011368684f));
-                    } else {
-                        phi_1146_ = 0f;
-                    }
-                    let _e644 = phi_1146_;
-                    let _e645 = (_e608 + _e644);
-                    let _e646 = (_e608 - _e644);
-                    let _e647 = select(_e632, 0f, _e636);
-                    if _e636 {
-                        phi_1158_ = 38685626000000000000000000f;
-                    } else {
-                        phi_1158_ = (1f / _e632);
-                    }
-                    let _e650 = phi_1158_;
-                    let _e653 = bitcast<f32>((bitcast<u32>(_e475) & 2147483647u));
-                    let _e656 = bitcast<f32>((bitcast<u32>(_e542) & 2147483647u));
-                    let _e658 = select(_e656, _e653, (_e653 > _e656));
-                    let _e661 = bitcast<f32>((bitcast<u32>(_e608) & 2147483647u));
-                    if (_e390 && (select(_e661, _e658, (_e658 > _e661)) <= 1099511600000f)) {
-                        let _e673 = ((_e376 & 8388607u) | (select(0u, 1u, ((_e376 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e676 = bitcast<i32>((_e376 >> bitcast<u32>(23i)));
-                        let _e680 = (_e673 == 0u);
-                        let _e683 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e673)), 32u, _e680)) - 8i);
-                        if (_e676 == 255i) {
-                            phi_1213_ = 255i;
+                    let _e611 = phi_1114_;
+                    let _e612 = bitcast<u32>(_e611);
+                    let _e614 = ((_e612 & 2139095040u) != 0u);
+                    let _e628 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e612 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e612 & 2147483648u))), _e611, _e614) * _e440) * select(0.00000011920929f, 1f, _e614)) * _e446);
+                    let _e632 = (bitcast<f32>((bitcast<u32>(_e628) & 2147483647u)) >= 0.00000000000000000086736174f);
+                    let _e635 = bitcast<f32>((bitcast<u32>(_e604) & 2147483647u));
+                    let _e636 = (_e635 * 0.00000011920929f);
+                    let _e639 = select(select(0.00000000000011368684f, _e636, (_e636 > 0.00000000000011368684f)), 0f, _e632);
+                    let _e640 = select(0f, _e628, _e632);
+                    let _e641 = (_e604 + _e639);
+                    let _e642 = (_e604 - _e639);
+                    let _e644 = select(38685626000000000000000000f, (1f / _e628), _e632);
+                    let _e646 = select(_e571, _e507, (_e507 > _e571));
+                    if (_e390 && (select(_e635, _e646, (_e646 > _e635)) <= 1099511600000f)) {
+                        let _e658 = ((_e376 & 8388607u) | (select(0u, 1u, ((_e376 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e661 = bitcast<i32>((_e376 >> bitcast<u32>(23i)));
+                        let _e665 = (_e658 == 0u);
+                        let _e668 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e658)), 32u, _e665)) - 8i);
+                        if (_e661 == 255i) {
+                            phi_1233_ = 255i;
                         } else {
-                            phi_1213_ = (((_e676 + select(0i, 1i, (_e676 == 0i))) - _e683) + _e409);
+                            phi_1233_ = (((_e661 + select(0i, 1i, (_e661 == 0i))) - _e668) + _e409);
                         }
-                        let _e691 = phi_1213_;
-                        let _e701 = (_e691 <= 0i);
-                        if _e701 {
-                            phi_1236_ = u32();
+                        let _e676 = phi_1233_;
+                        let _e686 = (_e676 <= 0i);
+                        if _e686 {
+                            phi_1256_ = u32();
                         } else {
-                            if _e680 {
-                                phi_1235_ = u32();
+                            if _e665 {
+                                phi_1255_ = u32();
                             } else {
-                                phi_1235_ = select(((bitcast<u32>(_e691) << bitcast<u32>(23i)) | ((_e673 << bitcast<u32>(((_e683 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e691 >= 255i));
+                                phi_1255_ = select(((bitcast<u32>(_e676) << bitcast<u32>(23i)) | ((_e658 << bitcast<u32>(((_e668 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e676 >= 255i));
                             }
-                            let _e705 = phi_1235_;
-                            phi_1236_ = _e705;
+                            let _e690 = phi_1255_;
+                            phi_1256_ = _e690;
                         }
-                        let _e707 = phi_1236_;
-                        let _e719 = ((_e386 & 8388607u) | (select(0u, 1u, ((_e386 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                        let _e722 = bitcast<i32>((_e386 >> bitcast<u32>(23i)));
-                        let _e726 = (_e719 == 0u);
-                        let _e729 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e719)), 32u, _e726)) - 8i);
-                        if (_e722 == 255i) {
-                            phi_1273_ = 255i;
+                        let _e692 = phi_1256_;
+                        let _e704 = ((_e386 & 8388607u) | (select(0u, 1u, ((_e386 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e707 = bitcast<i32>((_e386 >> bitcast<u32>(23i)));
+                        let _e711 = (_e704 == 0u);
+                        let _e714 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e704)), 32u, _e711)) - 8i);
+                        if (_e707 == 255i) {
+                            phi_1293_ = 255i;
                         } else {
-                            phi_1273_ = (((_e722 + select(0i, 1i, (_e722 == 0i))) - _e729) + _e409);
+                            phi_1293_ = (((_e707 + select(0i, 1i, (_e707 == 0i))) - _e714) + _e409);
                         }
-                        let _e737 = phi_1273_;
-                        let _e747 = (_e737 <= 0i);
-                        if _e747 {
-                            phi_1296_ = u32();
+                        let _e722 = phi_1293_;
+                        let _e732 = (_e722 <= 0i);
+                        if _e732 {
+                            phi_1316_ = u32();
                         } else {
-                            if _e726 {
-                                phi_1295_ = u32();
+                            if _e711 {
+                                phi_1315_ = u32();
                             } else {
-                                phi_1295_ = select(((bitcast<u32>(_e737) << bitcast<u32>(23i)) | ((_e719 << bitcast<u32>(((_e729 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e737 >= 255i));
+                                phi_1315_ = select(((bitcast<u32>(_e722) << bitcast<u32>(23i)) | ((_e704 << bitcast<u32>(((_e714 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e722 >= 255i));
                             }
-                            let _e751 = phi_1295_;
-                            phi_1296_ = _e751;
+                            let _e736 = phi_1315_;
+                            phi_1316_ = _e736;
                         }
-                        let _e753 = phi_1296_;
-                        phi_1304_ = bitcast<f32>(((_e385 & 2147483648u) | select(_e753, 0u, select(_e726, true, _e747))));
-                        phi_1305_ = bitcast<f32>(((_e375 & 2147483648u) | select(_e707, 0u, select(_e680, true, _e701))));
+                        let _e738 = phi_1316_;
+                        phi_1324_ = bitcast<f32>(((_e385 & 2147483648u) | select(_e738, 0u, select(_e711, true, _e732))));
+                        phi_1325_ = bitcast<f32>(((_e375 & 2147483648u) | select(_e692, 0u, select(_e665, true, _e686))));
                     } else {
-                        phi_1304_ = 0f;
-                        phi_1305_ = 1f;
+                        phi_1324_ = 0f;
+                        phi_1325_ = 1f;
                     }
-                    let _e759 = phi_1304_;
-                    let _e761 = phi_1305_;
+                    let _e744 = phi_1324_;
+                    let _e746 = phi_1325_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -688,1584 +652,1561 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e765 = (_e428 % 3u);
-                    let _e766 = (_e765 < 3u);
-                    if _e766 {
+                    let _e750 = (_e428 % 3u);
+                    let _e751 = (_e750 < 3u);
+                    if _e751 {
                     } else {
                         break;
                     }
-                    let _e768 = local_1[_e765];
-                    let _e771 = (_e427 % 3u);
-                    let _e772 = (_e771 < 3u);
-                    if _e772 {
+                    let _e753 = local_1[_e750];
+                    let _e756 = (_e427 % 3u);
+                    let _e757 = (_e756 < 3u);
+                    if _e757 {
                     } else {
                         break;
                     }
-                    let _e774 = local_1[_e771];
-                    let _e777 = (_e429 % 3u);
-                    let _e778 = (_e777 < 3u);
-                    if _e778 {
+                    let _e759 = local_1[_e756];
+                    let _e762 = (_e429 % 3u);
+                    let _e763 = (_e762 < 3u);
+                    if _e763 {
                     } else {
                         break;
                     }
-                    let _e780 = local_1[_e777];
-                    if _e766 {
+                    let _e765 = local_1[_e762];
+                    if _e751 {
                     } else {
                         break;
                     }
-                    let _e785 = local[_e765];
-                    if _e772 {
+                    let _e770 = local[_e750];
+                    if _e757 {
                     } else {
                         break;
                     }
-                    let _e789 = local[_e771];
-                    if _e778 {
+                    let _e774 = local[_e756];
+                    if _e763 {
                     } else {
                         break;
                     }
-                    let _e793 = local[_e777];
-                    phi_5280_ = false;
-                    phi_1401_ = type_39(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e759);
-                    phi_1404_ = ((3u * _e106) + 1u);
-                    phi_1406_ = (_e761 <= _e759);
-                    phi_1408_ = 0u;
-                    phi_1410_ = type_57(type_33(vec4<f32>((f32(_e768) * _e165), (f32(_e774) * _e165), (f32(_e780) * _e165), 0f), vec4<f32>((f32(_e785) * _e165), (f32(_e789) * _e165), (f32(_e793) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
+                    let _e778 = local[_e762];
+                    phi_5377_ = false;
+                    phi_1421_ = type_39(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e744);
+                    phi_1424_ = ((3u * _e106) + 1u);
+                    phi_1426_ = (_e746 <= _e744);
+                    phi_1428_ = 0u;
+                    phi_1430_ = type_58(type_33(vec4<f32>((f32(_e753) * _e165), (f32(_e759) * _e165), (f32(_e765) * _e165), 0f), vec4<f32>((f32(_e770) * _e165), (f32(_e774) * _e165), (f32(_e778) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
                     loop {
-                        let _e803 = phi_5280_;
-                        let _e805 = phi_1401_;
-                        let _e807 = phi_1404_;
-                        let _e809 = phi_1406_;
-                        let _e811 = phi_1408_;
-                        let _e813 = phi_1410_;
-                        local_10 = _e805;
-                        if _e809 {
-                            phi_1421_ = true;
+                        let _e788 = phi_5377_;
+                        let _e790 = phi_1421_;
+                        let _e792 = phi_1424_;
+                        let _e794 = phi_1426_;
+                        let _e796 = phi_1428_;
+                        let _e798 = phi_1430_;
+                        local_10 = _e790;
+                        if _e794 {
+                            phi_1441_ = true;
                         } else {
-                            phi_1421_ = (_e811 > 0u);
+                            phi_1441_ = (_e796 > 0u);
                         }
-                        let _e816 = phi_1421_;
-                        if _e816 {
-                            let _e817 = (_e807 > 0u);
-                            if _e817 {
-                                if _e809 {
-                                    phi_1507_ = _e809;
-                                    phi_1508_ = _e811;
-                                    phi_1509_ = _e813;
+                        let _e801 = phi_1441_;
+                        if _e801 {
+                            let _e802 = (_e792 > 0u);
+                            if _e802 {
+                                if _e794 {
+                                    phi_1527_ = _e794;
+                                    phi_1528_ = _e796;
+                                    phi_1529_ = _e798;
                                 } else {
-                                    let _e818 = (_e811 - 1u);
-                                    let _e819 = (_e818 % 128u);
-                                    let _e820 = (_e819 < 128u);
-                                    if _e820 {
+                                    let _e803 = (_e796 - 1u);
+                                    let _e804 = (_e803 % 128u);
+                                    let _e805 = (_e804 < 128u);
+                                    if _e805 {
                                     } else {
-                                        phi_5513_ = true;
+                                        phi_5615_ = true;
                                         break;
                                     }
-                                    let _e822 = local_7[_e819];
-                                    if _e820 {
+                                    let _e807 = local_7[_e804];
+                                    if _e805 {
                                     } else {
-                                        phi_5513_ = true;
+                                        phi_5615_ = true;
                                         break;
                                     }
-                                    let _e824 = local_6[_e819];
-                                    if _e820 {
+                                    let _e809 = local_6[_e804];
+                                    if _e805 {
                                     } else {
-                                        phi_5513_ = true;
+                                        phi_5615_ = true;
                                         break;
                                     }
-                                    let _e826 = local_5[_e819];
-                                    if _e820 {
+                                    let _e811 = local_5[_e804];
+                                    if _e805 {
                                     } else {
-                                        phi_5513_ = true;
+                                        phi_5615_ = true;
                                         break;
                                     }
-                                    let _e828 = local_4[_e819];
-                                    if _e820 {
+                                    let _e813 = local_4[_e804];
+                                    if _e805 {
                                     } else {
-                                        phi_5513_ = true;
+                                        phi_5615_ = true;
                                         break;
                                     }
-                                    let _e830 = local_3[_e819];
-                                    if _e820 {
+                                    let _e815 = local_3[_e804];
+                                    if _e805 {
                                     } else {
-                                        phi_5513_ = true;
+                                        phi_5615_ = true;
                                         break;
                                     }
-                                    let _e832 = local_2[_e819];
-                                    if _e820 {
+                                    let _e817 = local_2[_e804];
+                                    if _e805 {
                                     } else {
-                                        phi_5513_ = true;
+                                        phi_5615_ = true;
                                         break;
                                     }
-                                    let _e837 = local_8[_e819];
-                                    if _e820 {
+                                    let _e822 = local_8[_e804];
+                                    if _e805 {
                                     } else {
-                                        phi_5513_ = true;
+                                        phi_5615_ = true;
                                         break;
                                     }
-                                    let _e840 = local_9[_e819];
-                                    phi_1507_ = (_e840 <= _e805.member_1);
-                                    phi_1508_ = _e818;
-                                    phi_1509_ = type_57(type_33(vec4<f32>(_e822, _e824, _e826, 0f), vec4<f32>(_e828, _e830, _e832, 0f)), _e837);
+                                    let _e825 = local_9[_e804];
+                                    phi_1527_ = (_e825 <= _e790.member_1);
+                                    phi_1528_ = _e803;
+                                    phi_1529_ = type_58(type_33(vec4<f32>(_e807, _e809, _e811, 0f), vec4<f32>(_e813, _e815, _e817, 0f)), _e822);
                                 }
-                                let _e844 = phi_1507_;
-                                let _e846 = phi_1508_;
-                                let _e848 = phi_1509_;
-                                if _e844 {
-                                    let _e852 = ((_e848.member_1 & 2147483648u) != 0u);
-                                    let _e853 = (_e848.member_1 & 268435455u);
-                                    if _e852 {
-                                        phi_1528_ = _e805;
-                                        phi_1531_ = type_8(0u, ((_e848.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e829 = phi_1527_;
+                                let _e831 = phi_1528_;
+                                let _e833 = phi_1529_;
+                                if _e829 {
+                                    let _e837 = ((_e833.member_1 & 2147483648u) != 0u);
+                                    let _e838 = (_e833.member_1 & 268435455u);
+                                    if _e837 {
+                                        phi_1548_ = _e790;
+                                        phi_1551_ = type_8(0u, ((_e833.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e860 = phi_1528_;
-                                            let _e862 = phi_1531_;
-                                            local_11 = _e860;
-                                            if (_e862.member < _e862.member_1) {
-                                                phi_1532_ = type_8((_e862.member + 1u), _e862.member_1);
-                                                phi_1554_ = type_8(1u, _e862.member);
+                                            let _e845 = phi_1548_;
+                                            let _e847 = phi_1551_;
+                                            local_11 = _e845;
+                                            if (_e847.member < _e847.member_1) {
+                                                phi_1552_ = type_8((_e847.member + 1u), _e847.member_1);
+                                                phi_1574_ = type_8(1u, _e847.member);
                                             } else {
-                                                phi_1532_ = _e862;
-                                                phi_1554_ = type_8(0u, type_8().member_1);
+                                                phi_1552_ = _e847;
+                                                phi_1574_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e875 = phi_1532_;
-                                            let _e877 = phi_1554_;
-                                            let _e881 = (bitcast<i32>(_e877.member) != 0i);
-                                            if _e881 {
-                                                let _e886 = (_e848.member.member_1.x - _e848.member.member.x);
-                                                let _e889 = (_e848.member.member_1.y - _e848.member.member.y);
-                                                let _e892 = (_e848.member.member_1.z - _e848.member.member.z);
-                                                let _e894 = select(_e889, _e886, (_e886 > _e889));
-                                                let _e896 = select(_e892, _e894, (_e894 > _e892));
-                                                let _e898 = (_e896 < (1024f * _e165));
-                                                if _e898 {
-                                                    phi_1595_ = 0u;
+                                            let _e860 = phi_1552_;
+                                            let _e862 = phi_1574_;
+                                            let _e866 = (bitcast<i32>(_e862.member) != 0i);
+                                            if _e866 {
+                                                let _e871 = (_e833.member.member_1.x - _e833.member.member.x);
+                                                let _e874 = (_e833.member.member_1.y - _e833.member.member.y);
+                                                let _e877 = (_e833.member.member_1.z - _e833.member.member.z);
+                                                let _e879 = select(_e874, _e871, (_e871 > _e874));
+                                                let _e881 = select(_e877, _e879, (_e879 > _e877));
+                                                let _e883 = (_e881 < (1024f * _e165));
+                                                if _e883 {
+                                                    phi_1615_ = 0u;
                                                 } else {
-                                                    phi_1595_ = select(2u, 1u, (_e896 < (2097152f * _e165)));
+                                                    phi_1615_ = select(2u, 1u, (_e881 < (2097152f * _e165)));
                                                 }
-                                                let _e903 = phi_1595_;
-                                                switch bitcast<i32>(_e903) {
+                                                let _e888 = phi_1615_;
+                                                switch bitcast<i32>(_e888) {
                                                     case 0: {
-                                                        phi_1601_ = 1u;
+                                                        phi_1621_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1601_ = 2u;
+                                                        phi_1621_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1601_ = 3u;
+                                                        phi_1621_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1601_ = u32();
+                                                        phi_1621_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e906 = phi_1601_;
-                                                switch bitcast<i32>(_e903) {
+                                                let _e891 = phi_1621_;
+                                                switch bitcast<i32>(_e888) {
                                                     case 0: {
-                                                        phi_1611_ = 1u;
+                                                        phi_1631_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1611_ = 2u;
+                                                        phi_1631_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1611_ = 3u;
+                                                        phi_1631_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1611_ = u32();
+                                                        phi_1631_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e913 = phi_1611_;
-                                                let _e915 = ((_e853 + (_e877.member_1 * ((3u * _e906) + 1u))) + (3u * _e913));
-                                                let _e916 = (_e915 < _e109);
-                                                if _e916 {
-                                                    if _e916 {
+                                                let _e898 = phi_1631_;
+                                                let _e900 = ((_e838 + (_e862.member_1 * ((3u * _e891) + 1u))) + (3u * _e898));
+                                                let _e901 = (_e900 < _e109);
+                                                if _e901 {
+                                                    if _e901 {
                                                     } else {
-                                                        phi_5274_ = true;
+                                                        phi_5371_ = true;
                                                         break;
                                                     }
-                                                    let _e918 = global_10.member[_e915];
-                                                    phi_1627_ = _e918;
+                                                    let _e903 = global_10.member[_e900];
+                                                    phi_1647_ = _e903;
                                                 } else {
-                                                    phi_1627_ = 4294967295u;
+                                                    phi_1647_ = 4294967295u;
                                                 }
-                                                let _e920 = phi_1627_;
-                                                if _e898 {
-                                                    phi_1660_ = 0u;
+                                                let _e905 = phi_1647_;
+                                                if _e883 {
+                                                    phi_1680_ = 0u;
                                                 } else {
-                                                    phi_1660_ = select(2u, 1u, (_e896 < (2097152f * _e165)));
+                                                    phi_1680_ = select(2u, 1u, (_e881 < (2097152f * _e165)));
                                                 }
-                                                let _e925 = phi_1660_;
-                                                switch bitcast<i32>(_e925) {
+                                                let _e910 = phi_1680_;
+                                                switch bitcast<i32>(_e910) {
                                                     case 0: {
-                                                        phi_1666_ = 1u;
+                                                        phi_1686_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1666_ = 2u;
+                                                        phi_1686_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1666_ = 3u;
+                                                        phi_1686_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1666_ = u32();
+                                                        phi_1686_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e928 = phi_1666_;
-                                                let _e932 = (_e853 + (_e877.member_1 * ((3u * _e928) + 1u)));
-                                                switch bitcast<i32>(_e925) {
+                                                let _e913 = phi_1686_;
+                                                let _e917 = (_e838 + (_e862.member_1 * ((3u * _e913) + 1u)));
+                                                switch bitcast<i32>(_e910) {
                                                     case 0: {
-                                                        let _e1207 = (_e932 < _e109);
-                                                        if _e1207 {
-                                                            if _e1207 {
+                                                        let _e1192 = (_e917 < _e109);
+                                                        if _e1192 {
+                                                            if _e1192 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1209 = global_10.member[_e932];
-                                                            phi_1693_ = _e1209;
+                                                            let _e1194 = global_10.member[_e917];
+                                                            phi_1713_ = _e1194;
                                                         } else {
-                                                            phi_1693_ = 0u;
+                                                            phi_1713_ = 0u;
                                                         }
-                                                        let _e1211 = phi_1693_;
-                                                        let _e1213 = ((10u * _e428) & 31u);
-                                                        let _e1223 = ((10u * _e427) & 31u);
-                                                        let _e1233 = ((10u * _e429) & 31u);
-                                                        let _e1243 = (_e932 + 1u);
-                                                        let _e1244 = (_e1243 < _e109);
-                                                        if _e1244 {
-                                                            if _e1244 {
+                                                        let _e1196 = phi_1713_;
+                                                        let _e1198 = ((10u * _e428) & 31u);
+                                                        let _e1208 = ((10u * _e427) & 31u);
+                                                        let _e1218 = ((10u * _e429) & 31u);
+                                                        let _e1228 = (_e917 + 1u);
+                                                        let _e1229 = (_e1228 < _e109);
+                                                        if _e1229 {
+                                                            if _e1229 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1246 = global_10.member[_e1243];
-                                                            phi_1742_ = _e1246;
+                                                            let _e1231 = global_10.member[_e1228];
+                                                            phi_1762_ = _e1231;
                                                         } else {
-                                                            phi_1742_ = 0u;
+                                                            phi_1762_ = 0u;
                                                         }
-                                                        let _e1248 = phi_1742_;
-                                                        let _e1274 = (_e932 + 2u);
-                                                        let _e1275 = (_e1274 < _e109);
-                                                        if _e1275 {
-                                                            if _e1275 {
+                                                        let _e1233 = phi_1762_;
+                                                        let _e1259 = (_e917 + 2u);
+                                                        let _e1260 = (_e1259 < _e109);
+                                                        if _e1260 {
+                                                            if _e1260 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1277 = global_10.member[_e1274];
-                                                            phi_1791_ = _e1277;
+                                                            let _e1262 = global_10.member[_e1259];
+                                                            phi_1811_ = _e1262;
                                                         } else {
-                                                            phi_1791_ = 0u;
+                                                            phi_1811_ = 0u;
                                                         }
-                                                        let _e1279 = phi_1791_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1211 >> bitcast<u32>(_e1213)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1211 >> bitcast<u32>(_e1223)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1211 >> bitcast<u32>(_e1233)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1248 >> bitcast<u32>(_e1213)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1248 >> bitcast<u32>(_e1223)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1248 >> bitcast<u32>(_e1233)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | ((_e1279 >> bitcast<u32>(_e1213)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | ((_e1279 >> bitcast<u32>(_e1223)) & 1023u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | ((_e1279 >> bitcast<u32>(_e1233)) & 1023u))) - 8388608f) * _e165))));
+                                                        let _e1264 = phi_1811_;
+                                                        phi_2312_ = array<array<f32, 3>, 3>(array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | ((_e1196 >> bitcast<u32>(_e1198)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | ((_e1196 >> bitcast<u32>(_e1208)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | ((_e1196 >> bitcast<u32>(_e1218)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | ((_e1233 >> bitcast<u32>(_e1198)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | ((_e1233 >> bitcast<u32>(_e1208)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | ((_e1233 >> bitcast<u32>(_e1218)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | ((_e1264 >> bitcast<u32>(_e1198)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | ((_e1264 >> bitcast<u32>(_e1208)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | ((_e1264 >> bitcast<u32>(_e1218)) & 1023u))) - 8388608f) * _e165))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1021 = (_e932 < _e109);
-                                                        if _e1021 {
-                                                            if _e1021 {
+                                                        let _e1006 = (_e917 < _e109);
+                                                        if _e1006 {
+                                                            if _e1006 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1023 = global_10.member[_e932];
-                                                            phi_1840_ = _e1023;
+                                                            let _e1008 = global_10.member[_e917];
+                                                            phi_1860_ = _e1008;
                                                         } else {
-                                                            phi_1840_ = 0u;
+                                                            phi_1860_ = 0u;
                                                         }
-                                                        let _e1025 = phi_1840_;
-                                                        let _e1026 = (_e932 + 1u);
-                                                        let _e1027 = (_e1026 < _e109);
-                                                        if _e1027 {
-                                                            if _e1027 {
+                                                        let _e1010 = phi_1860_;
+                                                        let _e1011 = (_e917 + 1u);
+                                                        let _e1012 = (_e1011 < _e109);
+                                                        if _e1012 {
+                                                            if _e1012 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1029 = global_10.member[_e1026];
-                                                            phi_1855_ = _e1029;
+                                                            let _e1014 = global_10.member[_e1011];
+                                                            phi_1875_ = _e1014;
                                                         } else {
-                                                            phi_1855_ = 0u;
+                                                            phi_1875_ = 0u;
                                                         }
-                                                        let _e1031 = phi_1855_;
-                                                        let _e1032 = (_e428 == 1u);
-                                                        if _e1032 {
-                                                            phi_1865_ = ((_e1025 >> bitcast<u32>(21i)) | (_e1031 << bitcast<u32>(11i)));
+                                                        let _e1016 = phi_1875_;
+                                                        let _e1017 = (_e428 == 1u);
+                                                        if _e1017 {
+                                                            phi_1885_ = ((_e1010 >> bitcast<u32>(21i)) | (_e1016 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1865_ = (_e1031 >> bitcast<u32>(10i));
+                                                            phi_1885_ = (_e1016 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1041 = phi_1865_;
-                                                        let _e1049 = (_e427 == 1u);
-                                                        if _e1049 {
-                                                            phi_1886_ = ((_e1025 >> bitcast<u32>(21i)) | (_e1031 << bitcast<u32>(11i)));
+                                                        let _e1026 = phi_1885_;
+                                                        let _e1034 = (_e427 == 1u);
+                                                        if _e1034 {
+                                                            phi_1906_ = ((_e1010 >> bitcast<u32>(21i)) | (_e1016 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1886_ = (_e1031 >> bitcast<u32>(10i));
+                                                            phi_1906_ = (_e1016 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1058 = phi_1886_;
-                                                        let _e1066 = (_e429 == 1u);
-                                                        if _e1066 {
-                                                            phi_1907_ = ((_e1025 >> bitcast<u32>(21i)) | (_e1031 << bitcast<u32>(11i)));
+                                                        let _e1043 = phi_1906_;
+                                                        let _e1051 = (_e429 == 1u);
+                                                        if _e1051 {
+                                                            phi_1927_ = ((_e1010 >> bitcast<u32>(21i)) | (_e1016 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1907_ = (_e1031 >> bitcast<u32>(10i));
+                                                            phi_1927_ = (_e1016 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1075 = phi_1907_;
-                                                        let _e1084 = (_e932 + 2u);
-                                                        let _e1085 = (_e1084 < _e109);
-                                                        if _e1085 {
-                                                            if _e1085 {
+                                                        let _e1060 = phi_1927_;
+                                                        let _e1069 = (_e917 + 2u);
+                                                        let _e1070 = (_e1069 < _e109);
+                                                        if _e1070 {
+                                                            if _e1070 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1087 = global_10.member[_e1084];
-                                                            phi_1937_ = _e1087;
+                                                            let _e1072 = global_10.member[_e1069];
+                                                            phi_1957_ = _e1072;
                                                         } else {
-                                                            phi_1937_ = 0u;
+                                                            phi_1957_ = 0u;
                                                         }
-                                                        let _e1089 = phi_1937_;
-                                                        let _e1090 = (_e932 + 3u);
-                                                        let _e1091 = (_e1090 < _e109);
-                                                        if _e1091 {
-                                                            if _e1091 {
+                                                        let _e1074 = phi_1957_;
+                                                        let _e1075 = (_e917 + 3u);
+                                                        let _e1076 = (_e1075 < _e109);
+                                                        if _e1076 {
+                                                            if _e1076 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1093 = global_10.member[_e1090];
-                                                            phi_1952_ = _e1093;
+                                                            let _e1078 = global_10.member[_e1075];
+                                                            phi_1972_ = _e1078;
                                                         } else {
-                                                            phi_1952_ = 0u;
+                                                            phi_1972_ = 0u;
                                                         }
-                                                        let _e1095 = phi_1952_;
-                                                        if _e1032 {
-                                                            phi_1962_ = ((_e1089 >> bitcast<u32>(21i)) | (_e1095 << bitcast<u32>(11i)));
+                                                        let _e1080 = phi_1972_;
+                                                        if _e1017 {
+                                                            phi_1982_ = ((_e1074 >> bitcast<u32>(21i)) | (_e1080 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1962_ = (_e1095 >> bitcast<u32>(10i));
+                                                            phi_1982_ = (_e1080 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1104 = phi_1962_;
-                                                        if _e1049 {
-                                                            phi_1983_ = ((_e1089 >> bitcast<u32>(21i)) | (_e1095 << bitcast<u32>(11i)));
+                                                        let _e1089 = phi_1982_;
+                                                        if _e1034 {
+                                                            phi_2003_ = ((_e1074 >> bitcast<u32>(21i)) | (_e1080 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1983_ = (_e1095 >> bitcast<u32>(10i));
+                                                            phi_2003_ = (_e1080 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1120 = phi_1983_;
-                                                        if _e1066 {
-                                                            phi_2004_ = ((_e1089 >> bitcast<u32>(21i)) | (_e1095 << bitcast<u32>(11i)));
+                                                        let _e1105 = phi_2003_;
+                                                        if _e1051 {
+                                                            phi_2024_ = ((_e1074 >> bitcast<u32>(21i)) | (_e1080 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2004_ = (_e1095 >> bitcast<u32>(10i));
+                                                            phi_2024_ = (_e1080 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1136 = phi_2004_;
-                                                        let _e1145 = (_e932 + 4u);
-                                                        let _e1146 = (_e1145 < _e109);
-                                                        if _e1146 {
-                                                            if _e1146 {
+                                                        let _e1121 = phi_2024_;
+                                                        let _e1130 = (_e917 + 4u);
+                                                        let _e1131 = (_e1130 < _e109);
+                                                        if _e1131 {
+                                                            if _e1131 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1148 = global_10.member[_e1145];
-                                                            phi_2034_ = _e1148;
+                                                            let _e1133 = global_10.member[_e1130];
+                                                            phi_2054_ = _e1133;
                                                         } else {
-                                                            phi_2034_ = 0u;
+                                                            phi_2054_ = 0u;
                                                         }
-                                                        let _e1150 = phi_2034_;
-                                                        let _e1151 = (_e932 + 5u);
-                                                        let _e1152 = (_e1151 < _e109);
-                                                        if _e1152 {
-                                                            if _e1152 {
+                                                        let _e1135 = phi_2054_;
+                                                        let _e1136 = (_e917 + 5u);
+                                                        let _e1137 = (_e1136 < _e109);
+                                                        if _e1137 {
+                                                            if _e1137 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1154 = global_10.member[_e1151];
-                                                            phi_2049_ = _e1154;
+                                                            let _e1139 = global_10.member[_e1136];
+                                                            phi_2069_ = _e1139;
                                                         } else {
-                                                            phi_2049_ = 0u;
+                                                            phi_2069_ = 0u;
                                                         }
-                                                        let _e1156 = phi_2049_;
-                                                        if _e1032 {
-                                                            phi_2059_ = ((_e1150 >> bitcast<u32>(21i)) | (_e1156 << bitcast<u32>(11i)));
+                                                        let _e1141 = phi_2069_;
+                                                        if _e1017 {
+                                                            phi_2079_ = ((_e1135 >> bitcast<u32>(21i)) | (_e1141 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2059_ = (_e1156 >> bitcast<u32>(10i));
+                                                            phi_2079_ = (_e1141 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1165 = phi_2059_;
-                                                        if _e1049 {
-                                                            phi_2080_ = ((_e1150 >> bitcast<u32>(21i)) | (_e1156 << bitcast<u32>(11i)));
+                                                        let _e1150 = phi_2079_;
+                                                        if _e1034 {
+                                                            phi_2100_ = ((_e1135 >> bitcast<u32>(21i)) | (_e1141 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2080_ = (_e1156 >> bitcast<u32>(10i));
+                                                            phi_2100_ = (_e1141 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1181 = phi_2080_;
-                                                        if _e1066 {
-                                                            phi_2101_ = ((_e1150 >> bitcast<u32>(21i)) | (_e1156 << bitcast<u32>(11i)));
+                                                        let _e1166 = phi_2100_;
+                                                        if _e1051 {
+                                                            phi_2121_ = ((_e1135 >> bitcast<u32>(21i)) | (_e1141 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2101_ = (_e1156 >> bitcast<u32>(10i));
+                                                            phi_2121_ = (_e1141 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1197 = phi_2101_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1041, _e1025, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1058, _e1025, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1075, _e1025, _e585) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1104, _e1089, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1120, _e1089, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1136, _e1089, _e585) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e848.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1165, _e1150, _e452) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1181, _e1150, _e519) & 2097151u))) - 8388608f) * _e165)), (_e848.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1197, _e1150, _e585) & 2097151u))) - 8388608f) * _e165))));
+                                                        let _e1182 = phi_2121_;
+                                                        phi_2312_ = array<array<f32, 3>, 3>(array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1026, _e1010, _e452) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1043, _e1010, _e517) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1060, _e1010, _e581) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1089, _e1074, _e452) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1105, _e1074, _e517) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1121, _e1074, _e581) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1150, _e1135, _e452) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1166, _e1135, _e517) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1182, _e1135, _e581) & 2097151u))) - 8388608f) * _e165))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e934 = (_e932 + _e428);
-                                                        let _e935 = (_e934 < _e109);
-                                                        if _e935 {
-                                                            if _e935 {
+                                                        let _e919 = (_e917 + _e428);
+                                                        let _e920 = (_e919 < _e109);
+                                                        if _e920 {
+                                                            if _e920 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e937 = global_10.member[_e934];
-                                                            phi_2132_ = _e937;
+                                                            let _e922 = global_10.member[_e919];
+                                                            phi_2152_ = _e922;
                                                         } else {
-                                                            phi_2132_ = 0u;
+                                                            phi_2152_ = 0u;
                                                         }
-                                                        let _e939 = phi_2132_;
-                                                        let _e943 = (_e932 + _e427);
-                                                        let _e944 = (_e943 < _e109);
-                                                        if _e944 {
-                                                            if _e944 {
+                                                        let _e924 = phi_2152_;
+                                                        let _e928 = (_e917 + _e427);
+                                                        let _e929 = (_e928 < _e109);
+                                                        if _e929 {
+                                                            if _e929 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e946 = global_10.member[_e943];
-                                                            phi_2150_ = _e946;
+                                                            let _e931 = global_10.member[_e928];
+                                                            phi_2170_ = _e931;
                                                         } else {
-                                                            phi_2150_ = 0u;
+                                                            phi_2170_ = 0u;
                                                         }
-                                                        let _e948 = phi_2150_;
-                                                        let _e952 = (_e932 + _e429);
-                                                        let _e953 = (_e952 < _e109);
-                                                        if _e953 {
-                                                            if _e953 {
+                                                        let _e933 = phi_2170_;
+                                                        let _e937 = (_e917 + _e429);
+                                                        let _e938 = (_e937 < _e109);
+                                                        if _e938 {
+                                                            if _e938 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e955 = global_10.member[_e952];
-                                                            phi_2168_ = _e955;
+                                                            let _e940 = global_10.member[_e937];
+                                                            phi_2188_ = _e940;
                                                         } else {
-                                                            phi_2168_ = 0u;
+                                                            phi_2188_ = 0u;
                                                         }
-                                                        let _e957 = phi_2168_;
-                                                        let _e962 = (_e932 + 3u);
-                                                        let _e963 = (_e962 + _e428);
-                                                        let _e964 = (_e963 < _e109);
-                                                        if _e964 {
-                                                            if _e964 {
+                                                        let _e942 = phi_2188_;
+                                                        let _e947 = (_e917 + 3u);
+                                                        let _e948 = (_e947 + _e428);
+                                                        let _e949 = (_e948 < _e109);
+                                                        if _e949 {
+                                                            if _e949 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e966 = global_10.member[_e963];
-                                                            phi_2191_ = _e966;
+                                                            let _e951 = global_10.member[_e948];
+                                                            phi_2211_ = _e951;
                                                         } else {
-                                                            phi_2191_ = 0u;
+                                                            phi_2211_ = 0u;
                                                         }
-                                                        let _e968 = phi_2191_;
-                                                        let _e972 = (_e962 + _e427);
-                                                        let _e973 = (_e972 < _e109);
-                                                        if _e973 {
-                                                            if _e973 {
+                                                        let _e953 = phi_2211_;
+                                                        let _e957 = (_e947 + _e427);
+                                                        let _e958 = (_e957 < _e109);
+                                                        if _e958 {
+                                                            if _e958 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e975 = global_10.member[_e972];
-                                                            phi_2209_ = _e975;
+                                                            let _e960 = global_10.member[_e957];
+                                                            phi_2229_ = _e960;
                                                         } else {
-                                                            phi_2209_ = 0u;
+                                                            phi_2229_ = 0u;
                                                         }
-                                                        let _e977 = phi_2209_;
-                                                        let _e981 = (_e962 + _e429);
-                                                        let _e982 = (_e981 < _e109);
-                                                        if _e982 {
-                                                            if _e982 {
+                                                        let _e962 = phi_2229_;
+                                                        let _e966 = (_e947 + _e429);
+                                                        let _e967 = (_e966 < _e109);
+                                                        if _e967 {
+                                                            if _e967 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e984 = global_10.member[_e981];
-                                                            phi_2227_ = _e984;
+                                                            let _e969 = global_10.member[_e966];
+                                                            phi_2247_ = _e969;
                                                         } else {
-                                                            phi_2227_ = 0u;
+                                                            phi_2247_ = 0u;
                                                         }
-                                                        let _e986 = phi_2227_;
-                                                        let _e991 = (_e932 + 6u);
-                                                        let _e992 = (_e991 + _e428);
-                                                        let _e993 = (_e992 < _e109);
-                                                        if _e993 {
-                                                            if _e993 {
+                                                        let _e971 = phi_2247_;
+                                                        let _e976 = (_e917 + 6u);
+                                                        let _e977 = (_e976 + _e428);
+                                                        let _e978 = (_e977 < _e109);
+                                                        if _e978 {
+                                                            if _e978 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e995 = global_10.member[_e992];
-                                                            phi_2250_ = _e995;
+                                                            let _e980 = global_10.member[_e977];
+                                                            phi_2270_ = _e980;
                                                         } else {
-                                                            phi_2250_ = 0u;
+                                                            phi_2270_ = 0u;
                                                         }
-                                                        let _e997 = phi_2250_;
-                                                        let _e1001 = (_e991 + _e427);
-                                                        let _e1002 = (_e1001 < _e109);
-                                                        if _e1002 {
-                                                            if _e1002 {
+                                                        let _e982 = phi_2270_;
+                                                        let _e986 = (_e976 + _e427);
+                                                        let _e987 = (_e986 < _e109);
+                                                        if _e987 {
+                                                            if _e987 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1004 = global_10.member[_e1001];
-                                                            phi_2268_ = _e1004;
+                                                            let _e989 = global_10.member[_e986];
+                                                            phi_2288_ = _e989;
                                                         } else {
-                                                            phi_2268_ = 0u;
+                                                            phi_2288_ = 0u;
                                                         }
-                                                        let _e1006 = phi_2268_;
-                                                        let _e1010 = (_e991 + _e429);
-                                                        let _e1011 = (_e1010 < _e109);
-                                                        if _e1011 {
-                                                            if _e1011 {
+                                                        let _e991 = phi_2288_;
+                                                        let _e995 = (_e976 + _e429);
+                                                        let _e996 = (_e995 < _e109);
+                                                        if _e996 {
+                                                            if _e996 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1013 = global_10.member[_e1010];
-                                                            phi_2286_ = _e1013;
+                                                            let _e998 = global_10.member[_e995];
+                                                            phi_2306_ = _e998;
                                                         } else {
-                                                            phi_2286_ = 0u;
+                                                            phi_2306_ = 0u;
                                                         }
-                                                        let _e1015 = phi_2286_;
-                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e939)) * _e165), (f32(bitcast<i32>(_e948)) * _e165), (f32(bitcast<i32>(_e957)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e968)) * _e165), (f32(bitcast<i32>(_e977)) * _e165), (f32(bitcast<i32>(_e986)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e997)) * _e165), (f32(bitcast<i32>(_e1006)) * _e165), (f32(bitcast<i32>(_e1015)) * _e165)));
+                                                        let _e1000 = phi_2306_;
+                                                        phi_2312_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e924)) * _e165), (f32(bitcast<i32>(_e933)) * _e165), (f32(bitcast<i32>(_e942)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e953)) * _e165), (f32(bitcast<i32>(_e962)) * _e165), (f32(bitcast<i32>(_e971)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e982)) * _e165), (f32(bitcast<i32>(_e991)) * _e165), (f32(bitcast<i32>(_e1000)) * _e165)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2292_ = array<array<f32, 3>, 3>();
+                                                        phi_2312_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1307 = phi_2292_;
-                                                let _e1315 = (_e1307[0][2] - _e608);
-                                                let _e1318 = (((_e1307[0][0] - _e475) * _e647) - (_e1315 * _e515));
-                                                let _e1321 = (((_e1307[0][1] - _e542) * _e647) - (_e1315 * _e581));
-                                                let _e1328 = (_e1307[1][2] - _e608);
-                                                let _e1331 = (((_e1307[1][0] - _e475) * _e647) - (_e1328 * _e515));
-                                                let _e1334 = (((_e1307[1][1] - _e542) * _e647) - (_e1328 * _e581));
-                                                let _e1341 = (_e1307[2][2] - _e608);
-                                                let _e1344 = (((_e1307[2][0] - _e475) * _e647) - (_e1341 * _e515));
-                                                let _e1347 = (((_e1307[2][1] - _e542) * _e647) - (_e1341 * _e581));
-                                                let _e1348 = (_e1344 * _e1334);
-                                                let _e1349 = (_e1347 * _e1331);
-                                                let _e1350 = (_e1318 * _e1347);
-                                                let _e1351 = (_e1321 * _e1344);
-                                                let _e1352 = (_e1331 * _e1321);
-                                                let _e1353 = (_e1334 * _e1318);
-                                                let _e1358 = (((_e1348 >= _e1349) && (_e1350 >= _e1351)) && (_e1352 >= _e1353));
-                                                if (_e1358 || (((_e1348 <= _e1349) && (_e1350 <= _e1351)) && (_e1352 <= _e1353))) {
-                                                    let _e1365 = select(-1f, 1f, _e1358);
-                                                    let _e1367 = ((_e1348 - _e1349) * _e1365);
-                                                    let _e1369 = select(0f, _e1367, (_e1367 > 0f));
-                                                    let _e1371 = ((_e1350 - _e1351) * _e1365);
-                                                    let _e1373 = select(0f, _e1371, (_e1371 > 0f));
-                                                    let _e1375 = ((_e1352 - _e1353) * _e1365);
-                                                    let _e1377 = select(0f, _e1375, (_e1375 > 0f));
-                                                    let _e1379 = ((_e1369 + _e1373) + _e1377);
-                                                    if (_e1379 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3176_ = type_21();
-                                                        phi_3177_ = true;
-                                                        phi_3178_ = false;
+                                                let _e1292 = phi_2312_;
+                                                let _e1308 = (_e1292[0][2] - _e604);
+                                                let _e1311 = (((_e1292[0][0] - _e475) * _e640) - (_e1308 * _e512));
+                                                let _e1314 = (((_e1292[0][1] - _e540) * _e640) - (_e1308 * _e576));
+                                                let _e1317 = (_e1292[1][2] - _e604);
+                                                let _e1320 = (((_e1292[1][0] - _e475) * _e640) - (_e1317 * _e512));
+                                                let _e1323 = (((_e1292[1][1] - _e540) * _e640) - (_e1317 * _e576));
+                                                let _e1326 = (_e1292[2][2] - _e604);
+                                                let _e1329 = (((_e1292[2][0] - _e475) * _e640) - (_e1326 * _e512));
+                                                let _e1332 = (((_e1292[2][1] - _e540) * _e640) - (_e1326 * _e576));
+                                                let _e1333 = (_e1329 * _e1323);
+                                                let _e1334 = (_e1332 * _e1320);
+                                                let _e1335 = (_e1311 * _e1332);
+                                                let _e1336 = (_e1314 * _e1329);
+                                                let _e1337 = (_e1320 * _e1314);
+                                                let _e1338 = (_e1323 * _e1311);
+                                                let _e1343 = (((_e1333 >= _e1334) && (_e1335 >= _e1336)) && (_e1337 >= _e1338));
+                                                let _e1349 = (_e1343 || (((_e1333 <= _e1334) && (_e1335 <= _e1336)) && (_e1337 <= _e1338)));
+                                                if _e1349 {
+                                                    let _e1351 = select(-1f, 1f, _e1343);
+                                                    let _e1353 = ((_e1333 - _e1334) * _e1351);
+                                                    let _e1355 = select(0f, _e1353, (_e1353 > 0f));
+                                                    let _e1357 = ((_e1335 - _e1336) * _e1351);
+                                                    let _e1359 = select(0f, _e1357, (_e1357 > 0f));
+                                                    let _e1361 = ((_e1337 - _e1338) * _e1351);
+                                                    let _e1363 = select(0f, _e1361, (_e1361 > 0f));
+                                                    let _e1365 = ((_e1355 + _e1359) + _e1363);
+                                                    let _e1367 = select(_e1292[1][0], _e1292[0][0], (_e1292[0][0] < _e1292[1][0]));
+                                                    let _e1371 = select(_e1292[1][0], _e1292[0][0], (_e1292[0][0] > _e1292[1][0]));
+                                                    let _e1375 = select(_e1292[1][1], _e1292[0][1], (_e1292[0][1] < _e1292[1][1]));
+                                                    let _e1379 = select(_e1292[1][1], _e1292[0][1], (_e1292[0][1] > _e1292[1][1]));
+                                                    let _e1383 = select(_e1292[1][2], _e1292[0][2], (_e1292[0][2] < _e1292[1][2]));
+                                                    let _e1387 = select(_e1292[1][2], _e1292[0][2], (_e1292[0][2] > _e1292[1][2]));
+                                                    let _e1392 = ((select(_e1292[2][0], _e1367, (_e1367 < _e1292[2][0])) - _e513) * _e516);
+                                                    let _e1393 = ((select(_e1292[2][0], _e1371, (_e1371 > _e1292[2][0])) - _e514) * _e516);
+                                                    let _e1396 = ((select(_e1292[2][1], _e1375, (_e1375 < _e1292[2][1])) - _e577) * _e580);
+                                                    let _e1397 = ((select(_e1292[2][1], _e1379, (_e1379 > _e1292[2][1])) - _e578) * _e580);
+                                                    let _e1400 = ((select(_e1292[2][2], _e1383, (_e1383 < _e1292[2][2])) - _e641) * _e644);
+                                                    let _e1401 = ((select(_e1292[2][2], _e1387, (_e1387 > _e1292[2][2])) - _e642) * _e644);
+                                                    let _e1403 = select(_e1401, _e1400, (_e1400 < _e1401));
+                                                    let _e1405 = select(_e1401, _e1400, (_e1400 > _e1401));
+                                                    let _e1407 = select(_e1393, _e1392, (_e1392 < _e1393));
+                                                    let _e1409 = select(_e1397, _e1396, (_e1396 < _e1397));
+                                                    let _e1411 = select(_e1409, _e1407, (_e1407 > _e1409));
+                                                    let _e1413 = select(_e1403, _e1411, (_e1411 > _e1403));
+                                                    let _e1415 = select(_e1393, _e1392, (_e1392 > _e1393));
+                                                    let _e1417 = select(_e1397, _e1396, (_e1396 > _e1397));
+                                                    let _e1419 = select(_e1417, _e1415, (_e1415 < _e1417));
+                                                    let _e1421 = select(_e1405, _e1419, (_e1419 < _e1405));
+                                                    let _e1422 = -(_e1403);
+                                                    let _e1428 = select(_e746, _e1413, (_e1413 > _e746));
+                                                    let _e1432 = select(_e1320, _e1311, (_e1311 < _e1320));
+                                                    let _e1437 = select(_e1320, _e1311, (_e1311 > _e1320));
+                                                    let _e1444 = select(_e1323, _e1314, (_e1314 < _e1323));
+                                                    let _e1449 = select(_e1323, _e1314, (_e1314 > _e1323));
+                                                    let _e1458 = (((((_e1349 && (_e1365 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1329, _e1432, (_e1432 < _e1329)) <= 0f) && (select(_e1329, _e1437, (_e1437 > _e1329)) >= 0f))) && ((select(_e1332, _e1444, (_e1444 < _e1332)) <= 0f) && (select(_e1332, _e1449, (_e1449 > _e1332)) >= 0f))) && (_e1428 <= (_e1421 + (select(_e1422, _e1405, (_e1405 > _e1422)) * 0.0000019073523f)))) && (_e1428 <= _e845.member_1));
+                                                    if _e1458 {
+                                                        let _e1463 = (_e1292[1][0] - _e1292[0][0]);
+                                                        let _e1464 = (_e1292[1][1] - _e1292[0][1]);
+                                                        let _e1465 = (_e1292[1][2] - _e1292[0][2]);
+                                                        let _e1466 = vec3<f32>(_e1463, _e1464, _e1465);
+                                                        let _e1467 = (_e1292[2][0] - _e1292[1][0]);
+                                                        let _e1468 = (_e1292[2][1] - _e1292[1][1]);
+                                                        let _e1469 = (_e1292[2][2] - _e1292[1][2]);
+                                                        let _e1470 = vec3<f32>(_e1467, _e1468, _e1469);
+                                                        let _e1471 = (_e1292[0][0] - _e1292[2][0]);
+                                                        let _e1472 = (_e1292[0][1] - _e1292[2][1]);
+                                                        let _e1473 = (_e1292[0][2] - _e1292[2][2]);
+                                                        let _e1474 = vec3<f32>(_e1471, _e1472, _e1473);
+                                                        let _e1475 = abs(_e1463);
+                                                        let _e1476 = abs(_e1464);
+                                                        if (_e1475 != _e1475) {
+                                                            phi_4938_ = true;
+                                                        } else {
+                                                            phi_4938_ = (_e1476 >= _e1475);
+                                                        }
+                                                        let _e1480 = phi_4938_;
+                                                        let _e1481 = select(_e1475, _e1476, _e1480);
+                                                        let _e1482 = abs(_e1465);
+                                                        if (_e1481 != _e1481) {
+                                                            phi_4953_ = true;
+                                                        } else {
+                                                            phi_4953_ = (_e1482 >= _e1481);
+                                                        }
+                                                        let _e1486 = phi_4953_;
+                                                        let _e1487 = select(_e1481, _e1482, _e1486);
+                                                        let _e1488 = abs(_e1467);
+                                                        let _e1489 = abs(_e1468);
+                                                        if (_e1488 != _e1488) {
+                                                            phi_4968_ = true;
+                                                        } else {
+                                                            phi_4968_ = (_e1489 >= _e1488);
+                                                        }
+                                                        let _e1493 = phi_4968_;
+                                                        let _e1494 = select(_e1488, _e1489, _e1493);
+                                                        let _e1495 = abs(_e1469);
+                                                        if (_e1494 != _e1494) {
+                                                            phi_4983_ = true;
+                                                        } else {
+                                                            phi_4983_ = (_e1495 >= _e1494);
+                                                        }
+                                                        let _e1499 = phi_4983_;
+                                                        let _e1500 = select(_e1494, _e1495, _e1499);
+                                                        let _e1501 = abs(_e1471);
+                                                        let _e1502 = abs(_e1472);
+                                                        if (_e1501 != _e1501) {
+                                                            phi_4998_ = true;
+                                                        } else {
+                                                            phi_4998_ = (_e1502 >= _e1501);
+                                                        }
+                                                        let _e1506 = phi_4998_;
+                                                        let _e1507 = select(_e1501, _e1502, _e1506);
+                                                        let _e1508 = abs(_e1473);
+                                                        if (_e1507 != _e1507) {
+                                                            phi_5013_ = true;
+                                                        } else {
+                                                            phi_5013_ = (_e1508 >= _e1507);
+                                                        }
+                                                        let _e1512 = phi_5013_;
+                                                        let _e1513 = select(_e1507, _e1508, _e1512);
+                                                        let _e1515 = select(_e1500, _e1487, (_e1487 > _e1500));
+                                                        let _e1517 = select(_e1513, _e1515, (_e1515 > _e1513));
+                                                        if (_e1487 == _e1517) {
+                                                            phi_2854_ = _e1323;
+                                                            phi_2855_ = _e1320;
+                                                            phi_2856_ = _e1314;
+                                                            phi_2857_ = _e1311;
+                                                            phi_2858_ = vec3<f32>(_e1292[0][0], _e1292[0][1], _e1292[0][2]);
+                                                            phi_2859_ = _e1474;
+                                                            phi_2860_ = _e1470;
+                                                            phi_2861_ = _e1466;
+                                                        } else {
+                                                            let _e1519 = (_e1500 == _e1517);
+                                                            let _e1524 = vec3(_e1519);
+                                                            phi_2854_ = select(_e1314, _e1332, _e1519);
+                                                            phi_2855_ = select(_e1311, _e1329, _e1519);
+                                                            phi_2856_ = select(_e1332, _e1323, _e1519);
+                                                            phi_2857_ = select(_e1329, _e1320, _e1519);
+                                                            phi_2858_ = select(vec3<f32>(_e1292[2][0], _e1292[2][1], _e1292[2][2]), vec3<f32>(_e1292[1][0], _e1292[1][1], _e1292[1][2]), _e1524);
+                                                            phi_2859_ = select(_e1470, _e1466, _e1524);
+                                                            phi_2860_ = select(_e1466, _e1474, _e1524);
+                                                            phi_2861_ = select(_e1474, _e1470, _e1524);
+                                                        }
+                                                        let _e1530 = phi_2854_;
+                                                        let _e1532 = phi_2855_;
+                                                        let _e1534 = phi_2856_;
+                                                        let _e1536 = phi_2857_;
+                                                        let _e1538 = phi_2858_;
+                                                        let _e1540 = phi_2859_;
+                                                        let _e1542 = phi_2860_;
+                                                        let _e1544 = phi_2861_;
+                                                        let _e1551 = ((_e1542.y * _e1540.z) - (_e1540.y * _e1542.z));
+                                                        let _e1556 = ((_e1542.z * _e1540.x) - (_e1540.z * _e1542.x));
+                                                        let _e1559 = ((_e1542.x * _e1540.y) - (_e1540.x * _e1542.y));
+                                                        let _e1562 = ((_e1355 >= _e1359) && (_e1355 >= _e1363));
+                                                        let _e1563 = (_e1359 >= _e1363);
+                                                        let _e1577 = (((_e1551 * (select(select(_e1292[2][0], _e1292[1][0], _e1563), _e1292[0][0], _e1562) - _e475)) + (_e1556 * (select(select(_e1292[2][1], _e1292[1][1], _e1563), _e1292[0][1], _e1562) - _e540))) + (_e1559 * (select(select(_e1292[2][2], _e1292[1][2], _e1563), _e1292[0][2], _e1562) - _e604)));
+                                                        let _e1582 = (((_e1551 * _e512) + (_e1556 * _e576)) + (_e1559 * _e640));
+                                                        let _e1583 = (_e1532 - _e1536);
+                                                        let _e1584 = (_e1530 - _e1534);
+                                                        let _e1587 = ((_e1583 * _e1583) + (_e1584 * _e1584));
+                                                        let _e1594 = (-(((_e1536 * _e1583) + (_e1534 * _e1584))) / select(0.000000000000000000000000000000000000011754944f, _e1587, (_e1587 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1596 = select(1f, _e1594, (_e1594 < 1f));
+                                                        let _e1598 = select(0f, _e1596, (_e1596 > 0f));
+                                                        let _e1607 = ((_e1538.x + (_e1544.x * _e1598)) - _e475);
+                                                        let _e1610 = ((_e1538.y + (_e1544.y * _e1598)) - _e540);
+                                                        let _e1613 = ((_e1538.z + (_e1544.z * _e1598)) - _e604);
+                                                        let _e1616 = bitcast<f32>((bitcast<u32>(_e1607) & 2147483647u));
+                                                        let _e1619 = bitcast<f32>((bitcast<u32>(_e1610) & 2147483647u));
+                                                        let _e1621 = select(_e1619, _e1616, (_e1616 > _e1619));
+                                                        let _e1624 = bitcast<f32>((bitcast<u32>(_e1613) & 2147483647u));
+                                                        let _e1626 = select(_e1624, _e1621, (_e1621 > _e1624));
+                                                        let _e1630 = abs(_e1551);
+                                                        let _e1631 = abs(_e1556);
+                                                        if (_e1630 != _e1630) {
+                                                            phi_5028_ = true;
+                                                        } else {
+                                                            phi_5028_ = (_e1631 >= _e1630);
+                                                        }
+                                                        let _e1635 = phi_5028_;
+                                                        let _e1636 = select(_e1630, _e1631, _e1635);
+                                                        let _e1637 = abs(_e1559);
+                                                        if (_e1636 != _e1636) {
+                                                            phi_5043_ = true;
+                                                        } else {
+                                                            phi_5043_ = (_e1637 >= _e1636);
+                                                        }
+                                                        let _e1641 = phi_5043_;
+                                                        let _e1657 = abs(_e1542.x);
+                                                        let _e1658 = abs(_e1542.y);
+                                                        if (_e1657 != _e1657) {
+                                                            phi_5058_ = true;
+                                                        } else {
+                                                            phi_5058_ = (_e1658 >= _e1657);
+                                                        }
+                                                        let _e1662 = phi_5058_;
+                                                        let _e1663 = select(_e1657, _e1658, _e1662);
+                                                        let _e1664 = abs(_e1542.z);
+                                                        if (_e1663 != _e1663) {
+                                                            phi_5073_ = true;
+                                                        } else {
+                                                            phi_5073_ = (_e1664 >= _e1663);
+                                                        }
+                                                        let _e1668 = phi_5073_;
+                                                        let _e1671 = abs(_e1540.x);
+                                                        let _e1672 = abs(_e1540.y);
+                                                        if (_e1671 != _e1671) {
+                                                            phi_5088_ = true;
+                                                        } else {
+                                                            phi_5088_ = (_e1672 >= _e1671);
+                                                        }
+                                                        let _e1676 = phi_5088_;
+                                                        let _e1677 = select(_e1671, _e1672, _e1676);
+                                                        let _e1678 = abs(_e1540.z);
+                                                        if (_e1677 != _e1677) {
+                                                            phi_5103_ = true;
+                                                        } else {
+                                                            phi_5103_ = (_e1678 >= _e1677);
+                                                        }
+                                                        let _e1682 = phi_5103_;
+                                                        let _e1687 = ((bitcast<f32>((bitcast<u32>(((((_e1551 * _e1607) + (_e1556 * _e1610)) + (_e1559 * _e1613)) - _e1577)) & 2147483647u)) <= ((0.0000009536743f * select(_e1517, _e1626, (_e1626 > _e1517))) * select(_e1636, _e1637, _e1641))) && !((bitcast<f32>((bitcast<u32>(_e1582) & 2147483647u)) <= ((0.0000038146973f * select(_e1663, _e1664, _e1668)) * select(_e1677, _e1678, _e1682)))));
+                                                        let _e1688 = (_e1577 / _e1582);
+                                                        if (_e1458 && !(_e1687)) {
+                                                            let _e1691 = (_e1613 / _e640);
+                                                            let _e1699 = (((_e1551 * (_e1607 - (_e512 * _e1691))) + (_e1556 * (_e1610 - (_e576 * _e1691)))) / _e1582);
+                                                            phi_3069_ = select(select(_e1691, (_e1691 + _e1699), (bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u)) <= _e1517)), _e1688, _e1687);
+                                                        } else {
+                                                            phi_3069_ = _e1688;
+                                                        }
+                                                        let _e1708 = phi_3069_;
+                                                        let _e1710 = select(_e1421, _e1708, (_e1708 < _e1421));
+                                                        let _e1712 = select(_e1413, _e1710, (_e1710 > _e1413));
+                                                        let _e1713 = (1f / _e1365);
+                                                        phi_3089_ = type_42(_e1712, (_e1359 * _e1713), (_e1363 * _e1713), ((_e1458 && (_e1712 >= _e746)) && (_e1712 <= _e845.member_1)));
+                                                        phi_3090_ = type_42();
                                                     } else {
-                                                        let _e1382 = select(_e1331, _e1318, (_e1318 < _e1331));
-                                                        if (select(_e1344, _e1382, (_e1382 < _e1344)) > 0f) {
-                                                            phi_2444_ = true;
-                                                        } else {
-                                                            let _e1387 = select(_e1331, _e1318, (_e1318 > _e1331));
-                                                            phi_2444_ = (select(_e1344, _e1387, (_e1387 > _e1344)) < 0f);
-                                                        }
-                                                        let _e1392 = phi_2444_;
-                                                        if _e1392 {
-                                                            phi_3173_ = type_21();
-                                                            phi_3174_ = true;
-                                                            phi_3175_ = false;
-                                                        } else {
-                                                            let _e1394 = select(_e1334, _e1321, (_e1321 < _e1334));
-                                                            if (select(_e1347, _e1394, (_e1394 < _e1347)) > 0f) {
-                                                                phi_2473_ = true;
-                                                            } else {
-                                                                let _e1399 = select(_e1334, _e1321, (_e1321 > _e1334));
-                                                                phi_2473_ = (select(_e1347, _e1399, (_e1399 > _e1347)) < 0f);
-                                                            }
-                                                            let _e1404 = phi_2473_;
-                                                            if _e1404 {
-                                                                phi_3171_ = type_21();
-                                                                phi_3172_ = false;
-                                                            } else {
-                                                                let _e1406 = select(_e1307[1][0], _e1307[0][0], (_e1307[0][0] < _e1307[1][0]));
-                                                                let _e1410 = select(_e1307[1][0], _e1307[0][0], (_e1307[0][0] > _e1307[1][0]));
-                                                                let _e1414 = select(_e1307[1][1], _e1307[0][1], (_e1307[0][1] < _e1307[1][1]));
-                                                                let _e1418 = select(_e1307[1][1], _e1307[0][1], (_e1307[0][1] > _e1307[1][1]));
-                                                                let _e1422 = select(_e1307[1][2], _e1307[0][2], (_e1307[0][2] < _e1307[1][2]));
-                                                                let _e1426 = select(_e1307[1][2], _e1307[0][2], (_e1307[0][2] > _e1307[1][2]));
-                                                                let _e1431 = ((select(_e1307[2][0], _e1406, (_e1406 < _e1307[2][0])) - _e513) * _e518);
-                                                                let _e1432 = ((select(_e1307[2][0], _e1410, (_e1410 > _e1307[2][0])) - _e514) * _e518);
-                                                                let _e1435 = ((select(_e1307[2][1], _e1414, (_e1414 < _e1307[2][1])) - _e579) * _e584);
-                                                                let _e1436 = ((select(_e1307[2][1], _e1418, (_e1418 > _e1307[2][1])) - _e580) * _e584);
-                                                                let _e1439 = ((select(_e1307[2][2], _e1422, (_e1422 < _e1307[2][2])) - _e645) * _e650);
-                                                                let _e1440 = ((select(_e1307[2][2], _e1426, (_e1426 > _e1307[2][2])) - _e646) * _e650);
-                                                                let _e1442 = select(_e1440, _e1439, (_e1439 < _e1440));
-                                                                let _e1444 = select(_e1440, _e1439, (_e1439 > _e1440));
-                                                                let _e1446 = select(_e1432, _e1431, (_e1431 < _e1432));
-                                                                let _e1448 = select(_e1436, _e1435, (_e1435 < _e1436));
-                                                                let _e1450 = select(_e1448, _e1446, (_e1446 > _e1448));
-                                                                let _e1452 = select(_e1442, _e1450, (_e1450 > _e1442));
-                                                                let _e1454 = select(_e1432, _e1431, (_e1431 > _e1432));
-                                                                let _e1456 = select(_e1436, _e1435, (_e1435 > _e1436));
-                                                                let _e1458 = select(_e1456, _e1454, (_e1454 < _e1456));
-                                                                let _e1460 = select(_e1444, _e1458, (_e1458 < _e1444));
-                                                                let _e1461 = -(_e1442);
-                                                                let _e1467 = select(_e761, _e1452, (_e1452 > _e761));
-                                                                if (_e1467 > (_e1460 + (select(_e1461, _e1444, (_e1444 > _e1461)) * 0.0000019073523f))) {
-                                                                    phi_3166_ = type_21();
-                                                                    phi_3167_ = true;
-                                                                } else {
-                                                                    let _e1469 = (_e1467 > _e860.member_1);
-                                                                    if _e1469 {
-                                                                        phi_3165_ = type_21();
-                                                                    } else {
-                                                                        let _e1470 = vec3<f32>(_e1307[0][0], _e1307[0][1], _e1307[0][2]);
-                                                                        let _e1471 = vec3<f32>(_e1307[1][0], _e1307[1][1], _e1307[1][2]);
-                                                                        let _e1472 = vec3<f32>(_e1307[2][0], _e1307[2][1], _e1307[2][2]);
-                                                                        let _e1473 = (_e1307[1][0] - _e1307[0][0]);
-                                                                        let _e1474 = (_e1307[1][1] - _e1307[0][1]);
-                                                                        let _e1475 = (_e1307[1][2] - _e1307[0][2]);
-                                                                        let _e1476 = vec3<f32>(_e1473, _e1474, _e1475);
-                                                                        let _e1477 = (_e1307[2][0] - _e1307[1][0]);
-                                                                        let _e1478 = (_e1307[2][1] - _e1307[1][1]);
-                                                                        let _e1479 = (_e1307[2][2] - _e1307[1][2]);
-                                                                        let _e1480 = vec3<f32>(_e1477, _e1478, _e1479);
-                                                                        let _e1481 = (_e1307[0][0] - _e1307[2][0]);
-                                                                        let _e1482 = (_e1307[0][1] - _e1307[2][1]);
-                                                                        let _e1483 = (_e1307[0][2] - _e1307[2][2]);
-                                                                        let _e1484 = vec3<f32>(_e1481, _e1482, _e1483);
-                                                                        let _e1487 = bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u));
-                                                                        let _e1490 = bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u));
-                                                                        let _e1492 = select(_e1490, _e1487, (_e1487 > _e1490));
-                                                                        let _e1495 = bitcast<f32>((bitcast<u32>(_e1475) & 2147483647u));
-                                                                        let _e1497 = select(_e1495, _e1492, (_e1492 > _e1495));
-                                                                        let _e1500 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
-                                                                        let _e1503 = bitcast<f32>((bitcast<u32>(_e1478) & 2147483647u));
-                                                                        let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
-                                                                        let _e1508 = bitcast<f32>((bitcast<u32>(_e1479) & 2147483647u));
-                                                                        let _e1510 = select(_e1508, _e1505, (_e1505 > _e1508));
-                                                                        let _e1513 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
-                                                                        let _e1516 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
-                                                                        let _e1518 = select(_e1516, _e1513, (_e1513 > _e1516));
-                                                                        let _e1521 = bitcast<f32>((bitcast<u32>(_e1483) & 2147483647u));
-                                                                        let _e1523 = select(_e1521, _e1518, (_e1518 > _e1521));
-                                                                        let _e1525 = select(_e1510, _e1497, (_e1497 > _e1510));
-                                                                        let _e1527 = select(_e1523, _e1525, (_e1525 > _e1523));
-                                                                        if (_e1497 == _e1527) {
-                                                                            phi_2892_ = _e1334;
-                                                                            phi_2893_ = _e1331;
-                                                                            phi_2894_ = _e1321;
-                                                                            phi_2895_ = _e1318;
-                                                                            phi_2896_ = _e1470;
-                                                                            phi_2897_ = _e1484;
-                                                                            phi_2898_ = _e1480;
-                                                                            phi_2899_ = _e1476;
-                                                                        } else {
-                                                                            let _e1529 = (_e1510 == _e1527);
-                                                                            let _e1534 = vec3(_e1529);
-                                                                            phi_2892_ = select(_e1321, _e1347, _e1529);
-                                                                            phi_2893_ = select(_e1318, _e1344, _e1529);
-                                                                            phi_2894_ = select(_e1347, _e1334, _e1529);
-                                                                            phi_2895_ = select(_e1344, _e1331, _e1529);
-                                                                            phi_2896_ = select(_e1472, _e1471, _e1534);
-                                                                            phi_2897_ = select(_e1480, _e1476, _e1534);
-                                                                            phi_2898_ = select(_e1476, _e1484, _e1534);
-                                                                            phi_2899_ = select(_e1484, _e1480, _e1534);
-                                                                        }
-                                                                        let _e1540 = phi_2892_;
-                                                                        let _e1542 = phi_2893_;
-                                                                        let _e1544 = phi_2894_;
-                                                                        let _e1546 = phi_2895_;
-                                                                        let _e1548 = phi_2896_;
-                                                                        let _e1550 = phi_2897_;
-                                                                        let _e1552 = phi_2898_;
-                                                                        let _e1554 = phi_2899_;
-                                                                        let _e1561 = ((_e1552.y * _e1550.z) - (_e1550.y * _e1552.z));
-                                                                        let _e1566 = ((_e1552.z * _e1550.x) - (_e1550.z * _e1552.x));
-                                                                        let _e1569 = ((_e1552.x * _e1550.y) - (_e1550.x * _e1552.y));
-                                                                        if (_e1369 >= _e1373) {
-                                                                            phi_2936_ = select(true, false, (_e1369 >= _e1377));
-                                                                        } else {
-                                                                            phi_2936_ = true;
-                                                                        }
-                                                                        let _e1574 = phi_2936_;
-                                                                        if _e1574 {
-                                                                            phi_2945_ = select(_e1472, _e1471, vec3((_e1373 >= _e1377)));
-                                                                        } else {
-                                                                            phi_2945_ = _e1470;
-                                                                        }
-                                                                        let _e1579 = phi_2945_;
-                                                                        let _e1590 = (((_e1561 * (_e1579.x - _e475)) + (_e1566 * (_e1579.y - _e542))) + (_e1569 * (_e1579.z - _e608)));
-                                                                        let _e1595 = (((_e1561 * _e515) + (_e1566 * _e581)) + (_e1569 * _e647));
-                                                                        let _e1596 = (_e1542 - _e1546);
-                                                                        let _e1597 = (_e1540 - _e1544);
-                                                                        let _e1605 = (-(((_e1546 * _e1596) + (_e1544 * _e1597))) / ((_e1596 * _e1596) + (_e1597 * _e1597)));
-                                                                        let _e1607 = select(1f, _e1605, (_e1605 < 1f));
-                                                                        let _e1609 = select(0f, _e1607, (_e1607 > 0f));
-                                                                        let _e1622 = ((_e1548.x + (_e1554.x * _e1609)) - _e475);
-                                                                        let _e1623 = ((_e1548.y + (_e1554.y * _e1609)) - _e542);
-                                                                        let _e1624 = ((_e1548.z + (_e1554.z * _e1609)) - _e608);
-                                                                        let _e1625 = (_e1624 / _e647);
-                                                                        let _e1637 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
-                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1623) & 2147483647u));
-                                                                        let _e1642 = select(_e1640, _e1637, (_e1637 > _e1640));
-                                                                        let _e1645 = bitcast<f32>((bitcast<u32>(_e1624) & 2147483647u));
-                                                                        let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
-                                                                        let _e1653 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
-                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1566) & 2147483647u));
-                                                                        let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
-                                                                        let _e1661 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1561 * _e1622) + (_e1566 * _e1623)) + (_e1569 * _e1624)) - _e1590)) & 2147483647u)) <= ((0.0000009536743f * select(_e1527, _e1647, (_e1647 > _e1527))) * select(_e1661, _e1658, (_e1658 > _e1661)))) {
-                                                                            let _e1671 = bitcast<f32>((bitcast<u32>(_e1552.x) & 2147483647u));
-                                                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1552.y) & 2147483647u));
-                                                                            let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
-                                                                            let _e1679 = bitcast<f32>((bitcast<u32>(_e1552.z) & 2147483647u));
-                                                                            let _e1685 = bitcast<f32>((bitcast<u32>(_e1550.x) & 2147483647u));
-                                                                            let _e1688 = bitcast<f32>((bitcast<u32>(_e1550.y) & 2147483647u));
-                                                                            let _e1690 = select(_e1688, _e1685, (_e1685 > _e1688));
-                                                                            let _e1693 = bitcast<f32>((bitcast<u32>(_e1550.z) & 2147483647u));
-                                                                            let _e1697 = (bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u)) > ((0.0000038146973f * select(_e1679, _e1676, (_e1676 > _e1679))) * select(_e1693, _e1690, (_e1690 > _e1693))));
-                                                                            if _e1697 {
-                                                                                phi_3110_ = (_e1590 / _e1595);
-                                                                            } else {
-                                                                                phi_3110_ = f32();
-                                                                            }
-                                                                            let _e1700 = phi_3110_;
-                                                                            phi_3112_ = _e1700;
-                                                                            phi_3113_ = select(true, false, _e1697);
-                                                                        } else {
-                                                                            phi_3112_ = f32();
-                                                                            phi_3113_ = true;
-                                                                        }
-                                                                        let _e1703 = phi_3112_;
-                                                                        let _e1705 = phi_3113_;
-                                                                        if _e1705 {
-                                                                            let _e1713 = (((_e1561 * (_e1622 - (_e515 * _e1625))) + (_e1566 * (_e1623 - (_e581 * _e1625)))) / _e1595);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1713) & 2147483647u)) <= _e1527) {
-                                                                                phi_3133_ = (_e1625 + _e1713);
-                                                                            } else {
-                                                                                phi_3133_ = _e1625;
-                                                                            }
-                                                                            let _e1720 = phi_3133_;
-                                                                            phi_3134_ = _e1720;
-                                                                        } else {
-                                                                            phi_3134_ = _e1703;
-                                                                        }
-                                                                        let _e1722 = phi_3134_;
-                                                                        let _e1724 = select(_e1460, _e1722, (_e1722 < _e1460));
-                                                                        let _e1726 = select(_e1452, _e1724, (_e1724 > _e1452));
-                                                                        if (_e1726 >= _e761) {
-                                                                            let _e1728 = (_e1726 <= _e860.member_1);
-                                                                            if _e1728 {
-                                                                                let _e1729 = (1f / _e1379);
-                                                                                phi_3157_ = type_21(_e1726, (_e1373 * _e1729), (_e1377 * _e1729), _e920);
-                                                                            } else {
-                                                                                phi_3157_ = type_21();
-                                                                            }
-                                                                            let _e1734 = phi_3157_;
-                                                                            phi_3159_ = _e1734;
-                                                                            phi_3160_ = select(true, false, _e1728);
-                                                                        } else {
-                                                                            phi_3159_ = type_21();
-                                                                            phi_3160_ = true;
-                                                                        }
-                                                                        let _e1737 = phi_3159_;
-                                                                        let _e1739 = phi_3160_;
-                                                                        if _e1739 {
-                                                                            phi_3164_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                        } else {
-                                                                            phi_3164_ = _e1737;
-                                                                        }
-                                                                        let _e1741 = phi_3164_;
-                                                                        phi_3165_ = _e1741;
-                                                                    }
-                                                                    let _e1743 = phi_3165_;
-                                                                    phi_3166_ = _e1743;
-                                                                    phi_3167_ = _e1469;
-                                                                }
-                                                                let _e1745 = phi_3166_;
-                                                                let _e1747 = phi_3167_;
-                                                                phi_3171_ = _e1745;
-                                                                phi_3172_ = _e1747;
-                                                            }
-                                                            let _e1749 = phi_3171_;
-                                                            let _e1751 = phi_3172_;
-                                                            phi_3173_ = _e1749;
-                                                            phi_3174_ = _e1404;
-                                                            phi_3175_ = _e1751;
-                                                        }
-                                                        let _e1753 = phi_3173_;
-                                                        let _e1755 = phi_3174_;
-                                                        let _e1757 = phi_3175_;
-                                                        phi_3176_ = _e1753;
-                                                        phi_3177_ = _e1755;
-                                                        phi_3178_ = _e1757;
+                                                        phi_3089_ = type_42();
+                                                        phi_3090_ = type_42(0f, 0f, 0f, _e1458);
                                                     }
-                                                    let _e1759 = phi_3176_;
-                                                    let _e1761 = phi_3177_;
-                                                    let _e1763 = phi_3178_;
-                                                    phi_3186_ = _e1759;
-                                                    phi_3187_ = select(_e1763, true, _e1761);
+                                                    let _e1722 = phi_3089_;
+                                                    let _e1724 = phi_3090_;
+                                                    phi_3093_ = _e1722;
+                                                    phi_3094_ = _e1724;
+                                                    phi_3095_ = select(true, false, _e1458);
                                                 } else {
-                                                    phi_3186_ = type_21();
-                                                    phi_3187_ = true;
+                                                    phi_3093_ = type_42();
+                                                    phi_3094_ = type_42(0f, 0f, 0f, _e1349);
+                                                    phi_3095_ = true;
                                                 }
-                                                let _e1766 = phi_3186_;
-                                                let _e1768 = phi_3187_;
-                                                if _e1768 {
-                                                    phi_3191_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1727 = phi_3093_;
+                                                let _e1729 = phi_3094_;
+                                                let _e1731 = phi_3095_;
+                                                if _e1731 {
+                                                    phi_3099_ = _e1729;
                                                 } else {
-                                                    phi_3191_ = _e1766;
+                                                    phi_3099_ = _e1727;
                                                 }
-                                                let _e1770 = phi_3191_;
-                                                if (_e1770.member_3 != 4294967295u) {
-                                                    if (_e920 == _e174) {
-                                                        phi_3526_ = false;
+                                                let _e1733 = phi_3099_;
+                                                if _e1733.member_3 {
+                                                    phi_3108_ = type_21(_e1733.member, _e1733.member_1, _e1733.member_2, _e905);
+                                                } else {
+                                                    phi_3108_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                }
+                                                let _e1740 = phi_3108_;
+                                                if (_e1740.member_3 != 4294967295u) {
+                                                    if (_e905 == _e174) {
+                                                        phi_3443_ = false;
                                                     } else {
-                                                        let _e1774 = (_e920 < arrayLength((&global_4.member)));
-                                                        if _e1774 {
-                                                            if _e1774 {
+                                                        let _e1744 = (_e905 < arrayLength((&global_4.member)));
+                                                        if _e1744 {
+                                                            if _e1744 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1776 = global_4.member[_e920];
-                                                            phi_3214_ = _e1776;
+                                                            let _e1746 = global_4.member[_e905];
+                                                            phi_3131_ = _e1746;
                                                         } else {
-                                                            phi_3214_ = 4294967295u;
+                                                            phi_3131_ = 4294967295u;
                                                         }
-                                                        let _e1778 = phi_3214_;
-                                                        let _e1779 = (_e1778 < arrayLength((&global_5.member)));
-                                                        if _e1779 {
-                                                            if _e1779 {
+                                                        let _e1748 = phi_3131_;
+                                                        let _e1749 = (_e1748 < arrayLength((&global_5.member)));
+                                                        if _e1749 {
+                                                            if _e1749 {
                                                             } else {
-                                                                phi_5274_ = true;
+                                                                phi_5371_ = true;
                                                                 break;
                                                             }
-                                                            let _e1781 = global_5.member[_e1778];
-                                                            phi_3228_ = _e1781;
+                                                            let _e1751 = global_5.member[_e1748];
+                                                            phi_3145_ = _e1751;
                                                         } else {
-                                                            phi_3228_ = 0i;
+                                                            phi_3145_ = 0i;
                                                         }
-                                                        let _e1783 = phi_3228_;
-                                                        let _e1784 = (_e1783 == 0i);
-                                                        if _e1784 {
-                                                            phi_3525_ = true;
+                                                        let _e1753 = phi_3145_;
+                                                        let _e1754 = (_e1753 == 0i);
+                                                        if _e1754 {
+                                                            phi_3442_ = true;
                                                         } else {
                                                             if _e452 {
-                                                                phi_3251_ = vec3<f32>(_e1307[0][0], _e1307[0][1], _e1307[0][2]);
+                                                                phi_3168_ = vec3<f32>(_e1292[0][0], _e1292[0][1], _e1292[0][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3250_ = vec3<f32>(_e1307[0][2], _e1307[0][0], _e1307[0][1]);
+                                                                    phi_3167_ = vec3<f32>(_e1292[0][2], _e1292[0][0], _e1292[0][1]);
                                                                 } else {
-                                                                    phi_3250_ = vec3<f32>(_e1307[0][1], _e1307[0][2], _e1307[0][0]);
+                                                                    phi_3167_ = vec3<f32>(_e1292[0][1], _e1292[0][2], _e1292[0][0]);
                                                                 }
-                                                                let _e1789 = phi_3250_;
-                                                                phi_3251_ = _e1789;
+                                                                let _e1759 = phi_3167_;
+                                                                phi_3168_ = _e1759;
                                                             }
-                                                            let _e1792 = phi_3251_;
+                                                            let _e1762 = phi_3168_;
                                                             if _e452 {
-                                                                phi_3270_ = vec3<f32>(_e1307[1][0], _e1307[1][1], _e1307[1][2]);
+                                                                phi_3187_ = vec3<f32>(_e1292[1][0], _e1292[1][1], _e1292[1][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3269_ = vec3<f32>(_e1307[1][2], _e1307[1][0], _e1307[1][1]);
+                                                                    phi_3186_ = vec3<f32>(_e1292[1][2], _e1292[1][0], _e1292[1][1]);
                                                                 } else {
-                                                                    phi_3269_ = vec3<f32>(_e1307[1][1], _e1307[1][2], _e1307[1][0]);
+                                                                    phi_3186_ = vec3<f32>(_e1292[1][1], _e1292[1][2], _e1292[1][0]);
                                                                 }
-                                                                let _e1797 = phi_3269_;
-                                                                phi_3270_ = _e1797;
+                                                                let _e1767 = phi_3186_;
+                                                                phi_3187_ = _e1767;
                                                             }
-                                                            let _e1800 = phi_3270_;
+                                                            let _e1770 = phi_3187_;
                                                             if _e452 {
-                                                                phi_3289_ = vec3<f32>(_e1307[2][0], _e1307[2][1], _e1307[2][2]);
+                                                                phi_3206_ = vec3<f32>(_e1292[2][0], _e1292[2][1], _e1292[2][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3288_ = vec3<f32>(_e1307[2][2], _e1307[2][0], _e1307[2][1]);
+                                                                    phi_3205_ = vec3<f32>(_e1292[2][2], _e1292[2][0], _e1292[2][1]);
                                                                 } else {
-                                                                    phi_3288_ = vec3<f32>(_e1307[2][1], _e1307[2][2], _e1307[2][0]);
+                                                                    phi_3205_ = vec3<f32>(_e1292[2][1], _e1292[2][2], _e1292[2][0]);
                                                                 }
-                                                                let _e1805 = phi_3288_;
-                                                                phi_3289_ = _e1805;
+                                                                let _e1775 = phi_3205_;
+                                                                phi_3206_ = _e1775;
                                                             }
-                                                            let _e1808 = phi_3289_;
-                                                            let _e1811 = (_e1800.x - _e1792.x);
-                                                            let _e1814 = (_e1800.y - _e1792.y);
-                                                            let _e1817 = (_e1800.z - _e1792.z);
-                                                            let _e1819 = (_e1808.x - _e1792.x);
-                                                            let _e1821 = (_e1808.y - _e1792.y);
-                                                            let _e1823 = (_e1808.z - _e1792.z);
+                                                            let _e1778 = phi_3206_;
+                                                            let _e1781 = (_e1770.x - _e1762.x);
+                                                            let _e1784 = (_e1770.y - _e1762.y);
+                                                            let _e1787 = (_e1770.z - _e1762.z);
+                                                            let _e1789 = (_e1778.x - _e1762.x);
+                                                            let _e1791 = (_e1778.y - _e1762.y);
+                                                            let _e1793 = (_e1778.z - _e1762.z);
                                                             if (_e306.member_1 == 1u) {
-                                                                phi_3325_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e1792);
+                                                                phi_3242_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e1762);
                                                             } else {
-                                                                phi_3325_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
+                                                                phi_3242_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
                                                             }
-                                                            let _e1838 = phi_3325_;
-                                                            let _e1844 = bitcast<f32>((bitcast<u32>((_e1811 * _e1821)) ^ _e306.member_3[0]));
-                                                            let _e1848 = bitcast<f32>((bitcast<u32>((_e1814 * _e1819)) ^ _e306.member_3[0]));
-                                                            let _e1852 = bitcast<f32>((bitcast<u32>((_e1814 * _e1823)) ^ _e306.member_3[0]));
-                                                            let _e1856 = bitcast<f32>((bitcast<u32>((_e1817 * _e1821)) ^ _e306.member_3[0]));
-                                                            let _e1860 = bitcast<f32>((bitcast<u32>((_e1817 * _e1819)) ^ _e306.member_3[0]));
-                                                            let _e1864 = bitcast<f32>((bitcast<u32>((_e1811 * _e1823)) ^ _e306.member_3[0]));
-                                                            let _e1865 = (_e1852 - _e1856);
-                                                            let _e1866 = (_e1860 - _e1864);
-                                                            let _e1867 = (_e1844 - _e1848);
-                                                            let _e1891 = (bitcast<f32>((bitcast<u32>(_e1852) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1856) & 2147483647u)));
-                                                            let _e1898 = (bitcast<f32>((bitcast<u32>(_e1860) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1864) & 2147483647u)));
-                                                            let _e1905 = (bitcast<f32>((bitcast<u32>(_e1844) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1848) & 2147483647u)));
+                                                            let _e1808 = phi_3242_;
+                                                            let _e1814 = bitcast<f32>((bitcast<u32>((_e1781 * _e1791)) ^ _e306.member_3[0]));
+                                                            let _e1818 = bitcast<f32>((bitcast<u32>((_e1784 * _e1789)) ^ _e306.member_3[0]));
+                                                            let _e1822 = bitcast<f32>((bitcast<u32>((_e1784 * _e1793)) ^ _e306.member_3[0]));
+                                                            let _e1826 = bitcast<f32>((bitcast<u32>((_e1787 * _e1791)) ^ _e306.member_3[0]));
+                                                            let _e1830 = bitcast<f32>((bitcast<u32>((_e1787 * _e1789)) ^ _e306.member_3[0]));
+                                                            let _e1834 = bitcast<f32>((bitcast<u32>((_e1781 * _e1793)) ^ _e306.member_3[0]));
+                                                            let _e1835 = (_e1822 - _e1826);
+                                                            let _e1836 = (_e1830 - _e1834);
+                                                            let _e1837 = (_e1814 - _e1818);
+                                                            let _e1861 = (bitcast<f32>((bitcast<u32>(_e1822) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1826) & 2147483647u)));
+                                                            let _e1868 = (bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u)));
+                                                            let _e1875 = (bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u)));
                                                             if (_e306.member_2 == 0f) {
-                                                                phi_3507_ = 0f;
+                                                                phi_3424_ = 0f;
                                                             } else {
-                                                                let _e1935 = bitcast<f32>((bitcast<u32>(_e1865) & 2147483647u));
-                                                                let _e1938 = bitcast<f32>((bitcast<u32>(_e1866) & 2147483647u));
-                                                                let _e1941 = bitcast<f32>((bitcast<u32>(_e1867) & 2147483647u));
-                                                                let _e1943 = select(_e1941, _e1938, (_e1938 > _e1941));
-                                                                let _e1947 = select(_e1941, _e1938, (_e1938 < _e1941));
-                                                                let _e1951 = select(_e1938, _e1935, (_e1935 < _e1938));
-                                                                let _e1953 = select(_e1938, _e1935, (_e1935 > _e1938));
-                                                                let _e1955 = select(_e1941, _e1953, (_e1953 < _e1941));
-                                                                phi_3507_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1943, _e1935, (_e1935 > _e1943)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1955, _e1951, (_e1951 > _e1955)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1947, _e1935, (_e1935 < _e1947)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1891 + _e1898) + _e1905))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
+                                                                let _e1905 = bitcast<f32>((bitcast<u32>(_e1835) & 2147483647u));
+                                                                let _e1908 = bitcast<f32>((bitcast<u32>(_e1836) & 2147483647u));
+                                                                let _e1911 = bitcast<f32>((bitcast<u32>(_e1837) & 2147483647u));
+                                                                let _e1913 = select(_e1911, _e1908, (_e1908 > _e1911));
+                                                                let _e1917 = select(_e1911, _e1908, (_e1908 < _e1911));
+                                                                let _e1921 = select(_e1908, _e1905, (_e1905 < _e1908));
+                                                                let _e1923 = select(_e1908, _e1905, (_e1905 > _e1908));
+                                                                let _e1925 = select(_e1911, _e1923, (_e1923 < _e1911));
+                                                                phi_3424_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1913, _e1905, (_e1905 > _e1913)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1925, _e1921, (_e1921 > _e1925)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1917, _e1905, (_e1905 < _e1917)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1861 + _e1868) + _e1875))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
                                                             }
-                                                            let _e1982 = phi_3507_;
-                                                            phi_3525_ = (_e1784 || !(((((bitcast<f32>((bitcast<u32>((_e1838.x * _e1865)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1838.y * _e1866)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1838.z * _e1867)) ^ _e306.member_3[0]))) * f32(-(_e1783))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1838.x) & 2147483647u)) * _e1891)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1838.y) & 2147483647u)) * _e1898)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1838.z) & 2147483647u)) * _e1905)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e1982) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1952 = phi_3424_;
+                                                            phi_3442_ = (_e1754 || !(((((bitcast<f32>((bitcast<u32>((_e1808.x * _e1835)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1808.y * _e1836)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1808.z * _e1837)) ^ _e306.member_3[0]))) * f32(-(_e1753))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1808.x) & 2147483647u)) * _e1861)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1808.y) & 2147483647u)) * _e1868)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1808.z) & 2147483647u)) * _e1875)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e1952) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1996 = phi_3525_;
-                                                        phi_3526_ = _e1996;
+                                                        let _e1966 = phi_3442_;
+                                                        phi_3443_ = _e1966;
                                                     }
-                                                    let _e1998 = phi_3526_;
-                                                    if _e1998 {
-                                                        if (_e1770.member < _e860.member.member) {
-                                                            phi_3546_ = true;
+                                                    let _e1968 = phi_3443_;
+                                                    if _e1968 {
+                                                        if (_e1740.member < _e845.member.member) {
+                                                            phi_3463_ = true;
                                                         } else {
-                                                            if (_e1770.member == _e860.member.member) {
-                                                                phi_3545_ = (_e1770.member_3 < _e860.member.member_3);
+                                                            if (_e1740.member == _e845.member.member) {
+                                                                phi_3462_ = (_e1740.member_3 < _e845.member.member_3);
                                                             } else {
-                                                                phi_3545_ = false;
+                                                                phi_3462_ = false;
                                                             }
-                                                            let _e2008 = phi_3545_;
-                                                            phi_3546_ = _e2008;
+                                                            let _e1978 = phi_3462_;
+                                                            phi_3463_ = _e1978;
                                                         }
-                                                        let _e2010 = phi_3546_;
-                                                        if _e2010 {
-                                                            phi_3552_ = type_39(_e1770, _e1770.member);
+                                                        let _e1980 = phi_3463_;
+                                                        if _e1980 {
+                                                            phi_3469_ = type_39(_e1740, _e1740.member);
                                                         } else {
-                                                            phi_3552_ = _e860;
+                                                            phi_3469_ = _e845;
                                                         }
-                                                        let _e2013 = phi_3552_;
-                                                        phi_3553_ = _e2013;
+                                                        let _e1983 = phi_3469_;
+                                                        phi_3470_ = _e1983;
                                                     } else {
-                                                        phi_3553_ = _e860;
+                                                        phi_3470_ = _e845;
                                                     }
-                                                    let _e2015 = phi_3553_;
-                                                    phi_3554_ = _e2015;
+                                                    let _e1985 = phi_3470_;
+                                                    phi_3471_ = _e1985;
                                                 } else {
-                                                    phi_3554_ = _e860;
+                                                    phi_3471_ = _e845;
                                                 }
-                                                let _e2017 = phi_3554_;
-                                                phi_1529_ = _e2017;
+                                                let _e1987 = phi_3471_;
+                                                phi_1549_ = _e1987;
                                             } else {
-                                                phi_1529_ = type_39();
+                                                phi_1549_ = type_39();
                                             }
-                                            let _e2019 = phi_1529_;
+                                            let _e1989 = phi_1549_;
                                             continue;
                                             continuing {
-                                                phi_1528_ = _e2019;
-                                                phi_1531_ = _e875;
-                                                phi_5274_ = _e803;
-                                                break if !(_e881);
+                                                phi_1548_ = _e1989;
+                                                phi_1551_ = _e860;
+                                                phi_5371_ = _e788;
+                                                break if !(_e866);
                                             }
                                         }
-                                        let _e2022 = phi_5274_;
-                                        phi_5513_ = _e2022;
-                                        if _e2022 {
+                                        let _e1992 = phi_5371_;
+                                        phi_5615_ = _e1992;
+                                        if _e1992 {
                                             break;
                                         }
-                                        phi_5604_ = _e2022;
-                                        let _e2849 = local_11;
-                                        phi_3555_ = _e2849;
+                                        phi_5706_ = _e1992;
+                                        let _e2806 = local_11;
+                                        phi_3472_ = _e2806;
                                     } else {
-                                        phi_5604_ = _e803;
-                                        phi_3555_ = _e805;
+                                        phi_5706_ = _e788;
+                                        phi_3472_ = _e790;
                                     }
-                                    let _e2024 = phi_5604_;
-                                    let _e2026 = phi_3555_;
-                                    if _e852 {
-                                        phi_4820_ = bool();
-                                        phi_4821_ = u32();
-                                        phi_4822_ = type_57();
+                                    let _e1994 = phi_5706_;
+                                    let _e1996 = phi_3472_;
+                                    if _e837 {
+                                        phi_4737_ = bool();
+                                        phi_4738_ = u32();
+                                        phi_4739_ = type_58();
                                     } else {
-                                        if (_e848.member_1 >= _e106) {
-                                            phi_4356_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e833.member_1 >= _e106) {
+                                            phi_4273_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e848.member_1 < _e106) {
+                                            if (_e833.member_1 < _e106) {
                                             } else {
-                                                phi_5513_ = true;
+                                                phi_5615_ = true;
                                                 break;
                                             }
-                                            let _e2029 = (_e428 * 2u);
+                                            let _e1999 = (_e428 * 2u);
+                                            let _e2001 = ((1u + _e1999) % 7u);
+                                            if (_e2001 < 7u) {
+                                            } else {
+                                                phi_5615_ = true;
+                                                break;
+                                            }
+                                            let _e2006 = global_9.member[_e833.member_1][_e2001];
+                                            let _e2008 = ((_e1999 + 2u) % 7u);
+                                            if (_e2008 < 7u) {
+                                            } else {
+                                                phi_5615_ = true;
+                                                break;
+                                            }
+                                            let _e2013 = global_9.member[_e833.member_1][_e2008];
+                                            let _e2014 = (_e427 * 2u);
+                                            let _e2016 = ((1u + _e2014) % 7u);
+                                            if (_e2016 < 7u) {
+                                            } else {
+                                                phi_5615_ = true;
+                                                break;
+                                            }
+                                            let _e2021 = global_9.member[_e833.member_1][_e2016];
+                                            let _e2023 = ((_e2014 + 2u) % 7u);
+                                            if (_e2023 < 7u) {
+                                            } else {
+                                                phi_5615_ = true;
+                                                break;
+                                            }
+                                            let _e2028 = global_9.member[_e833.member_1][_e2023];
+                                            let _e2029 = (_e429 * 2u);
                                             let _e2031 = ((1u + _e2029) % 7u);
                                             if (_e2031 < 7u) {
                                             } else {
-                                                phi_5513_ = true;
+                                                phi_5615_ = true;
                                                 break;
                                             }
-                                            let _e2036 = global_9.member[_e848.member_1][_e2031];
+                                            let _e2036 = global_9.member[_e833.member_1][_e2031];
                                             let _e2038 = ((_e2029 + 2u) % 7u);
                                             if (_e2038 < 7u) {
                                             } else {
-                                                phi_5513_ = true;
+                                                phi_5615_ = true;
                                                 break;
                                             }
-                                            let _e2043 = global_9.member[_e848.member_1][_e2038];
-                                            let _e2044 = (_e427 * 2u);
-                                            let _e2046 = ((1u + _e2044) % 7u);
-                                            if (_e2046 < 7u) {
-                                            } else {
-                                                phi_5513_ = true;
-                                                break;
-                                            }
-                                            let _e2051 = global_9.member[_e848.member_1][_e2046];
-                                            let _e2053 = ((_e2044 + 2u) % 7u);
-                                            if (_e2053 < 7u) {
-                                            } else {
-                                                phi_5513_ = true;
-                                                break;
-                                            }
-                                            let _e2058 = global_9.member[_e848.member_1][_e2053];
-                                            let _e2059 = (_e429 * 2u);
-                                            let _e2061 = ((1u + _e2059) % 7u);
-                                            if (_e2061 < 7u) {
-                                            } else {
-                                                phi_5513_ = true;
-                                                break;
-                                            }
-                                            let _e2066 = global_9.member[_e848.member_1][_e2061];
-                                            let _e2068 = ((_e2059 + 2u) % 7u);
-                                            if (_e2068 < 7u) {
-                                            } else {
-                                                phi_5513_ = true;
-                                                break;
-                                            }
-                                            let _e2073 = global_9.member[_e848.member_1][_e2068];
-                                            let _e2096 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.x - _e848.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e2097 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.y - _e848.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e2098 = (bitcast<f32>((bitcast<u32>((_e848.member.member_1.z - _e848.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e2100 = select(_e165, _e2096, (_e2096 > _e165));
-                                            let _e2102 = select(_e165, _e2097, (_e2097 > _e165));
-                                            let _e2104 = select(_e165, _e2098, (_e2098 > _e165));
-                                            let _e2135 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2036 & 2097151u))) - 8388608f) * _e2100));
-                                            let _e2140 = (bitcast<i32>((_e2036 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2143 = bitcast<f32>((_e2135 & bitcast<u32>(_e2140)));
-                                            let _e2144 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2051 & 2097151u))) - 8388608f) * _e2102));
-                                            let _e2149 = (bitcast<i32>((_e2051 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2043 = global_9.member[_e833.member_1][_e2038];
+                                            let _e2066 = (bitcast<f32>((bitcast<u32>((_e833.member.member_1.x - _e833.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e2067 = (bitcast<f32>((bitcast<u32>((_e833.member.member_1.y - _e833.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e2068 = (bitcast<f32>((bitcast<u32>((_e833.member.member_1.z - _e833.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e2070 = select(_e165, _e2066, (_e2066 > _e165));
+                                            let _e2072 = select(_e165, _e2067, (_e2067 > _e165));
+                                            let _e2074 = select(_e165, _e2068, (_e2068 > _e165));
+                                            let _e2105 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2006 & 2097151u))) - 8388608f) * _e2070));
+                                            let _e2110 = (bitcast<i32>((_e2006 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2113 = bitcast<f32>((_e2105 & bitcast<u32>(_e2110)));
+                                            let _e2114 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2021 & 2097151u))) - 8388608f) * _e2072));
+                                            let _e2119 = (bitcast<i32>((_e2021 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2122 = bitcast<f32>((_e2114 & bitcast<u32>(_e2119)));
+                                            let _e2123 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2036 & 2097151u))) - 8388608f) * _e2074));
+                                            let _e2128 = (bitcast<i32>((_e2036 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2131 = bitcast<f32>((_e2123 & bitcast<u32>(_e2128)));
+                                            let _e2135 = bitcast<f32>((_e2105 & bitcast<u32>(~(_e2110))));
+                                            let _e2139 = bitcast<f32>((_e2114 & bitcast<u32>(~(_e2119))));
+                                            let _e2143 = bitcast<f32>((_e2123 & bitcast<u32>(~(_e2128))));
+                                            let _e2144 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2013 & 2097151u))) - 8388608f) * _e2070));
+                                            let _e2149 = (bitcast<i32>((_e2013 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
                                             let _e2152 = bitcast<f32>((_e2144 & bitcast<u32>(_e2149)));
-                                            let _e2153 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2066 & 2097151u))) - 8388608f) * _e2104));
-                                            let _e2158 = (bitcast<i32>((_e2066 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2153 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2028 & 2097151u))) - 8388608f) * _e2072));
+                                            let _e2158 = (bitcast<i32>((_e2028 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
                                             let _e2161 = bitcast<f32>((_e2153 & bitcast<u32>(_e2158)));
-                                            let _e2165 = bitcast<f32>((_e2135 & bitcast<u32>(~(_e2140))));
-                                            let _e2169 = bitcast<f32>((_e2144 & bitcast<u32>(~(_e2149))));
-                                            let _e2173 = bitcast<f32>((_e2153 & bitcast<u32>(~(_e2158))));
-                                            let _e2174 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2043 & 2097151u))) - 8388608f) * _e2100));
-                                            let _e2179 = (bitcast<i32>((_e2043 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2182 = bitcast<f32>((_e2174 & bitcast<u32>(_e2179)));
-                                            let _e2183 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2058 & 2097151u))) - 8388608f) * _e2102));
-                                            let _e2188 = (bitcast<i32>((_e2058 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2191 = bitcast<f32>((_e2183 & bitcast<u32>(_e2188)));
-                                            let _e2192 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2073 & 2097151u))) - 8388608f) * _e2104));
-                                            let _e2197 = (bitcast<i32>((_e2073 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2200 = bitcast<f32>((_e2192 & bitcast<u32>(_e2197)));
-                                            let _e2204 = bitcast<f32>((_e2174 & bitcast<u32>(~(_e2179))));
-                                            let _e2208 = bitcast<f32>((_e2183 & bitcast<u32>(~(_e2188))));
-                                            let _e2212 = bitcast<f32>((_e2192 & bitcast<u32>(~(_e2197))));
-                                            let _e2213 = (_e848.member.member.x + _e2143);
-                                            let _e2214 = (_e848.member.member.y + _e2152);
-                                            let _e2215 = (_e848.member.member.z + _e2161);
-                                            let _e2218 = (_e848.member.member_1.x - _e2182);
-                                            let _e2219 = (_e848.member.member_1.y - _e2191);
-                                            let _e2220 = (_e848.member.member_1.z - _e2200);
-                                            let _e2239 = (_e2218 - _e2213);
-                                            let _e2240 = (_e2219 - _e2214);
-                                            let _e2241 = (_e2220 - _e2215);
-                                            let _e2243 = select(_e2240, _e2239, (_e2239 > _e2240));
-                                            let _e2245 = select(_e2241, _e2243, (_e2243 > _e2241));
-                                            if (_e2245 < (1024f * _e165)) {
-                                                phi_4057_ = 0u;
+                                            let _e2162 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2043 & 2097151u))) - 8388608f) * _e2074));
+                                            let _e2167 = (bitcast<i32>((_e2043 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e2170 = bitcast<f32>((_e2162 & bitcast<u32>(_e2167)));
+                                            let _e2174 = bitcast<f32>((_e2144 & bitcast<u32>(~(_e2149))));
+                                            let _e2178 = bitcast<f32>((_e2153 & bitcast<u32>(~(_e2158))));
+                                            let _e2182 = bitcast<f32>((_e2162 & bitcast<u32>(~(_e2167))));
+                                            let _e2183 = (_e833.member.member.x + _e2113);
+                                            let _e2184 = (_e833.member.member.y + _e2122);
+                                            let _e2185 = (_e833.member.member.z + _e2131);
+                                            let _e2188 = (_e833.member.member_1.x - _e2152);
+                                            let _e2189 = (_e833.member.member_1.y - _e2161);
+                                            let _e2190 = (_e833.member.member_1.z - _e2170);
+                                            let _e2209 = (_e2188 - _e2183);
+                                            let _e2210 = (_e2189 - _e2184);
+                                            let _e2211 = (_e2190 - _e2185);
+                                            let _e2213 = select(_e2210, _e2209, (_e2209 > _e2210));
+                                            let _e2215 = select(_e2211, _e2213, (_e2213 > _e2211));
+                                            if (_e2215 < (1024f * _e165)) {
+                                                phi_3974_ = 0u;
                                             } else {
-                                                phi_4057_ = select(2u, 1u, (_e2245 < (2097152f * _e165)));
+                                                phi_3974_ = select(2u, 1u, (_e2215 < (2097152f * _e165)));
                                             }
-                                            let _e2252 = phi_4057_;
-                                            switch bitcast<i32>(_e2252) {
+                                            let _e2222 = phi_3974_;
+                                            switch bitcast<i32>(_e2222) {
                                                 case 0: {
-                                                    phi_4063_ = 1u;
+                                                    phi_3980_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_4063_ = 2u;
+                                                    phi_3980_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_4063_ = 3u;
+                                                    phi_3980_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_4063_ = u32();
+                                                    phi_3980_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e2255 = phi_4063_;
-                                            let _e2261 = global_9.member[_e848.member_1][0u];
-                                            let _e2265 = global_9.member[_e848.member_1][2u];
-                                            let _e2269 = global_9.member[_e848.member_1][4u];
-                                            let _e2273 = global_9.member[_e848.member_1][6u];
-                                            let _e2285 = (((_e2265 >> bitcast<u32>(22i)) | ((_e2269 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2273 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e2286 = (_e2261 & 268435455u);
-                                            let _e2287 = (_e2285 & 268435455u);
-                                            let _e2290 = ((_e2261 >> bitcast<u32>(28u)) & 7u);
-                                            let _e2298 = ((_e2261 >> bitcast<u32>(31i)) | (((_e2285 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e2299 = (_e2290 != 0u);
-                                            if (_e2290 == 0u) {
-                                                phi_4318_ = _e2286;
+                                            let _e2225 = phi_3980_;
+                                            let _e2231 = global_9.member[_e833.member_1][0u];
+                                            let _e2235 = global_9.member[_e833.member_1][2u];
+                                            let _e2239 = global_9.member[_e833.member_1][4u];
+                                            let _e2243 = global_9.member[_e833.member_1][6u];
+                                            let _e2255 = (((_e2235 >> bitcast<u32>(22i)) | ((_e2239 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2243 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e2256 = (_e2231 & 268435455u);
+                                            let _e2257 = (_e2255 & 268435455u);
+                                            let _e2260 = ((_e2231 >> bitcast<u32>(28u)) & 7u);
+                                            let _e2268 = ((_e2231 >> bitcast<u32>(31i)) | (((_e2255 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e2269 = (_e2260 != 0u);
+                                            if (_e2260 == 0u) {
+                                                phi_4235_ = _e2256;
                                             } else {
-                                                if (_e2290 == 7u) {
-                                                    phi_4317_ = 2147483648u;
+                                                if (_e2260 == 7u) {
+                                                    phi_4234_ = 2147483648u;
                                                 } else {
-                                                    phi_4317_ = ((2147483648u | (_e2290 << bitcast<u32>(28u))) | (_e2287 & 268435455u));
+                                                    phi_4234_ = ((2147483648u | (_e2260 << bitcast<u32>(28u))) | (_e2257 & 268435455u));
                                                 }
-                                                let _e2308 = phi_4317_;
-                                                phi_4318_ = _e2308;
+                                                let _e2278 = phi_4234_;
+                                                phi_4235_ = _e2278;
                                             }
-                                            let _e2310 = phi_4318_;
-                                            if _e2299 {
-                                                let _e2311 = (_e2290 != 7u);
-                                                if _e2311 {
-                                                    phi_4328_ = (_e2287 + (_e2290 * ((3u * _e2255) + 1u)));
+                                            let _e2280 = phi_4235_;
+                                            if _e2269 {
+                                                let _e2281 = (_e2260 != 7u);
+                                                if _e2281 {
+                                                    phi_4245_ = (_e2257 + (_e2260 * ((3u * _e2225) + 1u)));
                                                 } else {
-                                                    phi_4328_ = u32();
+                                                    phi_4245_ = u32();
                                                 }
-                                                let _e2315 = phi_4328_;
-                                                phi_4330_ = _e2315;
-                                                phi_4331_ = select(true, false, _e2311);
+                                                let _e2285 = phi_4245_;
+                                                phi_4247_ = _e2285;
+                                                phi_4248_ = select(true, false, _e2281);
                                             } else {
-                                                phi_4330_ = u32();
-                                                phi_4331_ = true;
+                                                phi_4247_ = u32();
+                                                phi_4248_ = true;
                                             }
-                                            let _e2318 = phi_4330_;
-                                            let _e2320 = phi_4331_;
-                                            if (_e2298 == 0u) {
-                                                phi_4352_ = (_e2286 + select(0u, 1u, !(_e2299)));
+                                            let _e2288 = phi_4247_;
+                                            let _e2290 = phi_4248_;
+                                            if (_e2268 == 0u) {
+                                                phi_4269_ = (_e2256 + select(0u, 1u, !(_e2269)));
                                             } else {
-                                                if (_e2298 == 7u) {
-                                                    phi_4351_ = 2147483648u;
+                                                if (_e2268 == 7u) {
+                                                    phi_4268_ = 2147483648u;
                                                 } else {
-                                                    phi_4351_ = ((2147483648u | (_e2298 << bitcast<u32>(28u))) | (select(_e2318, _e2287, _e2320) & 268435455u));
+                                                    phi_4268_ = ((2147483648u | (_e2268 << bitcast<u32>(28u))) | (select(_e2288, _e2257, _e2290) & 268435455u));
                                                 }
-                                                let _e2333 = phi_4351_;
-                                                phi_4352_ = _e2333;
+                                                let _e2303 = phi_4268_;
+                                                phi_4269_ = _e2303;
                                             }
-                                            let _e2335 = phi_4352_;
-                                            phi_4356_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e2213, (_e848.member.member.x + _e2165), _e2218, (_e848.member.member_1.x - _e2204)), vec4<f32>(_e2214, (_e848.member.member.y + _e2169), _e2219, (_e848.member.member_1.y - _e2208)), vec4<f32>(_e2215, (_e848.member.member.z + _e2173), _e2220, (_e848.member.member_1.z - _e2212))), type_57(type_33((_e848.member.member + vec4<f32>(_e2143, _e2152, _e2161, 0f)), (_e848.member.member_1 - vec4<f32>(_e2182, _e2191, _e2200, 0f))), _e2310), type_57(type_33((_e848.member.member + vec4<f32>(_e2165, _e2169, _e2173, 0f)), (_e848.member.member_1 - vec4<f32>(_e2204, _e2208, _e2212, 0f))), _e2335));
+                                            let _e2305 = phi_4269_;
+                                            phi_4273_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e2183, (_e833.member.member.x + _e2135), _e2188, (_e833.member.member_1.x - _e2174)), vec4<f32>(_e2184, (_e833.member.member.y + _e2139), _e2189, (_e833.member.member_1.y - _e2178)), vec4<f32>(_e2185, (_e833.member.member.z + _e2143), _e2190, (_e833.member.member_1.z - _e2182))), type_58(type_33((_e833.member.member + vec4<f32>(_e2113, _e2122, _e2131, 0f)), (_e833.member.member_1 - vec4<f32>(_e2152, _e2161, _e2170, 0f))), _e2280), type_58(type_33((_e833.member.member + vec4<f32>(_e2135, _e2139, _e2143, 0f)), (_e833.member.member_1 - vec4<f32>(_e2174, _e2178, _e2182, 0f))), _e2305));
                                         }
-                                        let _e2340 = phi_4356_;
-                                        let _e2352 = ((_e2340.member[0].x - _e513) * _e518);
-                                        let _e2353 = ((_e2340.member[0].y - _e513) * _e518);
-                                        let _e2354 = ((_e2340.member[0].z - _e514) * _e518);
-                                        let _e2355 = ((_e2340.member[0].w - _e514) * _e518);
-                                        let _e2365 = ((_e2340.member[1].x - _e579) * _e584);
-                                        let _e2366 = ((_e2340.member[1].y - _e579) * _e584);
-                                        let _e2367 = ((_e2340.member[1].z - _e580) * _e584);
-                                        let _e2368 = ((_e2340.member[1].w - _e580) * _e584);
-                                        let _e2378 = ((_e2340.member[2].x - _e645) * _e650);
-                                        let _e2379 = ((_e2340.member[2].y - _e645) * _e650);
-                                        let _e2380 = ((_e2340.member[2].z - _e646) * _e650);
-                                        let _e2381 = ((_e2340.member[2].w - _e646) * _e650);
-                                        let _e2383 = select(_e2380, _e2378, (_e2378 < _e2380));
-                                        let _e2385 = select(_e2381, _e2379, (_e2379 < _e2381));
-                                        let _e2387 = select(_e2380, _e2378, (_e2378 > _e2380));
-                                        let _e2389 = select(_e2381, _e2379, (_e2379 > _e2381));
-                                        let _e2391 = select(_e2354, _e2352, (_e2352 < _e2354));
-                                        let _e2393 = select(_e2355, _e2353, (_e2353 < _e2355));
-                                        let _e2395 = select(_e2367, _e2365, (_e2365 < _e2367));
-                                        let _e2397 = select(_e2368, _e2366, (_e2366 < _e2368));
-                                        let _e2399 = select(_e2395, _e2391, (_e2391 > _e2395));
-                                        let _e2401 = select(_e2397, _e2393, (_e2393 > _e2397));
-                                        let _e2403 = select(_e2383, _e2399, (_e2399 > _e2383));
-                                        let _e2405 = select(_e2385, _e2401, (_e2401 > _e2385));
-                                        let _e2407 = select(_e2354, _e2352, (_e2352 > _e2354));
-                                        let _e2409 = select(_e2355, _e2353, (_e2353 > _e2355));
-                                        let _e2411 = select(_e2367, _e2365, (_e2365 > _e2367));
-                                        let _e2413 = select(_e2368, _e2366, (_e2366 > _e2368));
-                                        let _e2415 = select(_e2411, _e2407, (_e2407 < _e2411));
-                                        let _e2417 = select(_e2413, _e2409, (_e2409 < _e2413));
-                                        let _e2422 = -(_e2383);
-                                        let _e2423 = -(_e2385);
-                                        let _e2430 = (select(_e2387, _e2415, (_e2415 < _e2387)) + (select(_e2422, _e2387, (_e2387 > _e2422)) * 0.0000019073523f));
-                                        let _e2431 = (select(_e2389, _e2417, (_e2417 < _e2389)) + (select(_e2423, _e2389, (_e2389 > _e2423)) * 0.0000019073523f));
-                                        let _e2433 = select(_e761, _e2403, (_e2403 > _e761));
-                                        let _e2435 = select(_e761, _e2405, (_e2405 > _e761));
-                                        let _e2440 = (_e2433 <= select(_e2026.member_1, _e2430, (_e2430 < _e2026.member_1)));
-                                        let _e2441 = (_e2435 <= select(_e2026.member_1, _e2431, (_e2431 < _e2026.member_1)));
-                                        let _e2442 = (_e2433 <= _e2435);
-                                        if _e2440 {
-                                            if _e2441 {
-                                                if _e2442 {
-                                                    phi_4718_ = _e2340.member_2;
+                                        let _e2310 = phi_4273_;
+                                        let _e2322 = ((_e2310.member[0].x - _e513) * _e516);
+                                        let _e2323 = ((_e2310.member[0].y - _e513) * _e516);
+                                        let _e2324 = ((_e2310.member[0].z - _e514) * _e516);
+                                        let _e2325 = ((_e2310.member[0].w - _e514) * _e516);
+                                        let _e2335 = ((_e2310.member[1].x - _e577) * _e580);
+                                        let _e2336 = ((_e2310.member[1].y - _e577) * _e580);
+                                        let _e2337 = ((_e2310.member[1].z - _e578) * _e580);
+                                        let _e2338 = ((_e2310.member[1].w - _e578) * _e580);
+                                        let _e2348 = ((_e2310.member[2].x - _e641) * _e644);
+                                        let _e2349 = ((_e2310.member[2].y - _e641) * _e644);
+                                        let _e2350 = ((_e2310.member[2].z - _e642) * _e644);
+                                        let _e2351 = ((_e2310.member[2].w - _e642) * _e644);
+                                        let _e2353 = select(_e2350, _e2348, (_e2348 < _e2350));
+                                        let _e2355 = select(_e2351, _e2349, (_e2349 < _e2351));
+                                        let _e2357 = select(_e2350, _e2348, (_e2348 > _e2350));
+                                        let _e2359 = select(_e2351, _e2349, (_e2349 > _e2351));
+                                        let _e2361 = select(_e2324, _e2322, (_e2322 < _e2324));
+                                        let _e2363 = select(_e2325, _e2323, (_e2323 < _e2325));
+                                        let _e2365 = select(_e2337, _e2335, (_e2335 < _e2337));
+                                        let _e2367 = select(_e2338, _e2336, (_e2336 < _e2338));
+                                        let _e2369 = select(_e2365, _e2361, (_e2361 > _e2365));
+                                        let _e2371 = select(_e2367, _e2363, (_e2363 > _e2367));
+                                        let _e2373 = select(_e2353, _e2369, (_e2369 > _e2353));
+                                        let _e2375 = select(_e2355, _e2371, (_e2371 > _e2355));
+                                        let _e2377 = select(_e2324, _e2322, (_e2322 > _e2324));
+                                        let _e2379 = select(_e2325, _e2323, (_e2323 > _e2325));
+                                        let _e2381 = select(_e2337, _e2335, (_e2335 > _e2337));
+                                        let _e2383 = select(_e2338, _e2336, (_e2336 > _e2338));
+                                        let _e2385 = select(_e2381, _e2377, (_e2377 < _e2381));
+                                        let _e2387 = select(_e2383, _e2379, (_e2379 < _e2383));
+                                        let _e2392 = -(_e2353);
+                                        let _e2393 = -(_e2355);
+                                        let _e2400 = (select(_e2357, _e2385, (_e2385 < _e2357)) + (select(_e2392, _e2357, (_e2357 > _e2392)) * 0.0000019073523f));
+                                        let _e2401 = (select(_e2359, _e2387, (_e2387 < _e2359)) + (select(_e2393, _e2359, (_e2359 > _e2393)) * 0.0000019073523f));
+                                        let _e2403 = select(_e746, _e2373, (_e2373 > _e746));
+                                        let _e2405 = select(_e746, _e2375, (_e2375 > _e746));
+                                        let _e2410 = (_e2403 <= select(_e1996.member_1, _e2400, (_e2400 < _e1996.member_1)));
+                                        let _e2411 = (_e2405 <= select(_e1996.member_1, _e2401, (_e2401 < _e1996.member_1)));
+                                        let _e2412 = (_e2403 <= _e2405);
+                                        if _e2410 {
+                                            if _e2411 {
+                                                if _e2412 {
+                                                    phi_4635_ = _e2310.member_2;
                                                 } else {
-                                                    phi_4718_ = _e2340.member_1;
+                                                    phi_4635_ = _e2310.member_1;
                                                 }
-                                                let _e2446 = phi_4718_;
-                                                let _e2467 = (_e846 % 128u);
-                                                let _e2468 = (_e2467 < 128u);
-                                                if _e2468 {
+                                                let _e2416 = phi_4635_;
+                                                let _e2437 = (_e831 % 128u);
+                                                let _e2438 = (_e2437 < 128u);
+                                                if _e2438 {
                                                 } else {
-                                                    phi_5513_ = true;
+                                                    phi_5615_ = true;
                                                     break;
                                                 }
-                                                local_8[_e2467] = _e2446.member_1;
-                                                if _e2468 {
+                                                local_8[_e2437] = _e2416.member_1;
+                                                if _e2438 {
                                                 } else {
-                                                    phi_5513_ = true;
+                                                    phi_5615_ = true;
                                                     break;
                                                 }
-                                                local_7[_e2467] = _e2446.member.member.x;
-                                                if _e2468 {
+                                                local_7[_e2437] = _e2416.member.member.x;
+                                                if _e2438 {
                                                 } else {
-                                                    phi_5513_ = true;
+                                                    phi_5615_ = true;
                                                     break;
                                                 }
-                                                local_6[_e2467] = _e2446.member.member.y;
-                                                if _e2468 {
+                                                local_6[_e2437] = _e2416.member.member.y;
+                                                if _e2438 {
                                                 } else {
-                                                    phi_5513_ = true;
+                                                    phi_5615_ = true;
                                                     break;
                                                 }
-                                                local_5[_e2467] = _e2446.member.member.z;
-                                                if _e2468 {
+                                                local_5[_e2437] = _e2416.member.member.z;
+                                                if _e2438 {
                                                 } else {
-                                                    phi_5513_ = true;
+                                                    phi_5615_ = true;
                                                     break;
                                                 }
-                                                local_4[_e2467] = _e2446.member.member_1.x;
-                                                if _e2468 {
+                                                local_4[_e2437] = _e2416.member.member_1.x;
+                                                if _e2438 {
                                                 } else {
-                                                    phi_5513_ = true;
+                                                    phi_5615_ = true;
                                                     break;
                                                 }
-                                                local_3[_e2467] = _e2446.member.member_1.y;
-                                                if _e2468 {
+                                                local_3[_e2437] = _e2416.member.member_1.y;
+                                                if _e2438 {
                                                 } else {
-                                                    phi_5513_ = true;
+                                                    phi_5615_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2467] = _e2446.member.member_1.z;
-                                                if _e2468 {
+                                                local_2[_e2437] = _e2416.member.member_1.z;
+                                                if _e2438 {
                                                 } else {
-                                                    phi_5513_ = true;
+                                                    phi_5615_ = true;
                                                     break;
                                                 }
-                                                local_9[_e2467] = select(_e2433, _e2435, _e2442);
-                                                if _e2442 {
-                                                    phi_4794_ = _e2340.member_1;
+                                                local_9[_e2437] = select(_e2403, _e2405, _e2412);
+                                                if _e2412 {
+                                                    phi_4711_ = _e2310.member_1;
                                                 } else {
-                                                    phi_4794_ = _e2340.member_2;
+                                                    phi_4711_ = _e2310.member_2;
                                                 }
-                                                let _e2481 = phi_4794_;
-                                                phi_4795_ = (_e846 + 1u);
-                                                phi_4796_ = _e2481;
+                                                let _e2451 = phi_4711_;
+                                                phi_4712_ = (_e831 + 1u);
+                                                phi_4713_ = _e2451;
                                             } else {
-                                                phi_4795_ = u32();
-                                                phi_4796_ = type_57();
+                                                phi_4712_ = u32();
+                                                phi_4713_ = type_58();
                                             }
-                                            let _e2483 = phi_4795_;
-                                            let _e2485 = phi_4796_;
-                                            phi_4798_ = _e2483;
-                                            phi_4799_ = _e2485;
-                                            phi_4800_ = select(true, false, _e2441);
+                                            let _e2453 = phi_4712_;
+                                            let _e2455 = phi_4713_;
+                                            phi_4715_ = _e2453;
+                                            phi_4716_ = _e2455;
+                                            phi_4717_ = select(true, false, _e2411);
                                         } else {
-                                            phi_4798_ = u32();
-                                            phi_4799_ = type_57();
-                                            phi_4800_ = true;
+                                            phi_4715_ = u32();
+                                            phi_4716_ = type_58();
+                                            phi_4717_ = true;
                                         }
-                                        let _e2488 = phi_4798_;
-                                        let _e2490 = phi_4799_;
-                                        let _e2492 = phi_4800_;
-                                        if _e2492 {
-                                            if _e2440 {
-                                                phi_4809_ = _e2340.member_1;
+                                        let _e2458 = phi_4715_;
+                                        let _e2460 = phi_4716_;
+                                        let _e2462 = phi_4717_;
+                                        if _e2462 {
+                                            if _e2410 {
+                                                phi_4726_ = _e2310.member_1;
                                             } else {
-                                                phi_4809_ = _e2340.member_2;
+                                                phi_4726_ = _e2310.member_2;
                                             }
-                                            let _e2496 = phi_4809_;
-                                            phi_4814_ = select(_e2441, true, _e2440);
-                                            phi_4816_ = _e2496;
+                                            let _e2466 = phi_4726_;
+                                            phi_4731_ = select(_e2411, true, _e2410);
+                                            phi_4733_ = _e2466;
                                         } else {
-                                            phi_4814_ = _e844;
-                                            phi_4816_ = _e2490;
+                                            phi_4731_ = _e829;
+                                            phi_4733_ = _e2460;
                                         }
-                                        let _e2499 = phi_4814_;
-                                        let _e2501 = phi_4816_;
-                                        phi_4820_ = _e2499;
-                                        phi_4821_ = select(_e2488, _e846, _e2492);
-                                        phi_4822_ = _e2501;
+                                        let _e2469 = phi_4731_;
+                                        let _e2471 = phi_4733_;
+                                        phi_4737_ = _e2469;
+                                        phi_4738_ = select(_e2458, _e831, _e2462);
+                                        phi_4739_ = _e2471;
                                     }
-                                    let _e2504 = phi_4820_;
-                                    let _e2506 = phi_4821_;
-                                    let _e2508 = phi_4822_;
-                                    if _e852 {
-                                        phi_4832_ = _e848;
+                                    let _e2474 = phi_4737_;
+                                    let _e2476 = phi_4738_;
+                                    let _e2478 = phi_4739_;
+                                    if _e837 {
+                                        phi_4749_ = _e833;
                                     } else {
-                                        phi_4832_ = _e2508;
+                                        phi_4749_ = _e2478;
                                     }
-                                    let _e2510 = phi_4832_;
-                                    phi_5516_ = _e2024;
-                                    phi_4833_ = _e2026;
-                                    phi_4834_ = (_e807 - 1u);
-                                    phi_4835_ = select(_e2504, false, _e852);
-                                    phi_4836_ = select(_e2506, _e846, _e852);
-                                    phi_4837_ = _e2510;
+                                    let _e2480 = phi_4749_;
+                                    phi_5618_ = _e1994;
+                                    phi_4750_ = _e1996;
+                                    phi_4751_ = (_e792 - 1u);
+                                    phi_4752_ = select(_e2474, false, _e837);
+                                    phi_4753_ = select(_e2476, _e831, _e837);
+                                    phi_4754_ = _e2480;
                                 } else {
-                                    phi_5516_ = _e803;
-                                    phi_4833_ = _e805;
-                                    phi_4834_ = _e807;
-                                    phi_4835_ = _e844;
-                                    phi_4836_ = _e846;
-                                    phi_4837_ = _e848;
+                                    phi_5618_ = _e788;
+                                    phi_4750_ = _e790;
+                                    phi_4751_ = _e792;
+                                    phi_4752_ = _e829;
+                                    phi_4753_ = _e831;
+                                    phi_4754_ = _e833;
                                 }
-                                let _e2514 = phi_5516_;
-                                let _e2516 = phi_4833_;
-                                let _e2518 = phi_4834_;
-                                let _e2520 = phi_4835_;
-                                let _e2522 = phi_4836_;
-                                let _e2524 = phi_4837_;
-                                phi_5515_ = _e2514;
-                                phi_4838_ = _e2516;
-                                phi_4839_ = _e2518;
-                                phi_4840_ = _e2520;
-                                phi_4841_ = _e2522;
-                                phi_4842_ = _e2524;
+                                let _e2484 = phi_5618_;
+                                let _e2486 = phi_4750_;
+                                let _e2488 = phi_4751_;
+                                let _e2490 = phi_4752_;
+                                let _e2492 = phi_4753_;
+                                let _e2494 = phi_4754_;
+                                phi_5617_ = _e2484;
+                                phi_4755_ = _e2486;
+                                phi_4756_ = _e2488;
+                                phi_4757_ = _e2490;
+                                phi_4758_ = _e2492;
+                                phi_4759_ = _e2494;
                             } else {
-                                phi_5515_ = _e803;
-                                phi_4838_ = type_39();
-                                phi_4839_ = u32();
-                                phi_4840_ = bool();
-                                phi_4841_ = u32();
-                                phi_4842_ = type_57();
+                                phi_5617_ = _e788;
+                                phi_4755_ = type_39();
+                                phi_4756_ = u32();
+                                phi_4757_ = bool();
+                                phi_4758_ = u32();
+                                phi_4759_ = type_58();
                             }
-                            let _e2526 = phi_5515_;
-                            let _e2528 = phi_4838_;
-                            let _e2530 = phi_4839_;
-                            let _e2532 = phi_4840_;
-                            let _e2534 = phi_4841_;
-                            let _e2536 = phi_4842_;
-                            phi_5514_ = _e2526;
-                            phi_1402_ = _e2528;
-                            phi_1405_ = _e2530;
-                            phi_1407_ = _e2532;
-                            phi_1409_ = _e2534;
-                            phi_1411_ = _e2536;
-                            phi_4843_ = _e817;
+                            let _e2496 = phi_5617_;
+                            let _e2498 = phi_4755_;
+                            let _e2500 = phi_4756_;
+                            let _e2502 = phi_4757_;
+                            let _e2504 = phi_4758_;
+                            let _e2506 = phi_4759_;
+                            phi_5616_ = _e2496;
+                            phi_1422_ = _e2498;
+                            phi_1425_ = _e2500;
+                            phi_1427_ = _e2502;
+                            phi_1429_ = _e2504;
+                            phi_1431_ = _e2506;
+                            phi_4760_ = _e802;
                         } else {
-                            phi_5514_ = _e803;
-                            phi_1402_ = type_39();
-                            phi_1405_ = u32();
-                            phi_1407_ = bool();
-                            phi_1409_ = u32();
-                            phi_1411_ = type_57();
-                            phi_4843_ = false;
+                            phi_5616_ = _e788;
+                            phi_1422_ = type_39();
+                            phi_1425_ = u32();
+                            phi_1427_ = bool();
+                            phi_1429_ = u32();
+                            phi_1431_ = type_58();
+                            phi_4760_ = false;
                         }
-                        let _e2538 = phi_5514_;
-                        let _e2540 = phi_1402_;
-                        let _e2542 = phi_1405_;
-                        let _e2544 = phi_1407_;
-                        let _e2546 = phi_1409_;
-                        let _e2548 = phi_1411_;
-                        let _e2550 = phi_4843_;
+                        let _e2508 = phi_5616_;
+                        let _e2510 = phi_1422_;
+                        let _e2512 = phi_1425_;
+                        let _e2514 = phi_1427_;
+                        let _e2516 = phi_1429_;
+                        let _e2518 = phi_1431_;
+                        let _e2520 = phi_4760_;
                         continue;
                         continuing {
-                            phi_5280_ = _e2538;
-                            phi_1401_ = _e2540;
-                            phi_1404_ = _e2542;
-                            phi_1406_ = _e2544;
-                            phi_1408_ = _e2546;
-                            phi_1410_ = _e2548;
-                            phi_5513_ = _e2538;
-                            break if !(_e2550);
+                            phi_5377_ = _e2508;
+                            phi_1421_ = _e2510;
+                            phi_1424_ = _e2512;
+                            phi_1426_ = _e2514;
+                            phi_1428_ = _e2516;
+                            phi_1430_ = _e2518;
+                            phi_5615_ = _e2508;
+                            break if !(_e2520);
                         }
                     }
-                    let _e2553 = phi_5513_;
-                    if _e2553 {
+                    let _e2523 = phi_5615_;
+                    if _e2523 {
                         break;
                     }
-                    let _e2555 = local_10;
-                    if (_e2555.member.member_3 != 4294967295u) {
-                        let _e2560 = bitcast<u32>(_e2555.member.member);
-                        let _e2564 = (bitcast<i32>((_e2560 >> bitcast<u32>(23i))) & 255i);
-                        let _e2565 = (_e2564 + _e430);
-                        if (_e2564 == 255i) {
-                            phi_4902_ = _e2555.member.member;
+                    let _e2525 = local_10;
+                    if (_e2525.member.member_3 != 4294967295u) {
+                        let _e2530 = bitcast<u32>(_e2525.member.member);
+                        let _e2534 = (bitcast<i32>((_e2530 >> bitcast<u32>(23i))) & 255i);
+                        let _e2535 = (_e2534 + _e430);
+                        if (_e2534 == 255i) {
+                            phi_4819_ = _e2525.member.member;
                         } else {
-                            if (_e2564 > 0i) {
-                                if (_e2565 > 0i) {
-                                    let _e2569 = (_e2565 < 255i);
-                                    if _e2569 {
-                                        phi_4881_ = bitcast<f32>((_e2560 + bitcast<u32>((_e430 << bitcast<u32>(23i)))));
+                            if (_e2534 > 0i) {
+                                if (_e2535 > 0i) {
+                                    let _e2539 = (_e2535 < 255i);
+                                    if _e2539 {
+                                        phi_4798_ = bitcast<f32>((_e2530 + bitcast<u32>((_e430 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4881_ = f32();
+                                        phi_4798_ = f32();
                                     }
-                                    let _e2576 = phi_4881_;
-                                    phi_4883_ = _e2576;
-                                    phi_4884_ = select(true, false, _e2569);
+                                    let _e2546 = phi_4798_;
+                                    phi_4800_ = _e2546;
+                                    phi_4801_ = select(true, false, _e2539);
                                 } else {
-                                    phi_4883_ = f32();
-                                    phi_4884_ = true;
+                                    phi_4800_ = f32();
+                                    phi_4801_ = true;
                                 }
-                                let _e2579 = phi_4883_;
-                                let _e2581 = phi_4884_;
-                                phi_4885_ = _e2579;
-                                phi_4886_ = _e2581;
+                                let _e2549 = phi_4800_;
+                                let _e2551 = phi_4801_;
+                                phi_4802_ = _e2549;
+                                phi_4803_ = _e2551;
                             } else {
-                                phi_4885_ = f32();
-                                phi_4886_ = true;
+                                phi_4802_ = f32();
+                                phi_4803_ = true;
                             }
-                            let _e2583 = phi_4885_;
-                            let _e2585 = phi_4886_;
-                            if _e2585 {
-                                let _e2586 = (_e2560 & 2147483648u);
-                                let _e2593 = ((_e2560 & 8388607u) | (select(0u, 1u, ((_e2560 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2597 = (_e2593 == 0u);
-                                if _e2597 {
-                                    phi_5232_ = bitcast<f32>(_e2586);
+                            let _e2553 = phi_4802_;
+                            let _e2555 = phi_4803_;
+                            if _e2555 {
+                                let _e2556 = (_e2530 & 2147483648u);
+                                let _e2563 = ((_e2530 & 8388607u) | (select(0u, 1u, ((_e2530 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2567 = (_e2563 == 0u);
+                                if _e2567 {
+                                    phi_5329_ = bitcast<f32>(_e2556);
                                 } else {
-                                    let _e2602 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2593)), 32u, _e2597) - 8u);
-                                    let _e2605 = (_e2593 << bitcast<u32>((_e2602 & 31u)));
-                                    let _e2607 = ((_e2565 + select(0i, 1i, (_e2564 == 0i))) - bitcast<i32>(_e2602));
-                                    if (_e2607 >= 255i) {
-                                        phi_5222_ = bitcast<f32>((_e2586 | 2139095040u));
-                                        phi_5223_ = f32();
-                                        phi_5224_ = true;
+                                    let _e2572 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2563)), 32u, _e2567) - 8u);
+                                    let _e2575 = (_e2563 << bitcast<u32>((_e2572 & 31u)));
+                                    let _e2577 = ((_e2535 + select(0i, 1i, (_e2534 == 0i))) - bitcast<i32>(_e2572));
+                                    if (_e2577 >= 255i) {
+                                        phi_5319_ = bitcast<f32>((_e2556 | 2139095040u));
+                                        phi_5320_ = f32();
+                                        phi_5321_ = true;
                                     } else {
-                                        let _e2609 = (_e2607 > 0i);
-                                        if _e2609 {
-                                            phi_5216_ = bitcast<f32>(((_e2586 | (bitcast<u32>(_e2607) << bitcast<u32>(23i))) | (_e2605 & 8388607u)));
-                                            phi_5217_ = f32();
+                                        let _e2579 = (_e2577 > 0i);
+                                        if _e2579 {
+                                            phi_5313_ = bitcast<f32>(((_e2556 | (bitcast<u32>(_e2577) << bitcast<u32>(23i))) | (_e2575 & 8388607u)));
+                                            phi_5314_ = f32();
                                         } else {
-                                            if (_e2607 < -24i) {
-                                                phi_5182_ = 26u;
+                                            if (_e2577 < -24i) {
+                                                phi_5279_ = 26u;
                                             } else {
-                                                phi_5182_ = bitcast<u32>((1i - _e2607));
+                                                phi_5279_ = bitcast<u32>((1i - _e2577));
                                             }
-                                            let _e2614 = phi_5182_;
-                                            let _e2615 = (_e2614 & 31u);
-                                            let _e2617 = (_e2605 >> bitcast<u32>(_e2615));
-                                            let _e2621 = (_e2605 & ((1u << bitcast<u32>(_e2615)) - 1u));
-                                            let _e2625 = (1u << bitcast<u32>(((_e2614 - 1u) & 31u)));
-                                            if (_e2621 > _e2625) {
-                                                phi_5203_ = true;
+                                            let _e2584 = phi_5279_;
+                                            let _e2585 = (_e2584 & 31u);
+                                            let _e2587 = (_e2575 >> bitcast<u32>(_e2585));
+                                            let _e2591 = (_e2575 & ((1u << bitcast<u32>(_e2585)) - 1u));
+                                            let _e2595 = (1u << bitcast<u32>(((_e2584 - 1u) & 31u)));
+                                            if (_e2591 > _e2595) {
+                                                phi_5300_ = true;
                                             } else {
-                                                if (_e2621 == _e2625) {
-                                                    phi_5200_ = ((_e2617 & 1u) == 1u);
+                                                if (_e2591 == _e2595) {
+                                                    phi_5297_ = ((_e2587 & 1u) == 1u);
                                                 } else {
-                                                    phi_5200_ = false;
+                                                    phi_5297_ = false;
                                                 }
-                                                let _e2631 = phi_5200_;
-                                                phi_5203_ = _e2631;
+                                                let _e2601 = phi_5297_;
+                                                phi_5300_ = _e2601;
                                             }
-                                            let _e2633 = phi_5203_;
-                                            phi_5216_ = f32();
-                                            phi_5217_ = bitcast<f32>((_e2586 | (_e2617 + select(0u, 1u, _e2633))));
+                                            let _e2603 = phi_5300_;
+                                            phi_5313_ = f32();
+                                            phi_5314_ = bitcast<f32>((_e2556 | (_e2587 + select(0u, 1u, _e2603))));
                                         }
-                                        let _e2646 = phi_5216_;
-                                        let _e2648 = phi_5217_;
-                                        phi_5222_ = _e2646;
-                                        phi_5223_ = _e2648;
-                                        phi_5224_ = _e2609;
+                                        let _e2616 = phi_5313_;
+                                        let _e2618 = phi_5314_;
+                                        phi_5319_ = _e2616;
+                                        phi_5320_ = _e2618;
+                                        phi_5321_ = _e2579;
                                     }
-                                    let _e2652 = phi_5222_;
-                                    let _e2654 = phi_5223_;
-                                    let _e2656 = phi_5224_;
-                                    phi_5232_ = select(_e2654, _e2652, _e2656);
+                                    let _e2622 = phi_5319_;
+                                    let _e2624 = phi_5320_;
+                                    let _e2626 = phi_5321_;
+                                    phi_5329_ = select(_e2624, _e2622, _e2626);
                                 }
-                                let _e2660 = phi_5232_;
-                                phi_4901_ = _e2660;
+                                let _e2630 = phi_5329_;
+                                phi_4818_ = _e2630;
                             } else {
-                                phi_4901_ = _e2583;
+                                phi_4818_ = _e2553;
                             }
-                            let _e2662 = phi_4901_;
-                            phi_4902_ = _e2662;
+                            let _e2632 = phi_4818_;
+                            phi_4819_ = _e2632;
                         }
-                        let _e2664 = phi_4902_;
-                        let _e2665 = bitcast<u32>(_e2664);
-                        if ((_e2665 & 2147483647u) >= 2139095040u) {
-                            phi_4914_ = bitcast<f32>(((_e2665 & 2147483648u) | 2139095039u));
+                        let _e2634 = phi_4819_;
+                        let _e2635 = bitcast<u32>(_e2634);
+                        if ((_e2635 & 2147483647u) >= 2139095040u) {
+                            phi_4831_ = bitcast<f32>(((_e2635 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4914_ = _e2664;
+                            phi_4831_ = _e2634;
                         }
-                        let _e2672 = phi_4914_;
-                        phi_4919_ = type_21(_e2672, _e2555.member.member_1, _e2555.member.member_2, _e2555.member.member_3);
+                        let _e2642 = phi_4831_;
+                        phi_4836_ = type_21(_e2642, _e2525.member.member_1, _e2525.member.member_2, _e2525.member.member_3);
                     } else {
-                        phi_4919_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4836_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2677 = phi_4919_;
+                    let _e2647 = phi_4836_;
                     if _e307 {
                     } else {
                         break;
                     }
-                    global_7.member[_e153] = _e2677;
+                    global_7.member[_e153] = _e2647;
                     if _e168 {
                     } else {
                         break;
                     }
-                    let _e2681 = select(0u, 1u, (_e374 <= _e384));
-                    if (_e2681 > 0u) {
-                        let _e2683 = (1u < _e121);
-                        if _e2683 {
+                    let _e2651 = select(0u, 1u, (_e374 <= _e384));
+                    if (_e2651 > 0u) {
+                        let _e2653 = (1u < _e121);
+                        if _e2653 {
                             if (0u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e2687 = atomicAdd((&global_8.member[0u]), _e2681);
-                            if ((_e2687 + _e2681) < _e2687) {
-                                if _e2683 {
+                            let _e2657 = atomicAdd((&global_8.member[0u]), _e2651);
+                            if ((_e2657 + _e2651) < _e2657) {
+                                if _e2653 {
                                 } else {
                                     break;
                                 }
-                                let _e2692 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e2662 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2695 = select(0u, 1u, (_e2677.member_3 != 4294967295u));
-                    if (_e2695 > 0u) {
-                        let _e2697 = (3u < _e121);
-                        if _e2697 {
+                    let _e2665 = select(0u, 1u, (_e2647.member_3 != 4294967295u));
+                    if (_e2665 > 0u) {
+                        let _e2667 = (3u < _e121);
+                        if _e2667 {
                             if (2u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e2701 = atomicAdd((&global_8.member[2u]), _e2695);
-                            if ((_e2701 + _e2695) < _e2701) {
-                                if _e2697 {
+                            let _e2671 = atomicAdd((&global_8.member[2u]), _e2665);
+                            if ((_e2671 + _e2665) < _e2671) {
+                                if _e2667 {
                                 } else {
                                     break;
                                 }
-                                let _e2706 = atomicAdd((&global_8.member[3u]), 1u);
+                                let _e2676 = atomicAdd((&global_8.member[3u]), 1u);
                             }
                         }
                     }

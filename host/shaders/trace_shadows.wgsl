@@ -65,17 +65,24 @@ struct type_38 {
 }
 
 struct type_47 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_48 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_48 {
+struct type_49 {
     member: f32,
     member_1: bool,
 }
 
-struct type_52 {
+struct type_53 {
     member: array<atomic<u32>>,
 }
 
@@ -85,7 +92,7 @@ var<storage> global_1: type_15;
 @group(0) @binding(0) 
 var<storage> global_2: type_33;
 @group(0) @binding(4) 
-var<storage, read_write> global_3: type_52;
+var<storage, read_write> global_3: type_53;
 @group(0) @binding(2) 
 var<storage> global_4: type_38;
 @group(0) @binding(3) 
@@ -94,1200 +101,1134 @@ var<storage, read_write> global_5: type_26;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_194_: u32;
-    var phi_343_: i32;
-    var phi_344_: i32;
-    var phi_354_: bool;
-    var phi_364_: u32;
-    var phi_365_: u32;
-    var phi_367_: bool;
-    var phi_372_: u32;
-    var phi_405_: i32;
-    var phi_423_: f32;
-    var phi_429_: f32;
-    var phi_469_: f32;
-    var phi_475_: f32;
-    var phi_527_: f32;
-    var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
-    var phi_594_: f32;
-    var phi_600_: f32;
-    var phi_652_: f32;
-    var phi_664_: f32;
-    var phi_673_: f32;
-    var phi_679_: f32;
-    var phi_719_: f32;
-    var phi_725_: f32;
-    var phi_777_: f32;
-    var phi_789_: f32;
-    var phi_844_: i32;
-    var phi_866_: u32;
-    var phi_867_: u32;
-    var phi_904_: i32;
-    var phi_926_: u32;
-    var phi_927_: u32;
-    var phi_935_: f32;
-    var phi_936_: f32;
-    var phi_2648_: bool;
-    var phi_951_: type_48;
-    var phi_954_: u32;
-    var phi_956_: bool;
-    var phi_958_: u32;
-    var phi_960_: u32;
-    var phi_971_: bool;
-    var phi_1003_: bool;
-    var phi_1004_: u32;
-    var phi_1005_: u32;
-    var phi_1020_: type_48;
-    var phi_1023_: type_7;
-    var phi_1024_: type_7;
-    var phi_1046_: type_7;
-    var phi_1067_: u32;
-    var phi_1159_: array<array<f32, 3>, 3>;
-    var phi_1311_: bool;
-    var phi_1340_: bool;
-    var phi_1759_: f32;
-    var phi_1760_: f32;
-    var phi_1761_: f32;
-    var phi_1762_: f32;
-    var phi_1763_: vec3<f32>;
-    var phi_1764_: vec3<f32>;
-    var phi_1765_: vec3<f32>;
-    var phi_1766_: vec3<f32>;
-    var phi_1803_: bool;
-    var phi_1812_: vec3<f32>;
-    var phi_1977_: f32;
-    var phi_1979_: f32;
-    var phi_1980_: bool;
-    var phi_2000_: f32;
-    var phi_2001_: f32;
-    var phi_2024_: type_22;
-    var phi_2026_: type_22;
-    var phi_2027_: bool;
-    var phi_2031_: type_22;
-    var phi_2032_: type_22;
-    var phi_2033_: type_22;
-    var phi_2034_: bool;
-    var phi_2038_: type_22;
-    var phi_2039_: bool;
-    var phi_2040_: type_22;
-    var phi_2041_: bool;
-    var phi_2042_: bool;
-    var phi_2043_: type_22;
-    var phi_2044_: bool;
-    var phi_2045_: bool;
-    var phi_2053_: type_22;
-    var phi_2054_: bool;
-    var phi_2058_: type_22;
-    var phi_2069_: type_48;
-    var phi_2070_: type_48;
-    var phi_1021_: type_48;
-    var phi_2642_: bool;
-    var phi_2838_: bool;
-    var phi_2071_: type_48;
-    var phi_2136_: type_47;
-    var phi_2498_: u32;
-    var phi_2525_: u32;
-    var phi_2526_: u32;
-    var phi_2527_: u32;
-    var phi_2529_: u32;
-    var phi_2530_: u32;
-    var phi_2531_: bool;
-    var phi_2540_: u32;
-    var phi_2545_: bool;
-    var phi_2547_: u32;
-    var phi_2551_: bool;
-    var phi_2552_: u32;
-    var phi_2553_: u32;
-    var phi_2563_: u32;
-    var phi_2806_: bool;
-    var phi_2565_: type_48;
-    var phi_2566_: u32;
-    var phi_2567_: bool;
-    var phi_2568_: u32;
-    var phi_2569_: u32;
-    var phi_2805_: bool;
-    var phi_2570_: type_48;
-    var phi_2571_: u32;
-    var phi_2572_: bool;
-    var phi_2573_: u32;
-    var phi_2574_: u32;
-    var phi_2804_: bool;
-    var phi_952_: type_48;
-    var phi_955_: u32;
-    var phi_957_: bool;
-    var phi_959_: u32;
-    var phi_961_: u32;
-    var phi_2575_: bool;
-    var phi_2803_: bool;
-    var local_2: type_48;
-    var local_3: type_48;
+    var phi_214_: u32;
+    var phi_363_: i32;
+    var phi_364_: i32;
+    var phi_374_: bool;
+    var phi_384_: u32;
+    var phi_385_: u32;
+    var phi_387_: bool;
+    var phi_392_: u32;
+    var phi_425_: i32;
+    var phi_443_: f32;
+    var phi_449_: f32;
+    var phi_489_: f32;
+    var phi_495_: f32;
+    var phi_568_: f32;
+    var phi_574_: f32;
+    var phi_614_: f32;
+    var phi_620_: f32;
+    var phi_693_: f32;
+    var phi_699_: f32;
+    var phi_739_: f32;
+    var phi_745_: f32;
+    var phi_864_: i32;
+    var phi_886_: u32;
+    var phi_887_: u32;
+    var phi_924_: i32;
+    var phi_946_: u32;
+    var phi_947_: u32;
+    var phi_955_: f32;
+    var phi_956_: f32;
+    var phi_2745_: bool;
+    var phi_971_: type_49;
+    var phi_974_: u32;
+    var phi_976_: bool;
+    var phi_978_: u32;
+    var phi_980_: u32;
+    var phi_991_: bool;
+    var phi_1023_: bool;
+    var phi_1024_: u32;
+    var phi_1025_: u32;
+    var phi_1040_: type_49;
+    var phi_1043_: type_7;
+    var phi_1044_: type_7;
+    var phi_1066_: type_7;
+    var phi_1087_: u32;
+    var phi_1179_: array<array<f32, 3>, 3>;
+    var phi_2565_: bool;
+    var phi_2580_: bool;
+    var phi_2595_: bool;
+    var phi_2610_: bool;
+    var phi_2625_: bool;
+    var phi_2640_: bool;
+    var phi_1721_: f32;
+    var phi_1722_: f32;
+    var phi_1723_: f32;
+    var phi_1724_: f32;
+    var phi_1725_: vec3<f32>;
+    var phi_1726_: vec3<f32>;
+    var phi_1727_: vec3<f32>;
+    var phi_1728_: vec3<f32>;
+    var phi_2655_: bool;
+    var phi_2670_: bool;
+    var phi_2685_: bool;
+    var phi_2700_: bool;
+    var phi_2715_: bool;
+    var phi_2730_: bool;
+    var phi_1936_: f32;
+    var phi_1956_: type_47;
+    var phi_1957_: type_47;
+    var phi_1960_: type_47;
+    var phi_1961_: type_47;
+    var phi_1962_: bool;
+    var phi_1966_: type_47;
+    var phi_1975_: type_22;
+    var phi_1986_: type_49;
+    var phi_1987_: type_49;
+    var phi_1041_: type_49;
+    var phi_2739_: bool;
+    var phi_2940_: bool;
+    var phi_1988_: type_49;
+    var phi_2053_: type_48;
+    var phi_2415_: u32;
+    var phi_2442_: u32;
+    var phi_2443_: u32;
+    var phi_2444_: u32;
+    var phi_2446_: u32;
+    var phi_2447_: u32;
+    var phi_2448_: bool;
+    var phi_2457_: u32;
+    var phi_2462_: bool;
+    var phi_2464_: u32;
+    var phi_2468_: bool;
+    var phi_2469_: u32;
+    var phi_2470_: u32;
+    var phi_2480_: u32;
+    var phi_2908_: bool;
+    var phi_2482_: type_49;
+    var phi_2483_: u32;
+    var phi_2484_: bool;
+    var phi_2485_: u32;
+    var phi_2486_: u32;
+    var phi_2907_: bool;
+    var phi_2487_: type_49;
+    var phi_2488_: u32;
+    var phi_2489_: bool;
+    var phi_2490_: u32;
+    var phi_2491_: u32;
+    var phi_2906_: bool;
+    var phi_972_: type_49;
+    var phi_975_: u32;
+    var phi_977_: bool;
+    var phi_979_: u32;
+    var phi_981_: u32;
+    var phi_2492_: bool;
+    var phi_2905_: bool;
+    var local_2: type_49;
+    var local_3: type_49;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e70 = global;
-            let _e72 = arrayLength((&global_2.member));
-            let _e74 = arrayLength((&global_1.member));
-            let _e80 = arrayLength((&global_3.member));
-            let _e84 = (_e70.x + (_e70.y * 2097152u));
-            let _e85 = (_e84 < arrayLength((&global_4.member)));
-            if _e85 {
-                if _e85 {
+            let _e71 = global;
+            let _e73 = arrayLength((&global_2.member));
+            let _e75 = arrayLength((&global_1.member));
+            let _e81 = arrayLength((&global_3.member));
+            let _e85 = (_e71.x + (_e71.y * 2097152u));
+            let _e86 = (_e85 < arrayLength((&global_4.member)));
+            if _e86 {
+                if _e86 {
                 } else {
                     break;
                 }
-                let _e89 = global_4.member[_e84].member_2;
-                phi_194_ = _e89;
+                let _e90 = global_4.member[_e85].member_2;
+                phi_214_ = _e90;
             } else {
-                phi_194_ = 4294967295u;
+                phi_214_ = 4294967295u;
             }
-            let _e91 = phi_194_;
-            if _e85 {
-                let _e92 = (_e84 < arrayLength((&global_5.member)));
-                if _e92 {
-                    if _e85 {
+            let _e92 = phi_214_;
+            if _e86 {
+                let _e93 = (_e85 < arrayLength((&global_5.member)));
+                if _e93 {
+                    if _e86 {
                     } else {
                         break;
                     }
-                    let _e97 = global_4.member[_e84].member.member_1;
-                    let _e102 = global_4.member[_e84].member.member_3;
-                    if (_e97 <= _e102) {
-                        let _e104 = (1u < _e80);
-                        if _e104 {
-                            if (0u < _e80) {
+                    let _e98 = global_4.member[_e85].member.member_1;
+                    let _e103 = global_4.member[_e85].member.member_3;
+                    if (_e98 <= _e103) {
+                        let _e105 = (1u < _e81);
+                        if _e105 {
+                            if (0u < _e81) {
                             } else {
                                 break;
                             }
-                            let _e108 = atomicAdd((&global_3.member[0u]), 1u);
-                            if ((_e108 + 1u) < _e108) {
-                                if _e104 {
+                            let _e109 = atomicAdd((&global_3.member[0u]), 1u);
+                            if ((_e109 + 1u) < _e109) {
+                                if _e105 {
                                 } else {
                                     break;
                                 }
-                                let _e113 = atomicAdd((&global_3.member[1u]), 1u);
+                                let _e114 = atomicAdd((&global_3.member[1u]), 1u);
                             }
                         }
-                        if _e85 {
+                        if _e86 {
                         } else {
                             break;
                         }
-                        let _e123 = global_4.member[_e84].member.member_2[0u];
-                        let _e125 = (bitcast<u32>(_e123) & 2147483647u);
-                        let _e131 = global_4.member[_e84].member.member_2[1u];
-                        let _e133 = (bitcast<u32>(_e131) & 2147483647u);
-                        let _e139 = global_4.member[_e84].member.member_2[2u];
-                        let _e141 = (bitcast<u32>(_e139) & 2147483647u);
-                        let _e147 = global_4.member[_e84].member.member[0u];
-                        let _e149 = (bitcast<u32>(_e147) & 2147483647u);
-                        let _e155 = global_4.member[_e84].member.member[1u];
-                        let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                        let _e163 = global_4.member[_e84].member.member[2u];
-                        let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                        let _e167 = select(_e133, _e125, (_e133 < _e125));
-                        let _e169 = select(_e141, _e167, (_e141 < _e167));
-                        let _e171 = select(_e149, _e169, (_e149 < _e169));
-                        let _e173 = select(_e157, _e171, (_e157 < _e171));
-                        let _e175 = select(_e165, _e173, (_e165 < _e173));
-                        let _e176 = bitcast<u32>(_e97);
-                        let _e177 = (_e176 & 2147483647u);
-                        let _e181 = bitcast<u32>(_e102);
-                        let _e182 = (_e181 & 2147483647u);
-                        let _e186 = (((select(_e177, _e175, (_e177 < _e175)) < 2139095040u) && (_e182 <= 2139095040u)) && (_e169 > 0u));
-                        if _e186 {
-                            let _e189 = (bitcast<u32>(bitcast<f32>(_e169)) & 2147483647u);
-                            if (_e189 >= 8388608u) {
-                                phi_343_ = (bitcast<i32>((_e189 >> bitcast<u32>(23i))) - 127i);
+                        let _e124 = global_4.member[_e85].member.member_2[0u];
+                        let _e126 = (bitcast<u32>(_e124) & 2147483647u);
+                        let _e132 = global_4.member[_e85].member.member_2[1u];
+                        let _e134 = (bitcast<u32>(_e132) & 2147483647u);
+                        let _e140 = global_4.member[_e85].member.member_2[2u];
+                        let _e142 = (bitcast<u32>(_e140) & 2147483647u);
+                        let _e148 = global_4.member[_e85].member.member[0u];
+                        let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                        let _e156 = global_4.member[_e85].member.member[1u];
+                        let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                        let _e164 = global_4.member[_e85].member.member[2u];
+                        let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                        let _e168 = select(_e134, _e126, (_e134 < _e126));
+                        let _e170 = select(_e142, _e168, (_e142 < _e168));
+                        let _e172 = select(_e150, _e170, (_e150 < _e170));
+                        let _e174 = select(_e158, _e172, (_e158 < _e172));
+                        let _e176 = select(_e166, _e174, (_e166 < _e174));
+                        let _e177 = bitcast<u32>(_e98);
+                        let _e178 = (_e177 & 2147483647u);
+                        let _e182 = bitcast<u32>(_e103);
+                        let _e183 = (_e182 & 2147483647u);
+                        let _e187 = (((select(_e178, _e176, (_e178 < _e176)) < 2139095040u) && (_e183 <= 2139095040u)) && (_e170 > 0u));
+                        if _e187 {
+                            let _e190 = (bitcast<u32>(bitcast<f32>(_e170)) & 2147483647u);
+                            if (_e190 >= 8388608u) {
+                                phi_363_ = (bitcast<i32>((_e190 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_343_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e189)), 32u, (_e189 == 0u))));
+                                phi_363_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e190)), 32u, (_e190 == 0u))));
                             }
-                            let _e203 = phi_343_;
-                            phi_344_ = _e203;
+                            let _e204 = phi_363_;
+                            phi_364_ = _e204;
                         } else {
-                            phi_344_ = 0i;
+                            phi_364_ = 0i;
                         }
-                        let _e205 = phi_344_;
-                        let _e206 = (_e125 == _e169);
-                        if _e206 {
-                            phi_354_ = true;
+                        let _e206 = phi_364_;
+                        let _e207 = (_e126 == _e170);
+                        if _e207 {
+                            phi_374_ = true;
                         } else {
-                            phi_354_ = (_e133 == _e169);
+                            phi_374_ = (_e134 == _e170);
                         }
-                        let _e209 = phi_354_;
-                        let _e210 = select(1u, 0u, _e206);
-                        if _e209 {
-                            let _e211 = (_e210 + 1u);
-                            phi_364_ = _e211;
-                            phi_365_ = _e211;
-                            phi_367_ = select(true, false, (_e211 == 2u));
+                        let _e210 = phi_374_;
+                        let _e211 = select(1u, 0u, _e207);
+                        if _e210 {
+                            let _e212 = (_e211 + 1u);
+                            phi_384_ = _e212;
+                            phi_385_ = _e212;
+                            phi_387_ = select(true, false, (_e212 == 2u));
                         } else {
-                            phi_364_ = u32();
-                            phi_365_ = 0u;
-                            phi_367_ = true;
+                            phi_384_ = u32();
+                            phi_385_ = 0u;
+                            phi_387_ = true;
                         }
-                        let _e215 = phi_364_;
-                        let _e217 = phi_365_;
-                        let _e219 = phi_367_;
-                        if _e219 {
-                            phi_372_ = (_e217 + 1u);
+                        let _e216 = phi_384_;
+                        let _e218 = phi_385_;
+                        let _e220 = phi_387_;
+                        if _e220 {
+                            phi_392_ = (_e218 + 1u);
                         } else {
-                            phi_372_ = 0u;
+                            phi_392_ = 0u;
                         }
-                        let _e223 = phi_372_;
-                        let _e224 = select(_e215, _e217, _e219);
-                        let _e225 = select(_e210, select(2u, _e210, _e209), _e219);
-                        let _e226 = -(_e205);
-                        if (_e226 < -126i) {
-                            phi_405_ = -126i;
+                        let _e224 = phi_392_;
+                        let _e225 = select(_e216, _e218, _e220);
+                        let _e226 = select(_e211, select(2u, _e211, _e210), _e220);
+                        let _e227 = -(_e206);
+                        if (_e227 < -126i) {
+                            phi_425_ = -126i;
                         } else {
-                            phi_405_ = select(_e226, 127i, (_e226 > 127i));
+                            phi_425_ = select(_e227, 127i, (_e227 > 127i));
                         }
-                        let _e231 = phi_405_;
-                        let _e236 = bitcast<f32>((bitcast<u32>((_e231 + 127i)) << bitcast<u32>(23i)));
-                        let _e242 = bitcast<f32>((bitcast<u32>(((_e226 - _e231) + 127i)) << bitcast<u32>(23i)));
-                        let _e247 = global_4.member[_e84].member.member;
-                        let _e248 = (_e224 == 0u);
-                        if _e248 {
-                            phi_423_ = _e247[0];
+                        let _e232 = phi_425_;
+                        let _e237 = bitcast<f32>((bitcast<u32>((_e232 + 127i)) << bitcast<u32>(23i)));
+                        let _e243 = bitcast<f32>((bitcast<u32>(((_e227 - _e232) + 127i)) << bitcast<u32>(23i)));
+                        let _e248 = global_4.member[_e85].member.member;
+                        let _e249 = (_e225 == 0u);
+                        if _e249 {
+                            phi_443_ = _e248[0];
                         } else {
-                            phi_423_ = _e247[1];
+                            phi_443_ = _e248[1];
                         }
-                        let _e252 = phi_423_;
-                        let _e253 = (_e224 == 2u);
-                        if _e253 {
-                            phi_429_ = _e247[2];
+                        let _e253 = phi_443_;
+                        let _e254 = (_e225 == 2u);
+                        if _e254 {
+                            phi_449_ = _e248[2];
                         } else {
-                            phi_429_ = _e252;
+                            phi_449_ = _e253;
                         }
-                        let _e256 = phi_429_;
-                        let _e257 = bitcast<u32>(_e256);
-                        let _e259 = ((_e257 & 2139095040u) != 0u);
-                        let _e271 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e257 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e257 & 2147483648u))), _e256, _e259) * select(0.00000011920929f, 1f, _e259));
-                        let _e272 = global_4.member[_e84].member.member_2;
-                        if _e248 {
-                            phi_469_ = _e272[0];
+                        let _e257 = phi_449_;
+                        let _e258 = bitcast<u32>(_e257);
+                        let _e260 = ((_e258 & 2139095040u) != 0u);
+                        let _e272 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e258 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e258 & 2147483648u))), _e257, _e260) * select(0.00000011920929f, 1f, _e260));
+                        let _e273 = global_4.member[_e85].member.member_2;
+                        if _e249 {
+                            phi_489_ = _e273[0];
                         } else {
-                            phi_469_ = _e272[1];
+                            phi_489_ = _e273[1];
                         }
-                        let _e276 = phi_469_;
-                        if _e253 {
-                            phi_475_ = _e272[2];
+                        let _e277 = phi_489_;
+                        if _e254 {
+                            phi_495_ = _e273[2];
                         } else {
-                            phi_475_ = _e276;
+                            phi_495_ = _e277;
                         }
-                        let _e279 = phi_475_;
-                        let _e280 = bitcast<u32>(_e279);
-                        let _e282 = ((_e280 & 2139095040u) != 0u);
-                        let _e296 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e280 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e280 & 2147483648u))), _e279, _e282) * _e236) * select(0.00000011920929f, 1f, _e282)) * _e242);
-                        let _e300 = (bitcast<f32>((bitcast<u32>(_e296) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e300 {
-                            let _e304 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                            phi_527_ = select(0.00000000000011368684f, _e304, (_e304 > 0.00000000000011368684f));
+                        let _e280 = phi_495_;
+                        let _e281 = bitcast<u32>(_e280);
+                        let _e283 = ((_e281 & 2139095040u) != 0u);
+                        let _e297 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e281 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e281 & 2147483648u))), _e280, _e283) * _e237) * select(0.00000011920929f, 1f, _e283)) * _e243);
+                        let _e301 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e304 = bitcast<f32>((bitcast<u32>(_e272) & 2147483647u));
+                        let _e305 = (_e304 * 0.00000011920929f);
+                        let _e308 = select(select(0.00000000000011368684f, _e305, (_e305 > 0.00000000000011368684f)), 0f, _e301);
+                        let _e309 = select(0f, _e297, _e301);
+                        let _e310 = (_e272 + _e308);
+                        let _e311 = (_e272 - _e308);
+                        let _e313 = select(38685626000000000000000000f, (1f / _e297), _e301);
+                        let _e314 = (_e224 == 0u);
+                        if _e314 {
+                            phi_568_ = _e248[0];
                         } else {
-                            phi_527_ = 0f;
+                            phi_568_ = _e248[1];
                         }
-                        let _e308 = phi_527_;
-                        let _e309 = (_e271 + _e308);
-                        let _e310 = (_e271 - _e308);
-                        let _e311 = select(_e296, 0f, _e300);
-                        if _e300 {
-                            phi_539_ = 38685626000000000000000000f;
+                        let _e318 = phi_568_;
+                        let _e319 = (_e224 == 2u);
+                        if _e319 {
+                            phi_574_ = _e248[2];
                         } else {
-                            phi_539_ = (1f / _e296);
+                            phi_574_ = _e318;
                         }
-                        let _e314 = phi_539_;
-                        let _e315 = (_e223 == 0u);
-                        if _e315 {
-                            phi_548_ = _e247[0];
+                        let _e322 = phi_574_;
+                        let _e323 = bitcast<u32>(_e322);
+                        let _e325 = ((_e323 & 2139095040u) != 0u);
+                        let _e337 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e323 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e323 & 2147483648u))), _e322, _e325) * select(0.00000011920929f, 1f, _e325));
+                        if _e314 {
+                            phi_614_ = _e273[0];
                         } else {
-                            phi_548_ = _e247[1];
+                            phi_614_ = _e273[1];
                         }
-                        let _e319 = phi_548_;
-                        let _e320 = (_e223 == 2u);
-                        if _e320 {
-                            phi_554_ = _e247[2];
+                        let _e341 = phi_614_;
+                        if _e319 {
+                            phi_620_ = _e273[2];
                         } else {
-                            phi_554_ = _e319;
+                            phi_620_ = _e341;
                         }
-                        let _e323 = phi_554_;
-                        let _e324 = bitcast<u32>(_e323);
-                        let _e326 = ((_e324 & 2139095040u) != 0u);
-                        let _e338 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e324 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e324 & 2147483648u))), _e323, _e326) * select(0.00000011920929f, 1f, _e326));
-                        if _e315 {
-                            phi_594_ = _e272[0];
+                        let _e344 = phi_620_;
+                        let _e345 = bitcast<u32>(_e344);
+                        let _e347 = ((_e345 & 2139095040u) != 0u);
+                        let _e361 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e345 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e345 & 2147483648u))), _e344, _e347) * _e237) * select(0.00000011920929f, 1f, _e347)) * _e243);
+                        let _e365 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e368 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
+                        let _e369 = (_e368 * 0.00000011920929f);
+                        let _e372 = select(select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f)), 0f, _e365);
+                        let _e373 = select(0f, _e361, _e365);
+                        let _e374 = (_e337 + _e372);
+                        let _e375 = (_e337 - _e372);
+                        let _e377 = select(38685626000000000000000000f, (1f / _e361), _e365);
+                        let _e378 = (_e226 == 0u);
+                        if _e378 {
+                            phi_693_ = _e248[0];
                         } else {
-                            phi_594_ = _e272[1];
+                            phi_693_ = _e248[1];
                         }
-                        let _e342 = phi_594_;
-                        if _e320 {
-                            phi_600_ = _e272[2];
+                        let _e382 = phi_693_;
+                        let _e383 = (_e226 == 2u);
+                        if _e383 {
+                            phi_699_ = _e248[2];
                         } else {
-                            phi_600_ = _e342;
+                            phi_699_ = _e382;
                         }
-                        let _e345 = phi_600_;
-                        let _e346 = bitcast<u32>(_e345);
-                        let _e348 = ((_e346 & 2139095040u) != 0u);
-                        let _e362 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e346 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e346 & 2147483648u))), _e345, _e348) * _e236) * select(0.00000011920929f, 1f, _e348)) * _e242);
-                        let _e366 = (bitcast<f32>((bitcast<u32>(_e362) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e366 {
-                            let _e370 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) * 0.00000011920929f);
-                            phi_652_ = select(0.00000000000011368684f, _e370, (_e370 > 0.00000000000011368684f));
+                        let _e386 = phi_699_;
+                        let _e387 = bitcast<u32>(_e386);
+                        let _e389 = ((_e387 & 2139095040u) != 0u);
+                        let _e401 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * select(0.00000011920929f, 1f, _e389));
+                        if _e378 {
+                            phi_739_ = _e273[0];
                         } else {
-                            phi_652_ = 0f;
+                            phi_739_ = _e273[1];
                         }
-                        let _e374 = phi_652_;
-                        let _e375 = (_e338 + _e374);
-                        let _e376 = (_e338 - _e374);
-                        let _e377 = select(_e362, 0f, _e366);
-                        if _e366 {
-                            phi_664_ = 38685626000000000000000000f;
+                        let _e405 = phi_739_;
+                        if _e383 {
+                            phi_745_ = _e273[2];
                         } else {
-                            phi_664_ = (1f / _e362);
+                            phi_745_ = _e405;
                         }
-                        let _e380 = phi_664_;
-                        let _e381 = (_e225 == 0u);
-                        if _e381 {
-                            phi_673_ = _e247[0];
-                        } else {
-                            phi_673_ = _e247[1];
-                        }
-                        let _e385 = phi_673_;
-                        let _e386 = (_e225 == 2u);
-                        if _e386 {
-                            phi_679_ = _e247[2];
-                        } else {
-                            phi_679_ = _e385;
-                        }
-                        let _e389 = phi_679_;
-                        let _e390 = bitcast<u32>(_e389);
-                        let _e392 = ((_e390 & 2139095040u) != 0u);
-                        let _e404 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e390 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e390 & 2147483648u))), _e389, _e392) * select(0.00000011920929f, 1f, _e392));
-                        if _e381 {
-                            phi_719_ = _e272[0];
-                        } else {
-                            phi_719_ = _e272[1];
-                        }
-                        let _e408 = phi_719_;
-                        if _e386 {
-                            phi_725_ = _e272[2];
-                        } else {
-                            phi_725_ = _e408;
-                        }
-                        let _e411 = phi_725_;
-                        let _e412 = bitcast<u32>(_e411);
-                        let _e414 = ((_e412 & 2139095040u) != 0u);
-                        let _e428 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e411, _e414) * _e236) * select(0.00000011920929f, 1f, _e414)) * _e242);
-                        let _e432 = (bitcast<f32>((bitcast<u32>(_e428) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e432 {
-                            let _e436 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) * 0.00000011920929f);
-                            phi_777_ = select(0.00000000000011368684f, _e436, (_e436 > 0.00000000000011368684f));
-                        } else {
-                            phi_777_ = 0f;
-                        }
-                        let _e440 = phi_777_;
-                        let _e441 = (_e404 + _e440);
-                        let _e442 = (_e404 - _e440);
-                        let _e443 = select(_e428, 0f, _e432);
-                        if _e432 {
-                            phi_789_ = 38685626000000000000000000f;
-                        } else {
-                            phi_789_ = (1f / _e428);
-                        }
-                        let _e446 = phi_789_;
-                        let _e449 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
-                        let _e452 = bitcast<f32>((bitcast<u32>(_e338) & 2147483647u));
-                        let _e454 = select(_e452, _e449, (_e449 > _e452));
-                        let _e457 = bitcast<f32>((bitcast<u32>(_e404) & 2147483647u));
-                        if (_e186 && (select(_e457, _e454, (_e454 > _e457)) <= 1099511600000f)) {
-                            let _e469 = ((_e177 & 8388607u) | (select(0u, 1u, ((_e177 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e472 = bitcast<i32>((_e177 >> bitcast<u32>(23i)));
-                            let _e476 = (_e469 == 0u);
-                            let _e479 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e469)), 32u, _e476)) - 8i);
-                            if (_e472 == 255i) {
-                                phi_844_ = 255i;
+                        let _e408 = phi_745_;
+                        let _e409 = bitcast<u32>(_e408);
+                        let _e411 = ((_e409 & 2139095040u) != 0u);
+                        let _e425 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e409 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e409 & 2147483648u))), _e408, _e411) * _e237) * select(0.00000011920929f, 1f, _e411)) * _e243);
+                        let _e429 = (bitcast<f32>((bitcast<u32>(_e425) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e432 = bitcast<f32>((bitcast<u32>(_e401) & 2147483647u));
+                        let _e433 = (_e432 * 0.00000011920929f);
+                        let _e436 = select(select(0.00000000000011368684f, _e433, (_e433 > 0.00000000000011368684f)), 0f, _e429);
+                        let _e437 = select(0f, _e425, _e429);
+                        let _e438 = (_e401 + _e436);
+                        let _e439 = (_e401 - _e436);
+                        let _e441 = select(38685626000000000000000000f, (1f / _e425), _e429);
+                        let _e443 = select(_e368, _e304, (_e304 > _e368));
+                        if (_e187 && (select(_e432, _e443, (_e443 > _e432)) <= 1099511600000f)) {
+                            let _e455 = ((_e178 & 8388607u) | (select(0u, 1u, ((_e178 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e458 = bitcast<i32>((_e178 >> bitcast<u32>(23i)));
+                            let _e462 = (_e455 == 0u);
+                            let _e465 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e455)), 32u, _e462)) - 8i);
+                            if (_e458 == 255i) {
+                                phi_864_ = 255i;
                             } else {
-                                phi_844_ = (((_e472 + select(0i, 1i, (_e472 == 0i))) - _e479) + _e205);
+                                phi_864_ = (((_e458 + select(0i, 1i, (_e458 == 0i))) - _e465) + _e206);
                             }
-                            let _e487 = phi_844_;
-                            let _e497 = (_e487 <= 0i);
-                            if _e497 {
-                                phi_867_ = u32();
+                            let _e473 = phi_864_;
+                            let _e483 = (_e473 <= 0i);
+                            if _e483 {
+                                phi_887_ = u32();
                             } else {
-                                if _e476 {
-                                    phi_866_ = u32();
+                                if _e462 {
+                                    phi_886_ = u32();
                                 } else {
-                                    phi_866_ = select(((bitcast<u32>(_e487) << bitcast<u32>(23i)) | ((_e469 << bitcast<u32>(((_e479 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e487 >= 255i));
+                                    phi_886_ = select(((bitcast<u32>(_e473) << bitcast<u32>(23i)) | ((_e455 << bitcast<u32>(((_e465 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e473 >= 255i));
                                 }
-                                let _e501 = phi_866_;
-                                phi_867_ = _e501;
+                                let _e487 = phi_886_;
+                                phi_887_ = _e487;
                             }
-                            let _e503 = phi_867_;
-                            let _e515 = ((_e182 & 8388607u) | (select(0u, 1u, ((_e182 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e518 = bitcast<i32>((_e182 >> bitcast<u32>(23i)));
-                            let _e522 = (_e515 == 0u);
-                            let _e525 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e515)), 32u, _e522)) - 8i);
-                            if (_e518 == 255i) {
-                                phi_904_ = 255i;
+                            let _e489 = phi_887_;
+                            let _e501 = ((_e183 & 8388607u) | (select(0u, 1u, ((_e183 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e504 = bitcast<i32>((_e183 >> bitcast<u32>(23i)));
+                            let _e508 = (_e501 == 0u);
+                            let _e511 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e501)), 32u, _e508)) - 8i);
+                            if (_e504 == 255i) {
+                                phi_924_ = 255i;
                             } else {
-                                phi_904_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e205);
+                                phi_924_ = (((_e504 + select(0i, 1i, (_e504 == 0i))) - _e511) + _e206);
                             }
-                            let _e533 = phi_904_;
-                            let _e543 = (_e533 <= 0i);
-                            if _e543 {
-                                phi_927_ = u32();
+                            let _e519 = phi_924_;
+                            let _e529 = (_e519 <= 0i);
+                            if _e529 {
+                                phi_947_ = u32();
                             } else {
-                                if _e522 {
-                                    phi_926_ = u32();
+                                if _e508 {
+                                    phi_946_ = u32();
                                 } else {
-                                    phi_926_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
+                                    phi_946_ = select(((bitcast<u32>(_e519) << bitcast<u32>(23i)) | ((_e501 << bitcast<u32>(((_e511 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e519 >= 255i));
                                 }
-                                let _e547 = phi_926_;
-                                phi_927_ = _e547;
+                                let _e533 = phi_946_;
+                                phi_947_ = _e533;
                             }
-                            let _e549 = phi_927_;
-                            phi_935_ = bitcast<f32>(((_e181 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
-                            phi_936_ = bitcast<f32>(((_e176 & 2147483648u) | select(_e503, 0u, select(_e476, true, _e497))));
+                            let _e535 = phi_947_;
+                            phi_955_ = bitcast<f32>(((_e182 & 2147483648u) | select(_e535, 0u, select(_e508, true, _e529))));
+                            phi_956_ = bitcast<f32>(((_e177 & 2147483648u) | select(_e489, 0u, select(_e462, true, _e483))));
                         } else {
-                            phi_935_ = 0f;
-                            phi_936_ = 1f;
+                            phi_955_ = 0f;
+                            phi_956_ = 1f;
                         }
-                        let _e555 = phi_935_;
-                        let _e557 = phi_936_;
+                        let _e541 = phi_955_;
+                        let _e543 = phi_956_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2648_ = false;
-                        phi_951_ = type_48(_e555, false);
-                        phi_954_ = ((3u * _e72) + 1u);
-                        phi_956_ = (_e557 <= _e555);
-                        phi_958_ = 0u;
-                        phi_960_ = select(0u, 2147483648u, (_e72 == 0u));
+                        phi_2745_ = false;
+                        phi_971_ = type_49(_e541, false);
+                        phi_974_ = ((3u * _e73) + 1u);
+                        phi_976_ = (_e543 <= _e541);
+                        phi_978_ = 0u;
+                        phi_980_ = select(0u, 2147483648u, (_e73 == 0u));
                         loop {
-                            let _e565 = phi_2648_;
-                            let _e567 = phi_951_;
-                            let _e569 = phi_954_;
-                            let _e571 = phi_956_;
-                            let _e573 = phi_958_;
-                            let _e575 = phi_960_;
-                            local_2 = _e567;
-                            if _e571 {
-                                phi_971_ = true;
+                            let _e551 = phi_2745_;
+                            let _e553 = phi_971_;
+                            let _e555 = phi_974_;
+                            let _e557 = phi_976_;
+                            let _e559 = phi_978_;
+                            let _e561 = phi_980_;
+                            local_2 = _e553;
+                            if _e557 {
+                                phi_991_ = true;
                             } else {
-                                phi_971_ = (_e573 > 0u);
+                                phi_991_ = (_e559 > 0u);
                             }
-                            let _e578 = phi_971_;
-                            if _e578 {
-                                let _e579 = (_e569 > 0u);
-                                if _e579 {
-                                    if _e571 {
-                                        phi_1003_ = _e571;
-                                        phi_1004_ = _e573;
-                                        phi_1005_ = _e575;
+                            let _e564 = phi_991_;
+                            if _e564 {
+                                let _e565 = (_e555 > 0u);
+                                if _e565 {
+                                    if _e557 {
+                                        phi_1023_ = _e557;
+                                        phi_1024_ = _e559;
+                                        phi_1025_ = _e561;
                                     } else {
-                                        let _e580 = (_e573 - 1u);
-                                        let _e581 = (_e580 % 128u);
-                                        let _e582 = (_e581 < 128u);
-                                        if _e582 {
+                                        let _e566 = (_e559 - 1u);
+                                        let _e567 = (_e566 % 128u);
+                                        let _e568 = (_e567 < 128u);
+                                        if _e568 {
                                         } else {
-                                            phi_2803_ = true;
+                                            phi_2905_ = true;
                                             break;
                                         }
-                                        let _e584 = local_1[_e581];
-                                        if _e582 {
+                                        let _e570 = local_1[_e567];
+                                        if _e568 {
                                         } else {
-                                            phi_2803_ = true;
+                                            phi_2905_ = true;
                                             break;
                                         }
-                                        let _e586 = local[_e581];
-                                        phi_1003_ = (_e586 <= _e567.member);
-                                        phi_1004_ = _e580;
-                                        phi_1005_ = _e584;
+                                        let _e572 = local[_e567];
+                                        phi_1023_ = (_e572 <= _e553.member);
+                                        phi_1024_ = _e566;
+                                        phi_1025_ = _e570;
                                     }
-                                    let _e590 = phi_1003_;
-                                    let _e592 = phi_1004_;
-                                    let _e594 = phi_1005_;
-                                    if _e590 {
-                                        let _e597 = ((_e594 & 2147483648u) != 0u);
-                                        if _e597 {
-                                            phi_1020_ = _e567;
-                                            phi_1023_ = type_7(0u, ((_e594 >> bitcast<u32>(28u)) & 7u));
+                                    let _e576 = phi_1023_;
+                                    let _e578 = phi_1024_;
+                                    let _e580 = phi_1025_;
+                                    if _e576 {
+                                        let _e583 = ((_e580 & 2147483648u) != 0u);
+                                        if _e583 {
+                                            phi_1040_ = _e553;
+                                            phi_1043_ = type_7(0u, ((_e580 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e604 = phi_1020_;
-                                                let _e606 = phi_1023_;
-                                                local_3 = _e604;
-                                                if (_e606.member < _e606.member_1) {
-                                                    phi_1024_ = type_7((_e606.member + 1u), _e606.member_1);
-                                                    phi_1046_ = type_7(1u, _e606.member);
+                                                let _e590 = phi_1040_;
+                                                let _e592 = phi_1043_;
+                                                local_3 = _e590;
+                                                if (_e592.member < _e592.member_1) {
+                                                    phi_1044_ = type_7((_e592.member + 1u), _e592.member_1);
+                                                    phi_1066_ = type_7(1u, _e592.member);
                                                 } else {
-                                                    phi_1024_ = _e606;
-                                                    phi_1046_ = type_7(0u, type_7().member_1);
+                                                    phi_1044_ = _e592;
+                                                    phi_1066_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e619 = phi_1024_;
-                                                let _e621 = phi_1046_;
-                                                let _e625 = (bitcast<i32>(_e621.member) != 0i);
-                                                if _e625 {
-                                                    let _e626 = ((_e594 & 268435455u) + _e621.member_1);
-                                                    let _e627 = (_e626 < _e74);
-                                                    if _e627 {
-                                                        if _e627 {
+                                                let _e605 = phi_1044_;
+                                                let _e607 = phi_1066_;
+                                                let _e611 = (bitcast<i32>(_e607.member) != 0i);
+                                                if _e611 {
+                                                    let _e612 = ((_e580 & 268435455u) + _e607.member_1);
+                                                    let _e613 = (_e612 < _e75);
+                                                    if _e613 {
+                                                        if _e613 {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e631 = global_1.member[_e626].member_1;
-                                                        phi_1067_ = _e631;
+                                                        let _e617 = global_1.member[_e612].member_1;
+                                                        phi_1087_ = _e617;
                                                     } else {
-                                                        phi_1067_ = 4294967295u;
+                                                        phi_1087_ = 4294967295u;
                                                     }
-                                                    let _e633 = phi_1067_;
-                                                    if (_e626 >= _e74) {
-                                                        phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e619 = phi_1087_;
+                                                    if (_e612 >= _e75) {
+                                                        phi_1179_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e627 {
+                                                        if _e613 {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e635 = (_e224 % 3u);
-                                                        let _e636 = (_e223 % 3u);
-                                                        let _e637 = (_e225 % 3u);
-                                                        if (_e635 < 9u) {
+                                                        let _e621 = (_e225 % 3u);
+                                                        let _e622 = (_e224 % 3u);
+                                                        let _e623 = (_e226 % 3u);
+                                                        if (_e621 < 9u) {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e643 = global_1.member[_e626].member[_e635];
-                                                        if (_e636 < 9u) {
+                                                        let _e629 = global_1.member[_e612].member[_e621];
+                                                        if (_e622 < 9u) {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e649 = global_1.member[_e626].member[_e636];
-                                                        if (_e637 < 9u) {
+                                                        let _e635 = global_1.member[_e612].member[_e622];
+                                                        if (_e623 < 9u) {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e655 = global_1.member[_e626].member[_e637];
-                                                        let _e657 = (3u + _e635);
+                                                        let _e641 = global_1.member[_e612].member[_e623];
+                                                        let _e643 = (3u + _e621);
+                                                        if (_e643 < 9u) {
+                                                        } else {
+                                                            phi_2739_ = true;
+                                                            break;
+                                                        }
+                                                        let _e649 = global_1.member[_e612].member[_e643];
+                                                        let _e650 = (3u + _e622);
+                                                        if (_e650 < 9u) {
+                                                        } else {
+                                                            phi_2739_ = true;
+                                                            break;
+                                                        }
+                                                        let _e656 = global_1.member[_e612].member[_e650];
+                                                        let _e657 = (3u + _e623);
                                                         if (_e657 < 9u) {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e663 = global_1.member[_e626].member[_e657];
-                                                        let _e664 = (3u + _e636);
-                                                        if (_e664 < 9u) {
+                                                        let _e663 = global_1.member[_e612].member[_e657];
+                                                        let _e665 = (6u + _e621);
+                                                        if (_e665 < 9u) {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e670 = global_1.member[_e626].member[_e664];
-                                                        let _e671 = (3u + _e637);
-                                                        if (_e671 < 9u) {
+                                                        let _e671 = global_1.member[_e612].member[_e665];
+                                                        let _e672 = (6u + _e622);
+                                                        if (_e672 < 9u) {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e677 = global_1.member[_e626].member[_e671];
-                                                        let _e679 = (6u + _e635);
+                                                        let _e678 = global_1.member[_e612].member[_e672];
+                                                        let _e679 = (6u + _e623);
                                                         if (_e679 < 9u) {
                                                         } else {
-                                                            phi_2642_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e685 = global_1.member[_e626].member[_e679];
-                                                        let _e686 = (6u + _e636);
-                                                        if (_e686 < 9u) {
-                                                        } else {
-                                                            phi_2642_ = true;
-                                                            break;
-                                                        }
-                                                        let _e692 = global_1.member[_e626].member[_e686];
-                                                        let _e693 = (6u + _e637);
-                                                        if (_e693 < 9u) {
-                                                        } else {
-                                                            phi_2642_ = true;
-                                                            break;
-                                                        }
-                                                        let _e699 = global_1.member[_e626].member[_e693];
-                                                        phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(_e643, _e649, _e655), array<f32, 3>(_e663, _e670, _e677), array<f32, 3>(_e685, _e692, _e699));
+                                                        let _e685 = global_1.member[_e612].member[_e679];
+                                                        phi_1179_ = array<array<f32, 3>, 3>(array<f32, 3>(_e629, _e635, _e641), array<f32, 3>(_e649, _e656, _e663), array<f32, 3>(_e671, _e678, _e685));
                                                     }
-                                                    let _e703 = phi_1159_;
-                                                    let _e711 = (_e703[0][2] - _e404);
-                                                    let _e714 = (((_e703[0][0] - _e271) * _e443) - (_e711 * _e311));
-                                                    let _e717 = (((_e703[0][1] - _e338) * _e443) - (_e711 * _e377));
-                                                    let _e724 = (_e703[1][2] - _e404);
-                                                    let _e727 = (((_e703[1][0] - _e271) * _e443) - (_e724 * _e311));
-                                                    let _e730 = (((_e703[1][1] - _e338) * _e443) - (_e724 * _e377));
-                                                    let _e737 = (_e703[2][2] - _e404);
-                                                    let _e740 = (((_e703[2][0] - _e271) * _e443) - (_e737 * _e311));
-                                                    let _e743 = (((_e703[2][1] - _e338) * _e443) - (_e737 * _e377));
-                                                    let _e744 = (_e740 * _e730);
-                                                    let _e745 = (_e743 * _e727);
-                                                    let _e746 = (_e714 * _e743);
-                                                    let _e747 = (_e717 * _e740);
-                                                    let _e748 = (_e727 * _e717);
-                                                    let _e749 = (_e730 * _e714);
-                                                    let _e754 = (((_e744 >= _e745) && (_e746 >= _e747)) && (_e748 >= _e749));
-                                                    if (_e754 || (((_e744 <= _e745) && (_e746 <= _e747)) && (_e748 <= _e749))) {
-                                                        let _e761 = select(-1f, 1f, _e754);
-                                                        let _e763 = ((_e744 - _e745) * _e761);
-                                                        let _e765 = select(0f, _e763, (_e763 > 0f));
-                                                        let _e767 = ((_e746 - _e747) * _e761);
-                                                        let _e769 = select(0f, _e767, (_e767 > 0f));
-                                                        let _e771 = ((_e748 - _e749) * _e761);
-                                                        let _e773 = select(0f, _e771, (_e771 > 0f));
-                                                        let _e775 = ((_e765 + _e769) + _e773);
-                                                        if (_e775 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2043_ = type_22();
-                                                            phi_2044_ = true;
-                                                            phi_2045_ = false;
-                                                        } else {
-                                                            let _e778 = select(_e727, _e714, (_e714 < _e727));
-                                                            if (select(_e740, _e778, (_e778 < _e740)) > 0f) {
-                                                                phi_1311_ = true;
+                                                    let _e689 = phi_1179_;
+                                                    let _e705 = (_e689[0][2] - _e401);
+                                                    let _e708 = (((_e689[0][0] - _e272) * _e437) - (_e705 * _e309));
+                                                    let _e711 = (((_e689[0][1] - _e337) * _e437) - (_e705 * _e373));
+                                                    let _e714 = (_e689[1][2] - _e401);
+                                                    let _e717 = (((_e689[1][0] - _e272) * _e437) - (_e714 * _e309));
+                                                    let _e720 = (((_e689[1][1] - _e337) * _e437) - (_e714 * _e373));
+                                                    let _e723 = (_e689[2][2] - _e401);
+                                                    let _e726 = (((_e689[2][0] - _e272) * _e437) - (_e723 * _e309));
+                                                    let _e729 = (((_e689[2][1] - _e337) * _e437) - (_e723 * _e373));
+                                                    let _e730 = (_e726 * _e720);
+                                                    let _e731 = (_e729 * _e717);
+                                                    let _e732 = (_e708 * _e729);
+                                                    let _e733 = (_e711 * _e726);
+                                                    let _e734 = (_e717 * _e711);
+                                                    let _e735 = (_e720 * _e708);
+                                                    let _e740 = (((_e730 >= _e731) && (_e732 >= _e733)) && (_e734 >= _e735));
+                                                    let _e746 = (_e740 || (((_e730 <= _e731) && (_e732 <= _e733)) && (_e734 <= _e735)));
+                                                    if _e746 {
+                                                        let _e748 = select(-1f, 1f, _e740);
+                                                        let _e750 = ((_e730 - _e731) * _e748);
+                                                        let _e752 = select(0f, _e750, (_e750 > 0f));
+                                                        let _e754 = ((_e732 - _e733) * _e748);
+                                                        let _e756 = select(0f, _e754, (_e754 > 0f));
+                                                        let _e758 = ((_e734 - _e735) * _e748);
+                                                        let _e760 = select(0f, _e758, (_e758 > 0f));
+                                                        let _e762 = ((_e752 + _e756) + _e760);
+                                                        let _e764 = select(_e689[1][0], _e689[0][0], (_e689[0][0] < _e689[1][0]));
+                                                        let _e768 = select(_e689[1][0], _e689[0][0], (_e689[0][0] > _e689[1][0]));
+                                                        let _e772 = select(_e689[1][1], _e689[0][1], (_e689[0][1] < _e689[1][1]));
+                                                        let _e776 = select(_e689[1][1], _e689[0][1], (_e689[0][1] > _e689[1][1]));
+                                                        let _e780 = select(_e689[1][2], _e689[0][2], (_e689[0][2] < _e689[1][2]));
+                                                        let _e784 = select(_e689[1][2], _e689[0][2], (_e689[0][2] > _e689[1][2]));
+                                                        let _e789 = ((select(_e689[2][0], _e764, (_e764 < _e689[2][0])) - _e310) * _e313);
+                                                        let _e790 = ((select(_e689[2][0], _e768, (_e768 > _e689[2][0])) - _e311) * _e313);
+                                                        let _e793 = ((select(_e689[2][1], _e772, (_e772 < _e689[2][1])) - _e374) * _e377);
+                                                        let _e794 = ((select(_e689[2][1], _e776, (_e776 > _e689[2][1])) - _e375) * _e377);
+                                                        let _e797 = ((select(_e689[2][2], _e780, (_e780 < _e689[2][2])) - _e438) * _e441);
+                                                        let _e798 = ((select(_e689[2][2], _e784, (_e784 > _e689[2][2])) - _e439) * _e441);
+                                                        let _e800 = select(_e798, _e797, (_e797 < _e798));
+                                                        let _e802 = select(_e798, _e797, (_e797 > _e798));
+                                                        let _e804 = select(_e790, _e789, (_e789 < _e790));
+                                                        let _e806 = select(_e794, _e793, (_e793 < _e794));
+                                                        let _e808 = select(_e806, _e804, (_e804 > _e806));
+                                                        let _e810 = select(_e800, _e808, (_e808 > _e800));
+                                                        let _e812 = select(_e790, _e789, (_e789 > _e790));
+                                                        let _e814 = select(_e794, _e793, (_e793 > _e794));
+                                                        let _e816 = select(_e814, _e812, (_e812 < _e814));
+                                                        let _e818 = select(_e802, _e816, (_e816 < _e802));
+                                                        let _e819 = -(_e800);
+                                                        let _e825 = select(_e543, _e810, (_e810 > _e543));
+                                                        let _e829 = select(_e717, _e708, (_e708 < _e717));
+                                                        let _e834 = select(_e717, _e708, (_e708 > _e717));
+                                                        let _e841 = select(_e720, _e711, (_e711 < _e720));
+                                                        let _e846 = select(_e720, _e711, (_e711 > _e720));
+                                                        let _e855 = (((((_e746 && (_e762 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e726, _e829, (_e829 < _e726)) <= 0f) && (select(_e726, _e834, (_e834 > _e726)) >= 0f))) && ((select(_e729, _e841, (_e841 < _e729)) <= 0f) && (select(_e729, _e846, (_e846 > _e729)) >= 0f))) && (_e825 <= (_e818 + (select(_e819, _e802, (_e802 > _e819)) * 0.0000019073523f)))) && (_e825 <= _e590.member));
+                                                        if _e855 {
+                                                            let _e860 = (_e689[1][0] - _e689[0][0]);
+                                                            let _e861 = (_e689[1][1] - _e689[0][1]);
+                                                            let _e862 = (_e689[1][2] - _e689[0][2]);
+                                                            let _e863 = vec3<f32>(_e860, _e861, _e862);
+                                                            let _e864 = (_e689[2][0] - _e689[1][0]);
+                                                            let _e865 = (_e689[2][1] - _e689[1][1]);
+                                                            let _e866 = (_e689[2][2] - _e689[1][2]);
+                                                            let _e867 = vec3<f32>(_e864, _e865, _e866);
+                                                            let _e868 = (_e689[0][0] - _e689[2][0]);
+                                                            let _e869 = (_e689[0][1] - _e689[2][1]);
+                                                            let _e870 = (_e689[0][2] - _e689[2][2]);
+                                                            let _e871 = vec3<f32>(_e868, _e869, _e870);
+                                                            let _e872 = abs(_e860);
+                                                            let _e873 = abs(_e861);
+                                                            if (_e872 != _e872) {
+                                                                phi_2565_ = true;
                                                             } else {
-                                                                let _e783 = select(_e727, _e714, (_e714 > _e727));
-                                                                phi_1311_ = (select(_e740, _e783, (_e783 > _e740)) < 0f);
+                                                                phi_2565_ = (_e873 >= _e872);
                                                             }
-                                                            let _e788 = phi_1311_;
-                                                            if _e788 {
-                                                                phi_2040_ = type_22();
-                                                                phi_2041_ = true;
-                                                                phi_2042_ = false;
+                                                            let _e877 = phi_2565_;
+                                                            let _e878 = select(_e872, _e873, _e877);
+                                                            let _e879 = abs(_e862);
+                                                            if (_e878 != _e878) {
+                                                                phi_2580_ = true;
                                                             } else {
-                                                                let _e790 = select(_e730, _e717, (_e717 < _e730));
-                                                                if (select(_e743, _e790, (_e790 < _e743)) > 0f) {
-                                                                    phi_1340_ = true;
-                                                                } else {
-                                                                    let _e795 = select(_e730, _e717, (_e717 > _e730));
-                                                                    phi_1340_ = (select(_e743, _e795, (_e795 > _e743)) < 0f);
-                                                                }
-                                                                let _e800 = phi_1340_;
-                                                                if _e800 {
-                                                                    phi_2038_ = type_22();
-                                                                    phi_2039_ = false;
-                                                                } else {
-                                                                    let _e802 = select(_e703[1][0], _e703[0][0], (_e703[0][0] < _e703[1][0]));
-                                                                    let _e806 = select(_e703[1][0], _e703[0][0], (_e703[0][0] > _e703[1][0]));
-                                                                    let _e810 = select(_e703[1][1], _e703[0][1], (_e703[0][1] < _e703[1][1]));
-                                                                    let _e814 = select(_e703[1][1], _e703[0][1], (_e703[0][1] > _e703[1][1]));
-                                                                    let _e818 = select(_e703[1][2], _e703[0][2], (_e703[0][2] < _e703[1][2]));
-                                                                    let _e822 = select(_e703[1][2], _e703[0][2], (_e703[0][2] > _e703[1][2]));
-                                                                    let _e827 = ((select(_e703[2][0], _e802, (_e802 < _e703[2][0])) - _e309) * _e314);
-                                                                    let _e828 = ((select(_e703[2][0], _e806, (_e806 > _e703[2][0])) - _e310) * _e314);
-                                                                    let _e831 = ((select(_e703[2][1], _e810, (_e810 < _e703[2][1])) - _e375) * _e380);
-                                                                    let _e832 = ((select(_e703[2][1], _e814, (_e814 > _e703[2][1])) - _e376) * _e380);
-                                                                    let _e835 = ((select(_e703[2][2], _e818, (_e818 < _e703[2][2])) - _e441) * _e446);
-                                                                    let _e836 = ((select(_e703[2][2], _e822, (_e822 > _e703[2][2])) - _e442) * _e446);
-                                                                    let _e838 = select(_e836, _e835, (_e835 < _e836));
-                                                                    let _e840 = select(_e836, _e835, (_e835 > _e836));
-                                                                    let _e842 = select(_e828, _e827, (_e827 < _e828));
-                                                                    let _e844 = select(_e832, _e831, (_e831 < _e832));
-                                                                    let _e846 = select(_e844, _e842, (_e842 > _e844));
-                                                                    let _e848 = select(_e838, _e846, (_e846 > _e838));
-                                                                    let _e850 = select(_e828, _e827, (_e827 > _e828));
-                                                                    let _e852 = select(_e832, _e831, (_e831 > _e832));
-                                                                    let _e854 = select(_e852, _e850, (_e850 < _e852));
-                                                                    let _e856 = select(_e840, _e854, (_e854 < _e840));
-                                                                    let _e857 = -(_e838);
-                                                                    let _e863 = select(_e557, _e848, (_e848 > _e557));
-                                                                    if (_e863 > (_e856 + (select(_e857, _e840, (_e840 > _e857)) * 0.0000019073523f))) {
-                                                                        phi_2033_ = type_22();
-                                                                        phi_2034_ = true;
-                                                                    } else {
-                                                                        let _e865 = (_e863 > _e604.member);
-                                                                        if _e865 {
-                                                                            phi_2032_ = type_22();
-                                                                        } else {
-                                                                            let _e866 = vec3<f32>(_e703[0][0], _e703[0][1], _e703[0][2]);
-                                                                            let _e867 = vec3<f32>(_e703[1][0], _e703[1][1], _e703[1][2]);
-                                                                            let _e868 = vec3<f32>(_e703[2][0], _e703[2][1], _e703[2][2]);
-                                                                            let _e869 = (_e703[1][0] - _e703[0][0]);
-                                                                            let _e870 = (_e703[1][1] - _e703[0][1]);
-                                                                            let _e871 = (_e703[1][2] - _e703[0][2]);
-                                                                            let _e872 = vec3<f32>(_e869, _e870, _e871);
-                                                                            let _e873 = (_e703[2][0] - _e703[1][0]);
-                                                                            let _e874 = (_e703[2][1] - _e703[1][1]);
-                                                                            let _e875 = (_e703[2][2] - _e703[1][2]);
-                                                                            let _e876 = vec3<f32>(_e873, _e874, _e875);
-                                                                            let _e877 = (_e703[0][0] - _e703[2][0]);
-                                                                            let _e878 = (_e703[0][1] - _e703[2][1]);
-                                                                            let _e879 = (_e703[0][2] - _e703[2][2]);
-                                                                            let _e880 = vec3<f32>(_e877, _e878, _e879);
-                                                                            let _e883 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
-                                                                            let _e886 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
-                                                                            let _e888 = select(_e886, _e883, (_e883 > _e886));
-                                                                            let _e891 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
-                                                                            let _e893 = select(_e891, _e888, (_e888 > _e891));
-                                                                            let _e896 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
-                                                                            let _e899 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
-                                                                            let _e901 = select(_e899, _e896, (_e896 > _e899));
-                                                                            let _e904 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
-                                                                            let _e906 = select(_e904, _e901, (_e901 > _e904));
-                                                                            let _e909 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
-                                                                            let _e912 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
-                                                                            let _e914 = select(_e912, _e909, (_e909 > _e912));
-                                                                            let _e917 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
-                                                                            let _e919 = select(_e917, _e914, (_e914 > _e917));
-                                                                            let _e921 = select(_e906, _e893, (_e893 > _e906));
-                                                                            let _e923 = select(_e919, _e921, (_e921 > _e919));
-                                                                            if (_e893 == _e923) {
-                                                                                phi_1759_ = _e730;
-                                                                                phi_1760_ = _e727;
-                                                                                phi_1761_ = _e717;
-                                                                                phi_1762_ = _e714;
-                                                                                phi_1763_ = _e866;
-                                                                                phi_1764_ = _e880;
-                                                                                phi_1765_ = _e876;
-                                                                                phi_1766_ = _e872;
-                                                                            } else {
-                                                                                let _e925 = (_e906 == _e923);
-                                                                                let _e930 = vec3(_e925);
-                                                                                phi_1759_ = select(_e717, _e743, _e925);
-                                                                                phi_1760_ = select(_e714, _e740, _e925);
-                                                                                phi_1761_ = select(_e743, _e730, _e925);
-                                                                                phi_1762_ = select(_e740, _e727, _e925);
-                                                                                phi_1763_ = select(_e868, _e867, _e930);
-                                                                                phi_1764_ = select(_e876, _e872, _e930);
-                                                                                phi_1765_ = select(_e872, _e880, _e930);
-                                                                                phi_1766_ = select(_e880, _e876, _e930);
-                                                                            }
-                                                                            let _e936 = phi_1759_;
-                                                                            let _e938 = phi_1760_;
-                                                                            let _e940 = phi_1761_;
-                                                                            let _e942 = phi_1762_;
-                                                                            let _e944 = phi_1763_;
-                                                                            let _e946 = phi_1764_;
-                                                                            let _e948 = phi_1765_;
-                                                                            let _e950 = phi_1766_;
-                                                                            let _e957 = ((_e948.y * _e946.z) - (_e946.y * _e948.z));
-                                                                            let _e962 = ((_e948.z * _e946.x) - (_e946.z * _e948.x));
-                                                                            let _e965 = ((_e948.x * _e946.y) - (_e946.x * _e948.y));
-                                                                            if (_e765 >= _e769) {
-                                                                                phi_1803_ = select(true, false, (_e765 >= _e773));
-                                                                            } else {
-                                                                                phi_1803_ = true;
-                                                                            }
-                                                                            let _e970 = phi_1803_;
-                                                                            if _e970 {
-                                                                                phi_1812_ = select(_e868, _e867, vec3((_e769 >= _e773)));
-                                                                            } else {
-                                                                                phi_1812_ = _e866;
-                                                                            }
-                                                                            let _e975 = phi_1812_;
-                                                                            let _e986 = (((_e957 * (_e975.x - _e271)) + (_e962 * (_e975.y - _e338))) + (_e965 * (_e975.z - _e404)));
-                                                                            let _e991 = (((_e957 * _e311) + (_e962 * _e377)) + (_e965 * _e443));
-                                                                            let _e992 = (_e938 - _e942);
-                                                                            let _e993 = (_e936 - _e940);
-                                                                            let _e1001 = (-(((_e942 * _e992) + (_e940 * _e993))) / ((_e992 * _e992) + (_e993 * _e993)));
-                                                                            let _e1003 = select(1f, _e1001, (_e1001 < 1f));
-                                                                            let _e1005 = select(0f, _e1003, (_e1003 > 0f));
-                                                                            let _e1018 = ((_e944.x + (_e950.x * _e1005)) - _e271);
-                                                                            let _e1019 = ((_e944.y + (_e950.y * _e1005)) - _e338);
-                                                                            let _e1020 = ((_e944.z + (_e950.z * _e1005)) - _e404);
-                                                                            let _e1021 = (_e1020 / _e443);
-                                                                            let _e1033 = bitcast<f32>((bitcast<u32>(_e1018) & 2147483647u));
-                                                                            let _e1036 = bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u));
-                                                                            let _e1038 = select(_e1036, _e1033, (_e1033 > _e1036));
-                                                                            let _e1041 = bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u));
-                                                                            let _e1043 = select(_e1041, _e1038, (_e1038 > _e1041));
-                                                                            let _e1049 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
-                                                                            let _e1052 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
-                                                                            let _e1054 = select(_e1052, _e1049, (_e1049 > _e1052));
-                                                                            let _e1057 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e957 * _e1018) + (_e962 * _e1019)) + (_e965 * _e1020)) - _e986)) & 2147483647u)) <= ((0.0000009536743f * select(_e923, _e1043, (_e1043 > _e923))) * select(_e1057, _e1054, (_e1054 > _e1057)))) {
-                                                                                let _e1067 = bitcast<f32>((bitcast<u32>(_e948.x) & 2147483647u));
-                                                                                let _e1070 = bitcast<f32>((bitcast<u32>(_e948.y) & 2147483647u));
-                                                                                let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
-                                                                                let _e1075 = bitcast<f32>((bitcast<u32>(_e948.z) & 2147483647u));
-                                                                                let _e1081 = bitcast<f32>((bitcast<u32>(_e946.x) & 2147483647u));
-                                                                                let _e1084 = bitcast<f32>((bitcast<u32>(_e946.y) & 2147483647u));
-                                                                                let _e1086 = select(_e1084, _e1081, (_e1081 > _e1084));
-                                                                                let _e1089 = bitcast<f32>((bitcast<u32>(_e946.z) & 2147483647u));
-                                                                                let _e1093 = (bitcast<f32>((bitcast<u32>(_e991) & 2147483647u)) > ((0.0000038146973f * select(_e1075, _e1072, (_e1072 > _e1075))) * select(_e1089, _e1086, (_e1086 > _e1089))));
-                                                                                if _e1093 {
-                                                                                    phi_1977_ = (_e986 / _e991);
-                                                                                } else {
-                                                                                    phi_1977_ = f32();
-                                                                                }
-                                                                                let _e1096 = phi_1977_;
-                                                                                phi_1979_ = _e1096;
-                                                                                phi_1980_ = select(true, false, _e1093);
-                                                                            } else {
-                                                                                phi_1979_ = f32();
-                                                                                phi_1980_ = true;
-                                                                            }
-                                                                            let _e1099 = phi_1979_;
-                                                                            let _e1101 = phi_1980_;
-                                                                            if _e1101 {
-                                                                                let _e1109 = (((_e957 * (_e1018 - (_e311 * _e1021))) + (_e962 * (_e1019 - (_e377 * _e1021)))) / _e991);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u)) <= _e923) {
-                                                                                    phi_2000_ = (_e1021 + _e1109);
-                                                                                } else {
-                                                                                    phi_2000_ = _e1021;
-                                                                                }
-                                                                                let _e1116 = phi_2000_;
-                                                                                phi_2001_ = _e1116;
-                                                                            } else {
-                                                                                phi_2001_ = _e1099;
-                                                                            }
-                                                                            let _e1118 = phi_2001_;
-                                                                            let _e1120 = select(_e856, _e1118, (_e1118 < _e856));
-                                                                            let _e1122 = select(_e848, _e1120, (_e1120 > _e848));
-                                                                            if (_e1122 >= _e557) {
-                                                                                let _e1124 = (_e1122 <= _e604.member);
-                                                                                if _e1124 {
-                                                                                    let _e1125 = (1f / _e775);
-                                                                                    phi_2024_ = type_22(_e1122, (_e769 * _e1125), (_e773 * _e1125), _e633);
-                                                                                } else {
-                                                                                    phi_2024_ = type_22();
-                                                                                }
-                                                                                let _e1130 = phi_2024_;
-                                                                                phi_2026_ = _e1130;
-                                                                                phi_2027_ = select(true, false, _e1124);
-                                                                            } else {
-                                                                                phi_2026_ = type_22();
-                                                                                phi_2027_ = true;
-                                                                            }
-                                                                            let _e1133 = phi_2026_;
-                                                                            let _e1135 = phi_2027_;
-                                                                            if _e1135 {
-                                                                                phi_2031_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                            } else {
-                                                                                phi_2031_ = _e1133;
-                                                                            }
-                                                                            let _e1137 = phi_2031_;
-                                                                            phi_2032_ = _e1137;
-                                                                        }
-                                                                        let _e1139 = phi_2032_;
-                                                                        phi_2033_ = _e1139;
-                                                                        phi_2034_ = _e865;
-                                                                    }
-                                                                    let _e1141 = phi_2033_;
-                                                                    let _e1143 = phi_2034_;
-                                                                    phi_2038_ = _e1141;
-                                                                    phi_2039_ = _e1143;
-                                                                }
-                                                                let _e1145 = phi_2038_;
-                                                                let _e1147 = phi_2039_;
-                                                                phi_2040_ = _e1145;
-                                                                phi_2041_ = _e800;
-                                                                phi_2042_ = _e1147;
+                                                                phi_2580_ = (_e879 >= _e878);
                                                             }
-                                                            let _e1149 = phi_2040_;
-                                                            let _e1151 = phi_2041_;
-                                                            let _e1153 = phi_2042_;
-                                                            phi_2043_ = _e1149;
-                                                            phi_2044_ = _e1151;
-                                                            phi_2045_ = _e1153;
-                                                        }
-                                                        let _e1155 = phi_2043_;
-                                                        let _e1157 = phi_2044_;
-                                                        let _e1159 = phi_2045_;
-                                                        phi_2053_ = _e1155;
-                                                        phi_2054_ = select(_e1159, true, _e1157);
-                                                    } else {
-                                                        phi_2053_ = type_22();
-                                                        phi_2054_ = true;
-                                                    }
-                                                    let _e1162 = phi_2053_;
-                                                    let _e1164 = phi_2054_;
-                                                    if _e1164 {
-                                                        phi_2058_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                    } else {
-                                                        phi_2058_ = _e1162;
-                                                    }
-                                                    let _e1166 = phi_2058_;
-                                                    if (_e1166.member_3 != 4294967295u) {
-                                                        if (_e633 != _e91) {
-                                                            phi_2069_ = type_48(_e604.member, true);
+                                                            let _e883 = phi_2580_;
+                                                            let _e884 = select(_e878, _e879, _e883);
+                                                            let _e885 = abs(_e864);
+                                                            let _e886 = abs(_e865);
+                                                            if (_e885 != _e885) {
+                                                                phi_2595_ = true;
+                                                            } else {
+                                                                phi_2595_ = (_e886 >= _e885);
+                                                            }
+                                                            let _e890 = phi_2595_;
+                                                            let _e891 = select(_e885, _e886, _e890);
+                                                            let _e892 = abs(_e866);
+                                                            if (_e891 != _e891) {
+                                                                phi_2610_ = true;
+                                                            } else {
+                                                                phi_2610_ = (_e892 >= _e891);
+                                                            }
+                                                            let _e896 = phi_2610_;
+                                                            let _e897 = select(_e891, _e892, _e896);
+                                                            let _e898 = abs(_e868);
+                                                            let _e899 = abs(_e869);
+                                                            if (_e898 != _e898) {
+                                                                phi_2625_ = true;
+                                                            } else {
+                                                                phi_2625_ = (_e899 >= _e898);
+                                                            }
+                                                            let _e903 = phi_2625_;
+                                                            let _e904 = select(_e898, _e899, _e903);
+                                                            let _e905 = abs(_e870);
+                                                            if (_e904 != _e904) {
+                                                                phi_2640_ = true;
+                                                            } else {
+                                                                phi_2640_ = (_e905 >= _e904);
+                                                            }
+                                                            let _e909 = phi_2640_;
+                                                            let _e910 = select(_e904, _e905, _e909);
+                                                            let _e912 = select(_e897, _e884, (_e884 > _e897));
+                                                            let _e914 = select(_e910, _e912, (_e912 > _e910));
+                                                            if (_e884 == _e914) {
+                                                                phi_1721_ = _e720;
+                                                                phi_1722_ = _e717;
+                                                                phi_1723_ = _e711;
+                                                                phi_1724_ = _e708;
+                                                                phi_1725_ = vec3<f32>(_e689[0][0], _e689[0][1], _e689[0][2]);
+                                                                phi_1726_ = _e871;
+                                                                phi_1727_ = _e867;
+                                                                phi_1728_ = _e863;
+                                                            } else {
+                                                                let _e916 = (_e897 == _e914);
+                                                                let _e921 = vec3(_e916);
+                                                                phi_1721_ = select(_e711, _e729, _e916);
+                                                                phi_1722_ = select(_e708, _e726, _e916);
+                                                                phi_1723_ = select(_e729, _e720, _e916);
+                                                                phi_1724_ = select(_e726, _e717, _e916);
+                                                                phi_1725_ = select(vec3<f32>(_e689[2][0], _e689[2][1], _e689[2][2]), vec3<f32>(_e689[1][0], _e689[1][1], _e689[1][2]), _e921);
+                                                                phi_1726_ = select(_e867, _e863, _e921);
+                                                                phi_1727_ = select(_e863, _e871, _e921);
+                                                                phi_1728_ = select(_e871, _e867, _e921);
+                                                            }
+                                                            let _e927 = phi_1721_;
+                                                            let _e929 = phi_1722_;
+                                                            let _e931 = phi_1723_;
+                                                            let _e933 = phi_1724_;
+                                                            let _e935 = phi_1725_;
+                                                            let _e937 = phi_1726_;
+                                                            let _e939 = phi_1727_;
+                                                            let _e941 = phi_1728_;
+                                                            let _e948 = ((_e939.y * _e937.z) - (_e937.y * _e939.z));
+                                                            let _e953 = ((_e939.z * _e937.x) - (_e937.z * _e939.x));
+                                                            let _e956 = ((_e939.x * _e937.y) - (_e937.x * _e939.y));
+                                                            let _e959 = ((_e752 >= _e756) && (_e752 >= _e760));
+                                                            let _e960 = (_e756 >= _e760);
+                                                            let _e974 = (((_e948 * (select(select(_e689[2][0], _e689[1][0], _e960), _e689[0][0], _e959) - _e272)) + (_e953 * (select(select(_e689[2][1], _e689[1][1], _e960), _e689[0][1], _e959) - _e337))) + (_e956 * (select(select(_e689[2][2], _e689[1][2], _e960), _e689[0][2], _e959) - _e401)));
+                                                            let _e979 = (((_e948 * _e309) + (_e953 * _e373)) + (_e956 * _e437));
+                                                            let _e980 = (_e929 - _e933);
+                                                            let _e981 = (_e927 - _e931);
+                                                            let _e984 = ((_e980 * _e980) + (_e981 * _e981));
+                                                            let _e991 = (-(((_e933 * _e980) + (_e931 * _e981))) / select(0.000000000000000000000000000000000000011754944f, _e984, (_e984 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e993 = select(1f, _e991, (_e991 < 1f));
+                                                            let _e995 = select(0f, _e993, (_e993 > 0f));
+                                                            let _e1004 = ((_e935.x + (_e941.x * _e995)) - _e272);
+                                                            let _e1007 = ((_e935.y + (_e941.y * _e995)) - _e337);
+                                                            let _e1010 = ((_e935.z + (_e941.z * _e995)) - _e401);
+                                                            let _e1013 = bitcast<f32>((bitcast<u32>(_e1004) & 2147483647u));
+                                                            let _e1016 = bitcast<f32>((bitcast<u32>(_e1007) & 2147483647u));
+                                                            let _e1018 = select(_e1016, _e1013, (_e1013 > _e1016));
+                                                            let _e1021 = bitcast<f32>((bitcast<u32>(_e1010) & 2147483647u));
+                                                            let _e1023 = select(_e1021, _e1018, (_e1018 > _e1021));
+                                                            let _e1027 = abs(_e948);
+                                                            let _e1028 = abs(_e953);
+                                                            if (_e1027 != _e1027) {
+                                                                phi_2655_ = true;
+                                                            } else {
+                                                                phi_2655_ = (_e1028 >= _e1027);
+                                                            }
+                                                            let _e1032 = phi_2655_;
+                                                            let _e1033 = select(_e1027, _e1028, _e1032);
+                                                            let _e1034 = abs(_e956);
+                                                            if (_e1033 != _e1033) {
+                                                                phi_2670_ = true;
+                                                            } else {
+                                                                phi_2670_ = (_e1034 >= _e1033);
+                                                            }
+                                                            let _e1038 = phi_2670_;
+                                                            let _e1054 = abs(_e939.x);
+                                                            let _e1055 = abs(_e939.y);
+                                                            if (_e1054 != _e1054) {
+                                                                phi_2685_ = true;
+                                                            } else {
+                                                                phi_2685_ = (_e1055 >= _e1054);
+                                                            }
+                                                            let _e1059 = phi_2685_;
+                                                            let _e1060 = select(_e1054, _e1055, _e1059);
+                                                            let _e1061 = abs(_e939.z);
+                                                            if (_e1060 != _e1060) {
+                                                                phi_2700_ = true;
+                                                            } else {
+                                                                phi_2700_ = (_e1061 >= _e1060);
+                                                            }
+                                                            let _e1065 = phi_2700_;
+                                                            let _e1068 = abs(_e937.x);
+                                                            let _e1069 = abs(_e937.y);
+                                                            if (_e1068 != _e1068) {
+                                                                phi_2715_ = true;
+                                                            } else {
+                                                                phi_2715_ = (_e1069 >= _e1068);
+                                                            }
+                                                            let _e1073 = phi_2715_;
+                                                            let _e1074 = select(_e1068, _e1069, _e1073);
+                                                            let _e1075 = abs(_e937.z);
+                                                            if (_e1074 != _e1074) {
+                                                                phi_2730_ = true;
+                                                            } else {
+                                                                phi_2730_ = (_e1075 >= _e1074);
+                                                            }
+                                                            let _e1079 = phi_2730_;
+                                                            let _e1084 = ((bitcast<f32>((bitcast<u32>(((((_e948 * _e1004) + (_e953 * _e1007)) + (_e956 * _e1010)) - _e974)) & 2147483647u)) <= ((0.0000009536743f * select(_e914, _e1023, (_e1023 > _e914))) * select(_e1033, _e1034, _e1038))) && !((bitcast<f32>((bitcast<u32>(_e979) & 2147483647u)) <= ((0.0000038146973f * select(_e1060, _e1061, _e1065)) * select(_e1074, _e1075, _e1079)))));
+                                                            let _e1085 = (_e974 / _e979);
+                                                            if (_e855 && !(_e1084)) {
+                                                                let _e1088 = (_e1010 / _e437);
+                                                                let _e1096 = (((_e948 * (_e1004 - (_e309 * _e1088))) + (_e953 * (_e1007 - (_e373 * _e1088)))) / _e979);
+                                                                phi_1936_ = select(select(_e1088, (_e1088 + _e1096), (bitcast<f32>((bitcast<u32>(_e1096) & 2147483647u)) <= _e914)), _e1085, _e1084);
+                                                            } else {
+                                                                phi_1936_ = _e1085;
+                                                            }
+                                                            let _e1105 = phi_1936_;
+                                                            let _e1107 = select(_e818, _e1105, (_e1105 < _e818));
+                                                            let _e1109 = select(_e810, _e1107, (_e1107 > _e810));
+                                                            let _e1110 = (1f / _e762);
+                                                            phi_1956_ = type_47(_e1109, (_e756 * _e1110), (_e760 * _e1110), ((_e855 && (_e1109 >= _e543)) && (_e1109 <= _e590.member)));
+                                                            phi_1957_ = type_47();
                                                         } else {
-                                                            phi_2069_ = _e604;
+                                                            phi_1956_ = type_47();
+                                                            phi_1957_ = type_47(0f, 0f, 0f, _e855);
                                                         }
-                                                        let _e1174 = phi_2069_;
-                                                        phi_2070_ = _e1174;
+                                                        let _e1119 = phi_1956_;
+                                                        let _e1121 = phi_1957_;
+                                                        phi_1960_ = _e1119;
+                                                        phi_1961_ = _e1121;
+                                                        phi_1962_ = select(true, false, _e855);
                                                     } else {
-                                                        phi_2070_ = _e604;
+                                                        phi_1960_ = type_47();
+                                                        phi_1961_ = type_47(0f, 0f, 0f, _e746);
+                                                        phi_1962_ = true;
                                                     }
-                                                    let _e1176 = phi_2070_;
-                                                    phi_1021_ = _e1176;
+                                                    let _e1124 = phi_1960_;
+                                                    let _e1126 = phi_1961_;
+                                                    let _e1128 = phi_1962_;
+                                                    if _e1128 {
+                                                        phi_1966_ = _e1126;
+                                                    } else {
+                                                        phi_1966_ = _e1124;
+                                                    }
+                                                    let _e1130 = phi_1966_;
+                                                    if _e1130.member_3 {
+                                                        phi_1975_ = type_22(_e1130.member, _e1130.member_1, _e1130.member_2, _e619);
+                                                    } else {
+                                                        phi_1975_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    }
+                                                    let _e1137 = phi_1975_;
+                                                    if (_e1137.member_3 != 4294967295u) {
+                                                        if (_e619 != _e92) {
+                                                            phi_1986_ = type_49(-340282350000000000000000000000000000000f, true);
+                                                        } else {
+                                                            phi_1986_ = _e590;
+                                                        }
+                                                        let _e1142 = phi_1986_;
+                                                        phi_1987_ = _e1142;
+                                                    } else {
+                                                        phi_1987_ = _e590;
+                                                    }
+                                                    let _e1144 = phi_1987_;
+                                                    phi_1041_ = _e1144;
                                                 } else {
-                                                    phi_1021_ = type_48();
+                                                    phi_1041_ = type_49();
                                                 }
-                                                let _e1178 = phi_1021_;
+                                                let _e1146 = phi_1041_;
                                                 continue;
                                                 continuing {
-                                                    phi_1020_ = _e1178;
-                                                    phi_1023_ = _e619;
-                                                    phi_2642_ = _e565;
-                                                    break if !(_e625);
+                                                    phi_1040_ = _e1146;
+                                                    phi_1043_ = _e605;
+                                                    phi_2739_ = _e551;
+                                                    break if !(_e611);
                                                 }
                                             }
-                                            let _e1181 = phi_2642_;
-                                            phi_2803_ = _e1181;
-                                            if _e1181 {
+                                            let _e1149 = phi_2739_;
+                                            phi_2905_ = _e1149;
+                                            if _e1149 {
                                                 break;
                                             }
-                                            phi_2838_ = _e1181;
-                                            let _e1551 = local_3;
-                                            phi_2071_ = _e1551;
+                                            phi_2940_ = _e1149;
+                                            let _e1506 = local_3;
+                                            phi_1988_ = _e1506;
                                         } else {
-                                            phi_2838_ = _e565;
-                                            phi_2071_ = _e567;
+                                            phi_2940_ = _e551;
+                                            phi_1988_ = _e553;
                                         }
-                                        let _e1183 = phi_2838_;
-                                        let _e1185 = phi_2071_;
-                                        if _e597 {
-                                            phi_2551_ = bool();
-                                            phi_2552_ = u32();
-                                            phi_2553_ = u32();
+                                        let _e1151 = phi_2940_;
+                                        let _e1153 = phi_1988_;
+                                        if _e583 {
+                                            phi_2468_ = bool();
+                                            phi_2469_ = u32();
+                                            phi_2470_ = u32();
                                         } else {
-                                            if (_e594 >= _e72) {
-                                                phi_2136_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e580 >= _e73) {
+                                                phi_2053_ = type_48(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e594 < _e72) {
+                                                if (_e580 < _e73) {
                                                 } else {
-                                                    phi_2803_ = true;
+                                                    phi_2905_ = true;
                                                     break;
                                                 }
-                                                let _e1188 = (_e224 % 3u);
-                                                if (_e1188 < 3u) {
+                                                let _e1156 = (_e225 % 3u);
+                                                if (_e1156 < 3u) {
                                                 } else {
-                                                    phi_2803_ = true;
+                                                    phi_2905_ = true;
                                                     break;
                                                 }
-                                                let _e1194 = global_2.member[_e594].member[_e1188];
-                                                let _e1200 = (_e223 % 3u);
-                                                if (_e1200 < 3u) {
+                                                let _e1162 = global_2.member[_e580].member[_e1156];
+                                                let _e1168 = (_e224 % 3u);
+                                                if (_e1168 < 3u) {
                                                 } else {
-                                                    phi_2803_ = true;
+                                                    phi_2905_ = true;
                                                     break;
                                                 }
-                                                let _e1206 = global_2.member[_e594].member[_e1200];
-                                                let _e1212 = (_e225 % 3u);
-                                                if (_e1212 < 3u) {
+                                                let _e1174 = global_2.member[_e580].member[_e1168];
+                                                let _e1180 = (_e226 % 3u);
+                                                if (_e1180 < 3u) {
                                                 } else {
-                                                    phi_2803_ = true;
+                                                    phi_2905_ = true;
                                                     break;
                                                 }
-                                                let _e1218 = global_2.member[_e594].member[_e1212];
-                                                let _e1228 = global_2.member[_e594].member_1;
-                                                let _e1232 = global_2.member[_e594].member_2;
-                                                phi_2136_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e1194[0], _e1194[1], _e1194[2], _e1194[3]), vec4<f32>(_e1206[0], _e1206[1], _e1206[2], _e1206[3]), vec4<f32>(_e1218[0], _e1218[1], _e1218[2], _e1218[3])), _e1228, _e1232);
+                                                let _e1186 = global_2.member[_e580].member[_e1180];
+                                                let _e1196 = global_2.member[_e580].member_1;
+                                                let _e1200 = global_2.member[_e580].member_2;
+                                                phi_2053_ = type_48(array<vec4<f32>, 3>(vec4<f32>(_e1162[0], _e1162[1], _e1162[2], _e1162[3]), vec4<f32>(_e1174[0], _e1174[1], _e1174[2], _e1174[3]), vec4<f32>(_e1186[0], _e1186[1], _e1186[2], _e1186[3])), _e1196, _e1200);
                                             }
-                                            let _e1235 = phi_2136_;
-                                            let _e1247 = ((_e1235.member[0].x - _e309) * _e314);
-                                            let _e1248 = ((_e1235.member[0].y - _e309) * _e314);
-                                            let _e1249 = ((_e1235.member[0].z - _e310) * _e314);
-                                            let _e1250 = ((_e1235.member[0].w - _e310) * _e314);
-                                            let _e1260 = ((_e1235.member[1].x - _e375) * _e380);
-                                            let _e1261 = ((_e1235.member[1].y - _e375) * _e380);
-                                            let _e1262 = ((_e1235.member[1].z - _e376) * _e380);
-                                            let _e1263 = ((_e1235.member[1].w - _e376) * _e380);
-                                            let _e1273 = ((_e1235.member[2].x - _e441) * _e446);
-                                            let _e1274 = ((_e1235.member[2].y - _e441) * _e446);
-                                            let _e1275 = ((_e1235.member[2].z - _e442) * _e446);
-                                            let _e1276 = ((_e1235.member[2].w - _e442) * _e446);
-                                            let _e1278 = select(_e1275, _e1273, (_e1273 < _e1275));
-                                            let _e1280 = select(_e1276, _e1274, (_e1274 < _e1276));
-                                            let _e1282 = select(_e1275, _e1273, (_e1273 > _e1275));
-                                            let _e1284 = select(_e1276, _e1274, (_e1274 > _e1276));
-                                            let _e1286 = select(_e1249, _e1247, (_e1247 < _e1249));
-                                            let _e1288 = select(_e1250, _e1248, (_e1248 < _e1250));
-                                            let _e1290 = select(_e1262, _e1260, (_e1260 < _e1262));
-                                            let _e1292 = select(_e1263, _e1261, (_e1261 < _e1263));
-                                            let _e1294 = select(_e1290, _e1286, (_e1286 > _e1290));
-                                            let _e1296 = select(_e1292, _e1288, (_e1288 > _e1292));
-                                            let _e1298 = select(_e1278, _e1294, (_e1294 > _e1278));
-                                            let _e1300 = select(_e1280, _e1296, (_e1296 > _e1280));
-                                            let _e1302 = select(_e1249, _e1247, (_e1247 > _e1249));
-                                            let _e1304 = select(_e1250, _e1248, (_e1248 > _e1250));
-                                            let _e1306 = select(_e1262, _e1260, (_e1260 > _e1262));
-                                            let _e1308 = select(_e1263, _e1261, (_e1261 > _e1263));
-                                            let _e1310 = select(_e1306, _e1302, (_e1302 < _e1306));
-                                            let _e1312 = select(_e1308, _e1304, (_e1304 < _e1308));
-                                            let _e1317 = -(_e1278);
-                                            let _e1318 = -(_e1280);
-                                            let _e1325 = (select(_e1282, _e1310, (_e1310 < _e1282)) + (select(_e1317, _e1282, (_e1282 > _e1317)) * 0.0000019073523f));
-                                            let _e1326 = (select(_e1284, _e1312, (_e1312 < _e1284)) + (select(_e1318, _e1284, (_e1284 > _e1318)) * 0.0000019073523f));
-                                            let _e1328 = select(_e557, _e1298, (_e1298 > _e557));
-                                            let _e1330 = select(_e557, _e1300, (_e1300 > _e557));
-                                            let _e1335 = (_e1328 <= select(_e1185.member, _e1325, (_e1325 < _e1185.member)));
-                                            let _e1336 = (_e1330 <= select(_e1185.member, _e1326, (_e1326 < _e1185.member)));
-                                            let _e1337 = (_e1328 <= _e1330);
-                                            if _e1335 {
-                                                if _e1336 {
-                                                    if _e1337 {
-                                                        phi_2498_ = _e1235.member_2;
+                                            let _e1203 = phi_2053_;
+                                            let _e1215 = ((_e1203.member[0].x - _e310) * _e313);
+                                            let _e1216 = ((_e1203.member[0].y - _e310) * _e313);
+                                            let _e1217 = ((_e1203.member[0].z - _e311) * _e313);
+                                            let _e1218 = ((_e1203.member[0].w - _e311) * _e313);
+                                            let _e1228 = ((_e1203.member[1].x - _e374) * _e377);
+                                            let _e1229 = ((_e1203.member[1].y - _e374) * _e377);
+                                            let _e1230 = ((_e1203.member[1].z - _e375) * _e377);
+                                            let _e1231 = ((_e1203.member[1].w - _e375) * _e377);
+                                            let _e1241 = ((_e1203.member[2].x - _e438) * _e441);
+                                            let _e1242 = ((_e1203.member[2].y - _e438) * _e441);
+                                            let _e1243 = ((_e1203.member[2].z - _e439) * _e441);
+                                            let _e1244 = ((_e1203.member[2].w - _e439) * _e441);
+                                            let _e1246 = select(_e1243, _e1241, (_e1241 < _e1243));
+                                            let _e1248 = select(_e1244, _e1242, (_e1242 < _e1244));
+                                            let _e1250 = select(_e1243, _e1241, (_e1241 > _e1243));
+                                            let _e1252 = select(_e1244, _e1242, (_e1242 > _e1244));
+                                            let _e1254 = select(_e1217, _e1215, (_e1215 < _e1217));
+                                            let _e1256 = select(_e1218, _e1216, (_e1216 < _e1218));
+                                            let _e1258 = select(_e1230, _e1228, (_e1228 < _e1230));
+                                            let _e1260 = select(_e1231, _e1229, (_e1229 < _e1231));
+                                            let _e1262 = select(_e1258, _e1254, (_e1254 > _e1258));
+                                            let _e1264 = select(_e1260, _e1256, (_e1256 > _e1260));
+                                            let _e1266 = select(_e1246, _e1262, (_e1262 > _e1246));
+                                            let _e1268 = select(_e1248, _e1264, (_e1264 > _e1248));
+                                            let _e1270 = select(_e1217, _e1215, (_e1215 > _e1217));
+                                            let _e1272 = select(_e1218, _e1216, (_e1216 > _e1218));
+                                            let _e1274 = select(_e1230, _e1228, (_e1228 > _e1230));
+                                            let _e1276 = select(_e1231, _e1229, (_e1229 > _e1231));
+                                            let _e1278 = select(_e1274, _e1270, (_e1270 < _e1274));
+                                            let _e1280 = select(_e1276, _e1272, (_e1272 < _e1276));
+                                            let _e1285 = -(_e1246);
+                                            let _e1286 = -(_e1248);
+                                            let _e1293 = (select(_e1250, _e1278, (_e1278 < _e1250)) + (select(_e1285, _e1250, (_e1250 > _e1285)) * 0.0000019073523f));
+                                            let _e1294 = (select(_e1252, _e1280, (_e1280 < _e1252)) + (select(_e1286, _e1252, (_e1252 > _e1286)) * 0.0000019073523f));
+                                            let _e1296 = select(_e543, _e1266, (_e1266 > _e543));
+                                            let _e1298 = select(_e543, _e1268, (_e1268 > _e543));
+                                            let _e1303 = (_e1296 <= select(_e1153.member, _e1293, (_e1293 < _e1153.member)));
+                                            let _e1304 = (_e1298 <= select(_e1153.member, _e1294, (_e1294 < _e1153.member)));
+                                            let _e1305 = (_e1296 <= _e1298);
+                                            if _e1303 {
+                                                if _e1304 {
+                                                    if _e1305 {
+                                                        phi_2415_ = _e1203.member_2;
                                                     } else {
-                                                        phi_2498_ = _e1235.member_1;
+                                                        phi_2415_ = _e1203.member_1;
                                                     }
-                                                    let _e1341 = phi_2498_;
-                                                    let _e1343 = (_e592 % 128u);
-                                                    let _e1344 = (_e1343 < 128u);
-                                                    if _e1344 {
+                                                    let _e1309 = phi_2415_;
+                                                    let _e1311 = (_e578 % 128u);
+                                                    let _e1312 = (_e1311 < 128u);
+                                                    if _e1312 {
                                                     } else {
-                                                        phi_2803_ = true;
+                                                        phi_2905_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e1343] = _e1341;
-                                                    if _e1344 {
+                                                    local_1[_e1311] = _e1309;
+                                                    if _e1312 {
                                                     } else {
-                                                        phi_2803_ = true;
+                                                        phi_2905_ = true;
                                                         break;
                                                     }
-                                                    local[_e1343] = select(_e1328, _e1330, _e1337);
-                                                    if _e1337 {
-                                                        phi_2525_ = _e1235.member_1;
+                                                    local[_e1311] = select(_e1296, _e1298, _e1305);
+                                                    if _e1305 {
+                                                        phi_2442_ = _e1203.member_1;
                                                     } else {
-                                                        phi_2525_ = _e1235.member_2;
+                                                        phi_2442_ = _e1203.member_2;
                                                     }
-                                                    let _e1351 = phi_2525_;
-                                                    phi_2526_ = (_e592 + 1u);
-                                                    phi_2527_ = _e1351;
+                                                    let _e1319 = phi_2442_;
+                                                    phi_2443_ = (_e578 + 1u);
+                                                    phi_2444_ = _e1319;
                                                 } else {
-                                                    phi_2526_ = u32();
-                                                    phi_2527_ = u32();
+                                                    phi_2443_ = u32();
+                                                    phi_2444_ = u32();
                                                 }
-                                                let _e1353 = phi_2526_;
-                                                let _e1355 = phi_2527_;
-                                                phi_2529_ = _e1353;
-                                                phi_2530_ = _e1355;
-                                                phi_2531_ = select(true, false, _e1336);
+                                                let _e1321 = phi_2443_;
+                                                let _e1323 = phi_2444_;
+                                                phi_2446_ = _e1321;
+                                                phi_2447_ = _e1323;
+                                                phi_2448_ = select(true, false, _e1304);
                                             } else {
-                                                phi_2529_ = u32();
-                                                phi_2530_ = u32();
-                                                phi_2531_ = true;
+                                                phi_2446_ = u32();
+                                                phi_2447_ = u32();
+                                                phi_2448_ = true;
                                             }
-                                            let _e1358 = phi_2529_;
-                                            let _e1360 = phi_2530_;
-                                            let _e1362 = phi_2531_;
-                                            if _e1362 {
-                                                if _e1335 {
-                                                    phi_2540_ = _e1235.member_1;
+                                            let _e1326 = phi_2446_;
+                                            let _e1328 = phi_2447_;
+                                            let _e1330 = phi_2448_;
+                                            if _e1330 {
+                                                if _e1303 {
+                                                    phi_2457_ = _e1203.member_1;
                                                 } else {
-                                                    phi_2540_ = _e1235.member_2;
+                                                    phi_2457_ = _e1203.member_2;
                                                 }
-                                                let _e1366 = phi_2540_;
-                                                phi_2545_ = select(_e1336, true, _e1335);
-                                                phi_2547_ = _e1366;
+                                                let _e1334 = phi_2457_;
+                                                phi_2462_ = select(_e1304, true, _e1303);
+                                                phi_2464_ = _e1334;
                                             } else {
-                                                phi_2545_ = _e590;
-                                                phi_2547_ = _e1360;
+                                                phi_2462_ = _e576;
+                                                phi_2464_ = _e1328;
                                             }
-                                            let _e1369 = phi_2545_;
-                                            let _e1371 = phi_2547_;
-                                            phi_2551_ = _e1369;
-                                            phi_2552_ = select(_e1358, _e592, _e1362);
-                                            phi_2553_ = _e1371;
+                                            let _e1337 = phi_2462_;
+                                            let _e1339 = phi_2464_;
+                                            phi_2468_ = _e1337;
+                                            phi_2469_ = select(_e1326, _e578, _e1330);
+                                            phi_2470_ = _e1339;
                                         }
-                                        let _e1374 = phi_2551_;
-                                        let _e1376 = phi_2552_;
-                                        let _e1378 = phi_2553_;
-                                        if _e597 {
-                                            phi_2563_ = select(_e592, 0u, _e1185.member_1);
+                                        let _e1342 = phi_2468_;
+                                        let _e1344 = phi_2469_;
+                                        let _e1346 = phi_2470_;
+                                        if _e583 {
+                                            phi_2480_ = select(_e578, 0u, _e1153.member_1);
                                         } else {
-                                            phi_2563_ = _e1376;
+                                            phi_2480_ = _e1344;
                                         }
-                                        let _e1382 = phi_2563_;
-                                        phi_2806_ = _e1183;
-                                        phi_2565_ = _e1185;
-                                        phi_2566_ = (_e569 - 1u);
-                                        phi_2567_ = select(_e1374, false, _e597);
-                                        phi_2568_ = _e1382;
-                                        phi_2569_ = select(_e1378, _e594, _e597);
+                                        let _e1350 = phi_2480_;
+                                        phi_2908_ = _e1151;
+                                        phi_2482_ = _e1153;
+                                        phi_2483_ = (_e555 - 1u);
+                                        phi_2484_ = select(_e1342, false, _e583);
+                                        phi_2485_ = _e1350;
+                                        phi_2486_ = select(_e1346, _e580, _e583);
                                     } else {
-                                        phi_2806_ = _e565;
-                                        phi_2565_ = _e567;
-                                        phi_2566_ = _e569;
-                                        phi_2567_ = _e590;
-                                        phi_2568_ = _e592;
-                                        phi_2569_ = _e594;
+                                        phi_2908_ = _e551;
+                                        phi_2482_ = _e553;
+                                        phi_2483_ = _e555;
+                                        phi_2484_ = _e576;
+                                        phi_2485_ = _e578;
+                                        phi_2486_ = _e580;
                                     }
-                                    let _e1386 = phi_2806_;
-                                    let _e1388 = phi_2565_;
-                                    let _e1390 = phi_2566_;
-                                    let _e1392 = phi_2567_;
-                                    let _e1394 = phi_2568_;
-                                    let _e1396 = phi_2569_;
-                                    phi_2805_ = _e1386;
-                                    phi_2570_ = _e1388;
-                                    phi_2571_ = _e1390;
-                                    phi_2572_ = _e1392;
-                                    phi_2573_ = _e1394;
-                                    phi_2574_ = _e1396;
+                                    let _e1354 = phi_2908_;
+                                    let _e1356 = phi_2482_;
+                                    let _e1358 = phi_2483_;
+                                    let _e1360 = phi_2484_;
+                                    let _e1362 = phi_2485_;
+                                    let _e1364 = phi_2486_;
+                                    phi_2907_ = _e1354;
+                                    phi_2487_ = _e1356;
+                                    phi_2488_ = _e1358;
+                                    phi_2489_ = _e1360;
+                                    phi_2490_ = _e1362;
+                                    phi_2491_ = _e1364;
                                 } else {
-                                    phi_2805_ = _e565;
-                                    phi_2570_ = type_48();
-                                    phi_2571_ = u32();
-                                    phi_2572_ = bool();
-                                    phi_2573_ = u32();
-                                    phi_2574_ = u32();
+                                    phi_2907_ = _e551;
+                                    phi_2487_ = type_49();
+                                    phi_2488_ = u32();
+                                    phi_2489_ = bool();
+                                    phi_2490_ = u32();
+                                    phi_2491_ = u32();
                                 }
-                                let _e1398 = phi_2805_;
-                                let _e1400 = phi_2570_;
-                                let _e1402 = phi_2571_;
-                                let _e1404 = phi_2572_;
-                                let _e1406 = phi_2573_;
-                                let _e1408 = phi_2574_;
-                                phi_2804_ = _e1398;
-                                phi_952_ = _e1400;
-                                phi_955_ = _e1402;
-                                phi_957_ = _e1404;
-                                phi_959_ = _e1406;
-                                phi_961_ = _e1408;
-                                phi_2575_ = _e579;
+                                let _e1366 = phi_2907_;
+                                let _e1368 = phi_2487_;
+                                let _e1370 = phi_2488_;
+                                let _e1372 = phi_2489_;
+                                let _e1374 = phi_2490_;
+                                let _e1376 = phi_2491_;
+                                phi_2906_ = _e1366;
+                                phi_972_ = _e1368;
+                                phi_975_ = _e1370;
+                                phi_977_ = _e1372;
+                                phi_979_ = _e1374;
+                                phi_981_ = _e1376;
+                                phi_2492_ = _e565;
                             } else {
-                                phi_2804_ = _e565;
-                                phi_952_ = type_48();
-                                phi_955_ = u32();
-                                phi_957_ = bool();
-                                phi_959_ = u32();
-                                phi_961_ = u32();
-                                phi_2575_ = false;
+                                phi_2906_ = _e551;
+                                phi_972_ = type_49();
+                                phi_975_ = u32();
+                                phi_977_ = bool();
+                                phi_979_ = u32();
+                                phi_981_ = u32();
+                                phi_2492_ = false;
                             }
-                            let _e1410 = phi_2804_;
-                            let _e1412 = phi_952_;
-                            let _e1414 = phi_955_;
-                            let _e1416 = phi_957_;
-                            let _e1418 = phi_959_;
-                            let _e1420 = phi_961_;
-                            let _e1422 = phi_2575_;
+                            let _e1378 = phi_2906_;
+                            let _e1380 = phi_972_;
+                            let _e1382 = phi_975_;
+                            let _e1384 = phi_977_;
+                            let _e1386 = phi_979_;
+                            let _e1388 = phi_981_;
+                            let _e1390 = phi_2492_;
                             continue;
                             continuing {
-                                phi_2648_ = _e1410;
-                                phi_951_ = _e1412;
-                                phi_954_ = _e1414;
-                                phi_956_ = _e1416;
-                                phi_958_ = _e1418;
-                                phi_960_ = _e1420;
-                                phi_2803_ = _e1410;
-                                break if !(_e1422);
+                                phi_2745_ = _e1378;
+                                phi_971_ = _e1380;
+                                phi_974_ = _e1382;
+                                phi_976_ = _e1384;
+                                phi_978_ = _e1386;
+                                phi_980_ = _e1388;
+                                phi_2905_ = _e1378;
+                                break if !(_e1390);
                             }
                         }
-                        let _e1425 = phi_2803_;
-                        if _e1425 {
+                        let _e1393 = phi_2905_;
+                        if _e1393 {
                             break;
                         }
-                        let _e1427 = local_2;
-                        if _e1427.member_1 {
+                        let _e1395 = local_2;
+                        if _e1395.member_1 {
                         } else {
-                            if _e92 {
+                            if _e93 {
                             } else {
                                 break;
                             }
-                            let _e1431 = global_5.member[_e84];
-                            if _e85 {
+                            let _e1399 = global_5.member[_e85];
+                            if _e86 {
                             } else {
                                 break;
                             }
-                            let _e1435 = global_4.member[_e84].member_1;
-                            if _e92 {
+                            let _e1403 = global_4.member[_e85].member_1;
+                            if _e93 {
                             } else {
                                 break;
                             }
-                            global_5.member[_e84] = type_24(_e1431.member, _e1431.member_1, _e1431.member_2, array<f32, 3>((_e1431.member_3[0] + (_e1435[0] * _e1431.member_1[0])), (_e1431.member_3[1] + (_e1435[1] * _e1431.member_1[1])), (_e1431.member_3[2] + (_e1435[2] * _e1431.member_1[2]))), _e1431.member_4);
+                            global_5.member[_e85] = type_24(_e1399.member, _e1399.member_1, _e1399.member_2, array<f32, 3>((_e1399.member_3[0] + (_e1403[0] * _e1399.member_1[0])), (_e1399.member_3[1] + (_e1403[1] * _e1399.member_1[1])), (_e1399.member_3[2] + (_e1403[2] * _e1399.member_1[2]))), _e1399.member_4);
                         }
                     }
                 }

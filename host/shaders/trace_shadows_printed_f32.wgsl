@@ -65,39 +65,46 @@ struct type_41 {
 
 struct type_46 {
     member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_47 {
+    member: f32,
     member_1: bool,
 }
 
-struct type_48 {
+struct type_49 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_51 {
+struct type_52 {
     member: array<i32>,
 }
 
-struct type_55 {
+struct type_56 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_57 {
-    member: array<type_55>,
+struct type_58 {
+    member: array<type_56>,
 }
 
-struct type_60 {
+struct type_61 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_62 {
-    member: type_60,
+struct type_63 {
+    member: type_61,
     member_1: u32,
 }
 
-struct type_67 {
+struct type_68 {
     member: array<atomic<u32>>,
 }
 
@@ -107,21 +114,21 @@ var<uniform> global_1: type_12;
 @group(0) @binding(8) 
 var<storage, read_write> global_2: type_31;
 @group(0) @binding(1) 
-var<uniform> global_3: type_48;
+var<uniform> global_3: type_49;
 @group(0) @binding(2) 
-var<uniform> global_4: type_48;
+var<uniform> global_4: type_49;
 @group(0) @binding(4) 
 var<storage> global_5: type_20;
 @group(0) @binding(5) 
 var<storage> global_6: type_4;
 @group(0) @binding(6) 
-var<storage> global_7: type_51;
+var<storage> global_7: type_52;
 @group(0) @binding(9) 
-var<storage, read_write> global_8: type_67;
+var<storage, read_write> global_8: type_68;
 @group(0) @binding(7) 
 var<storage> global_9: type_37;
 @group(0) @binding(3) 
-var<storage> global_10: type_57;
+var<storage> global_10: type_58;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -134,524 +141,481 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_285_: u32;
-    var phi_329_: i32;
-    var phi_469_: type_41;
-    var phi_619_: i32;
-    var phi_620_: i32;
-    var phi_630_: bool;
-    var phi_640_: u32;
-    var phi_641_: u32;
-    var phi_643_: bool;
-    var phi_648_: u32;
-    var phi_681_: i32;
-    var phi_699_: f32;
-    var phi_705_: f32;
-    var phi_745_: f32;
-    var phi_751_: f32;
-    var phi_803_: f32;
-    var phi_815_: f32;
-    var phi_824_: f32;
-    var phi_830_: f32;
-    var phi_870_: f32;
-    var phi_876_: f32;
-    var phi_928_: f32;
-    var phi_940_: f32;
-    var phi_949_: f32;
-    var phi_955_: f32;
-    var phi_995_: f32;
-    var phi_1001_: f32;
-    var phi_1053_: f32;
-    var phi_1065_: f32;
-    var phi_1120_: i32;
-    var phi_1142_: u32;
-    var phi_1143_: u32;
-    var phi_1180_: i32;
-    var phi_1202_: u32;
-    var phi_1203_: u32;
-    var phi_1211_: f32;
-    var phi_1212_: f32;
-    var phi_3930_: bool;
-    var phi_1295_: type_46;
-    var phi_1298_: u32;
-    var phi_1300_: bool;
-    var phi_1302_: u32;
-    var phi_1304_: type_62;
-    var phi_1315_: bool;
-    var phi_1401_: bool;
-    var phi_1402_: u32;
-    var phi_1403_: type_62;
-    var phi_1421_: type_46;
-    var phi_1424_: type_8;
-    var phi_1425_: type_8;
-    var phi_1447_: type_8;
-    var phi_1468_: u32;
-    var phi_1560_: array<array<f32, 3>, 3>;
-    var phi_1712_: bool;
-    var phi_1741_: bool;
-    var phi_2160_: f32;
-    var phi_2161_: f32;
-    var phi_2162_: f32;
-    var phi_2163_: f32;
-    var phi_2164_: vec3<f32>;
-    var phi_2165_: vec3<f32>;
-    var phi_2166_: vec3<f32>;
-    var phi_2167_: vec3<f32>;
-    var phi_2204_: bool;
-    var phi_2213_: vec3<f32>;
-    var phi_2378_: f32;
-    var phi_2380_: f32;
-    var phi_2381_: bool;
-    var phi_2401_: f32;
-    var phi_2402_: f32;
-    var phi_2425_: type_27;
-    var phi_2427_: type_27;
-    var phi_2428_: bool;
-    var phi_2432_: type_27;
-    var phi_2433_: type_27;
-    var phi_2434_: type_27;
-    var phi_2435_: bool;
-    var phi_2439_: type_27;
-    var phi_2440_: bool;
-    var phi_2441_: type_27;
-    var phi_2442_: bool;
-    var phi_2443_: bool;
-    var phi_2444_: type_27;
-    var phi_2445_: bool;
-    var phi_2446_: bool;
-    var phi_2454_: type_27;
-    var phi_2455_: bool;
-    var phi_2459_: type_27;
-    var phi_2482_: u32;
-    var phi_2496_: i32;
-    var phi_2518_: vec3<f32>;
-    var phi_2519_: vec3<f32>;
-    var phi_2537_: vec3<f32>;
-    var phi_2538_: vec3<f32>;
-    var phi_2556_: vec3<f32>;
-    var phi_2557_: vec3<f32>;
-    var phi_2593_: vec3<f32>;
-    var phi_2775_: f32;
-    var phi_2793_: bool;
-    var phi_2794_: bool;
-    var phi_2799_: type_46;
-    var phi_2800_: type_46;
-    var phi_1422_: type_46;
-    var phi_3924_: bool;
-    var phi_4175_: bool;
-    var phi_2801_: type_46;
-    var phi_2822_: type_55;
-    var phi_3708_: type_62;
-    var phi_3784_: type_62;
-    var phi_3785_: u32;
-    var phi_3786_: type_62;
-    var phi_3788_: u32;
-    var phi_3789_: type_62;
-    var phi_3790_: bool;
-    var phi_3797_: type_62;
-    var phi_3802_: bool;
-    var phi_3804_: type_62;
-    var phi_3808_: bool;
-    var phi_3809_: u32;
-    var phi_3810_: type_62;
-    var phi_3820_: u32;
-    var phi_3821_: type_62;
-    var phi_4119_: bool;
-    var phi_3822_: type_46;
-    var phi_3823_: u32;
-    var phi_3824_: bool;
-    var phi_3825_: u32;
-    var phi_3826_: type_62;
-    var phi_4118_: bool;
-    var phi_3827_: type_46;
-    var phi_3828_: u32;
-    var phi_3829_: bool;
-    var phi_3830_: u32;
-    var phi_3831_: type_62;
-    var phi_4117_: bool;
-    var phi_1296_: type_46;
-    var phi_1299_: u32;
-    var phi_1301_: bool;
-    var phi_1303_: u32;
-    var phi_1305_: type_62;
-    var phi_3832_: bool;
-    var phi_4116_: bool;
-    var local_10: type_46;
-    var local_11: type_46;
+    var phi_305_: u32;
+    var phi_349_: i32;
+    var phi_489_: type_41;
+    var phi_639_: i32;
+    var phi_640_: i32;
+    var phi_650_: bool;
+    var phi_660_: u32;
+    var phi_661_: u32;
+    var phi_663_: bool;
+    var phi_668_: u32;
+    var phi_701_: i32;
+    var phi_719_: f32;
+    var phi_725_: f32;
+    var phi_765_: f32;
+    var phi_771_: f32;
+    var phi_844_: f32;
+    var phi_850_: f32;
+    var phi_890_: f32;
+    var phi_896_: f32;
+    var phi_969_: f32;
+    var phi_975_: f32;
+    var phi_1015_: f32;
+    var phi_1021_: f32;
+    var phi_1140_: i32;
+    var phi_1162_: u32;
+    var phi_1163_: u32;
+    var phi_1200_: i32;
+    var phi_1222_: u32;
+    var phi_1223_: u32;
+    var phi_1231_: f32;
+    var phi_1232_: f32;
+    var phi_4027_: bool;
+    var phi_1315_: type_47;
+    var phi_1318_: u32;
+    var phi_1320_: bool;
+    var phi_1322_: u32;
+    var phi_1324_: type_63;
+    var phi_1335_: bool;
+    var phi_1421_: bool;
+    var phi_1422_: u32;
+    var phi_1423_: type_63;
+    var phi_1441_: type_47;
+    var phi_1444_: type_8;
+    var phi_1445_: type_8;
+    var phi_1467_: type_8;
+    var phi_1488_: u32;
+    var phi_1580_: array<array<f32, 3>, 3>;
+    var phi_3822_: bool;
+    var phi_3837_: bool;
+    var phi_3852_: bool;
+    var phi_3867_: bool;
+    var phi_3882_: bool;
+    var phi_3897_: bool;
+    var phi_2122_: f32;
+    var phi_2123_: f32;
+    var phi_2124_: f32;
+    var phi_2125_: f32;
+    var phi_2126_: vec3<f32>;
+    var phi_2127_: vec3<f32>;
+    var phi_2128_: vec3<f32>;
+    var phi_2129_: vec3<f32>;
+    var phi_3912_: bool;
+    var phi_3927_: bool;
+    var phi_3942_: bool;
+    var phi_3957_: bool;
+    var phi_3972_: bool;
+    var phi_3987_: bool;
+    var phi_2337_: f32;
+    var phi_2357_: type_46;
+    var phi_2358_: type_46;
+    var phi_2361_: type_46;
+    var phi_2362_: type_46;
+    var phi_2363_: bool;
+    var phi_2367_: type_46;
+    var phi_2376_: type_27;
+    var phi_2399_: u32;
+    var phi_2413_: i32;
+    var phi_2435_: vec3<f32>;
+    var phi_2436_: vec3<f32>;
+    var phi_2454_: vec3<f32>;
+    var phi_2455_: vec3<f32>;
+    var phi_2473_: vec3<f32>;
+    var phi_2474_: vec3<f32>;
+    var phi_2510_: vec3<f32>;
+    var phi_2692_: f32;
+    var phi_2710_: bool;
+    var phi_2711_: bool;
+    var phi_2716_: type_47;
+    var phi_2717_: type_47;
+    var phi_1442_: type_47;
+    var phi_4021_: bool;
+    var phi_4277_: bool;
+    var phi_2718_: type_47;
+    var phi_2739_: type_56;
+    var phi_3625_: type_63;
+    var phi_3701_: type_63;
+    var phi_3702_: u32;
+    var phi_3703_: type_63;
+    var phi_3705_: u32;
+    var phi_3706_: type_63;
+    var phi_3707_: bool;
+    var phi_3714_: type_63;
+    var phi_3719_: bool;
+    var phi_3721_: type_63;
+    var phi_3725_: bool;
+    var phi_3726_: u32;
+    var phi_3727_: type_63;
+    var phi_3737_: u32;
+    var phi_3738_: type_63;
+    var phi_4221_: bool;
+    var phi_3739_: type_47;
+    var phi_3740_: u32;
+    var phi_3741_: bool;
+    var phi_3742_: u32;
+    var phi_3743_: type_63;
+    var phi_4220_: bool;
+    var phi_3744_: type_47;
+    var phi_3745_: u32;
+    var phi_3746_: bool;
+    var phi_3747_: u32;
+    var phi_3748_: type_63;
+    var phi_4219_: bool;
+    var phi_1316_: type_47;
+    var phi_1319_: u32;
+    var phi_1321_: bool;
+    var phi_1323_: u32;
+    var phi_1325_: type_63;
+    var phi_3749_: bool;
+    var phi_4218_: bool;
+    var local_10: type_47;
+    var local_11: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e92 = global;
-            let _e95 = arrayLength((&global_10.member));
-            let _e97 = arrayLength((&global_5.member));
-            let _e109 = arrayLength((&global_8.member));
-            let _e113 = global_4.member[0u][0u];
-            let _e117 = global_4.member[0u][1u];
-            let _e121 = global_4.member[0u][2u];
-            let _e125 = global_4.member[1u][0u];
-            let _e129 = global_4.member[1u][1u];
-            let _e133 = global_4.member[1u][2u];
-            let _e137 = global_4.member[1u][3u];
-            let _e141 = (_e92.x + (_e92.y * 2097152u));
-            let _e148 = (_e141 < arrayLength((&global_9.member)));
-            if _e148 {
-                if _e148 {
+            let _e93 = global;
+            let _e96 = arrayLength((&global_10.member));
+            let _e98 = arrayLength((&global_5.member));
+            let _e110 = arrayLength((&global_8.member));
+            let _e114 = global_4.member[0u][0u];
+            let _e118 = global_4.member[0u][1u];
+            let _e122 = global_4.member[0u][2u];
+            let _e126 = global_4.member[1u][0u];
+            let _e130 = global_4.member[1u][1u];
+            let _e134 = global_4.member[1u][2u];
+            let _e138 = global_4.member[1u][3u];
+            let _e142 = (_e93.x + (_e93.y * 2097152u));
+            let _e149 = (_e142 < arrayLength((&global_9.member)));
+            if _e149 {
+                if _e149 {
                 } else {
                     break;
                 }
-                let _e152 = global_9.member[_e141].member_2;
-                phi_285_ = _e152;
+                let _e153 = global_9.member[_e142].member_2;
+                phi_305_ = _e153;
             } else {
-                phi_285_ = 4294967295u;
+                phi_305_ = 4294967295u;
             }
-            let _e154 = phi_285_;
-            let _e157 = global_1.member[0u];
-            let _e161 = global_3.member[0u][0u];
-            let _e165 = global_3.member[0u][1u];
-            let _e169 = global_3.member[0u][2u];
-            let _e173 = global_3.member[0u][3u];
-            let _e177 = global_3.member[1u][0u];
-            let _e181 = global_3.member[1u][1u];
-            let _e185 = global_3.member[1u][2u];
-            let _e189 = global_3.member[1u][3u];
-            let _e190 = bitcast<f32>(_e161);
-            let _e191 = bitcast<f32>(_e165);
-            let _e192 = bitcast<f32>(_e169);
-            let _e194 = bitcast<f32>(_e177);
-            let _e195 = array<u32, 3>(_e181, _e185, _e189);
-            let _e197 = bitcast<i32>(_e157);
-            if (_e197 < -126i) {
-                phi_329_ = -126i;
+            let _e155 = phi_305_;
+            let _e158 = global_1.member[0u];
+            let _e162 = global_3.member[0u][0u];
+            let _e166 = global_3.member[0u][1u];
+            let _e170 = global_3.member[0u][2u];
+            let _e174 = global_3.member[0u][3u];
+            let _e178 = global_3.member[1u][0u];
+            let _e182 = global_3.member[1u][1u];
+            let _e186 = global_3.member[1u][2u];
+            let _e190 = global_3.member[1u][3u];
+            let _e191 = bitcast<f32>(_e162);
+            let _e192 = bitcast<f32>(_e166);
+            let _e193 = bitcast<f32>(_e170);
+            let _e195 = bitcast<f32>(_e178);
+            let _e196 = array<u32, 3>(_e182, _e186, _e190);
+            let _e198 = bitcast<i32>(_e158);
+            if (_e198 < -126i) {
+                phi_349_ = -126i;
             } else {
-                phi_329_ = select(_e197, 127i, (_e197 > 127i));
+                phi_349_ = select(_e198, 127i, (_e198 > 127i));
             }
-            let _e202 = phi_329_;
-            let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
-            let _e213 = bitcast<f32>((bitcast<u32>(((_e197 - _e202) + 127i)) << bitcast<u32>(23i)));
-            if (_e173 == 0u) {
-                phi_469_ = type_41(array<f32, 3>(_e190, _e191, _e192), _e173, _e194, _e195);
+            let _e203 = phi_349_;
+            let _e208 = bitcast<f32>((bitcast<u32>((_e203 + 127i)) << bitcast<u32>(23i)));
+            let _e214 = bitcast<f32>((bitcast<u32>(((_e198 - _e203) + 127i)) << bitcast<u32>(23i)));
+            if (_e174 == 0u) {
+                phi_489_ = type_41(array<f32, 3>(_e191, _e192, _e193), _e174, _e195, _e196);
             } else {
-                let _e215 = bitcast<u32>(_e190);
-                let _e217 = ((_e215 & 2139095040u) != 0u);
-                let _e232 = bitcast<u32>(_e191);
-                let _e234 = ((_e232 & 2139095040u) != 0u);
-                let _e249 = bitcast<u32>(_e192);
-                let _e251 = ((_e249 & 2139095040u) != 0u);
-                let _e267 = bitcast<u32>(_e194);
-                let _e269 = ((_e267 & 2139095040u) != 0u);
-                phi_469_ = type_41(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e215 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e215 & 2147483648u))), _e190, _e217) * _e207) * select(0.00000011920929f, 1f, _e217)) * _e213), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e232 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e232 & 2147483648u))), _e191, _e234) * _e207) * select(0.00000011920929f, 1f, _e234)) * _e213), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e249 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e249 & 2147483648u))), _e192, _e251) * _e207) * select(0.00000011920929f, 1f, _e251)) * _e213)), _e173, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e194, _e269) * _e207) * select(0.00000011920929f, 1f, _e269)) * _e213), _e195);
+                let _e216 = bitcast<u32>(_e191);
+                let _e218 = ((_e216 & 2139095040u) != 0u);
+                let _e233 = bitcast<u32>(_e192);
+                let _e235 = ((_e233 & 2139095040u) != 0u);
+                let _e250 = bitcast<u32>(_e193);
+                let _e252 = ((_e250 & 2139095040u) != 0u);
+                let _e268 = bitcast<u32>(_e195);
+                let _e270 = ((_e268 & 2139095040u) != 0u);
+                phi_489_ = type_41(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e216 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e216 & 2147483648u))), _e191, _e218) * _e208) * select(0.00000011920929f, 1f, _e218)) * _e214), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e233 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e233 & 2147483648u))), _e192, _e235) * _e208) * select(0.00000011920929f, 1f, _e235)) * _e214), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e250 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e250 & 2147483648u))), _e193, _e252) * _e208) * select(0.00000011920929f, 1f, _e252)) * _e214)), _e174, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e268 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e268 & 2147483648u))), _e195, _e270) * _e208) * select(0.00000011920929f, 1f, _e270)) * _e214), _e196);
             }
-            let _e286 = phi_469_;
-            if _e148 {
-                let _e287 = (_e141 < arrayLength((&global_2.member)));
-                if _e287 {
-                    if _e148 {
+            let _e287 = phi_489_;
+            if _e149 {
+                let _e288 = (_e142 < arrayLength((&global_2.member)));
+                if _e288 {
+                    if _e149 {
                     } else {
                         break;
                     }
-                    let _e292 = global_9.member[_e141].member.member_1;
-                    let _e297 = global_9.member[_e141].member.member_3;
-                    if (_e292 <= _e297) {
-                        let _e299 = (1u < _e109);
-                        if _e299 {
-                            if (0u < _e109) {
+                    let _e293 = global_9.member[_e142].member.member_1;
+                    let _e298 = global_9.member[_e142].member.member_3;
+                    if (_e293 <= _e298) {
+                        let _e300 = (1u < _e110);
+                        if _e300 {
+                            if (0u < _e110) {
                             } else {
                                 break;
                             }
-                            let _e303 = atomicAdd((&global_8.member[0u]), 1u);
-                            if ((_e303 + 1u) < _e303) {
-                                if _e299 {
+                            let _e304 = atomicAdd((&global_8.member[0u]), 1u);
+                            if ((_e304 + 1u) < _e304) {
+                                if _e300 {
                                 } else {
                                     break;
                                 }
-                                let _e308 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e309 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
-                        if _e148 {
+                        if _e149 {
                         } else {
                             break;
                         }
-                        let _e318 = global_9.member[_e141].member.member_2[0u];
-                        let _e320 = (bitcast<u32>(_e318) & 2147483647u);
-                        let _e326 = global_9.member[_e141].member.member_2[1u];
-                        let _e328 = (bitcast<u32>(_e326) & 2147483647u);
-                        let _e334 = global_9.member[_e141].member.member_2[2u];
-                        let _e336 = (bitcast<u32>(_e334) & 2147483647u);
-                        let _e342 = global_9.member[_e141].member.member[0u];
-                        let _e344 = (bitcast<u32>(_e342) & 2147483647u);
-                        let _e350 = global_9.member[_e141].member.member[1u];
-                        let _e352 = (bitcast<u32>(_e350) & 2147483647u);
-                        let _e358 = global_9.member[_e141].member.member[2u];
-                        let _e360 = (bitcast<u32>(_e358) & 2147483647u);
-                        let _e362 = select(_e328, _e320, (_e328 < _e320));
-                        let _e364 = select(_e336, _e362, (_e336 < _e362));
-                        let _e366 = select(_e344, _e364, (_e344 < _e364));
-                        let _e368 = select(_e352, _e366, (_e352 < _e366));
-                        let _e370 = select(_e360, _e368, (_e360 < _e368));
-                        let _e371 = bitcast<u32>(_e292);
-                        let _e372 = (_e371 & 2147483647u);
-                        let _e376 = bitcast<u32>(_e297);
-                        let _e377 = (_e376 & 2147483647u);
-                        let _e381 = (((select(_e372, _e370, (_e372 < _e370)) < 2139095040u) && (_e377 <= 2139095040u)) && (_e364 > 0u));
-                        if _e381 {
-                            let _e384 = (bitcast<u32>(bitcast<f32>(_e364)) & 2147483647u);
-                            if (_e384 >= 8388608u) {
-                                phi_619_ = (bitcast<i32>((_e384 >> bitcast<u32>(23i))) - 127i);
+                        let _e319 = global_9.member[_e142].member.member_2[0u];
+                        let _e321 = (bitcast<u32>(_e319) & 2147483647u);
+                        let _e327 = global_9.member[_e142].member.member_2[1u];
+                        let _e329 = (bitcast<u32>(_e327) & 2147483647u);
+                        let _e335 = global_9.member[_e142].member.member_2[2u];
+                        let _e337 = (bitcast<u32>(_e335) & 2147483647u);
+                        let _e343 = global_9.member[_e142].member.member[0u];
+                        let _e345 = (bitcast<u32>(_e343) & 2147483647u);
+                        let _e351 = global_9.member[_e142].member.member[1u];
+                        let _e353 = (bitcast<u32>(_e351) & 2147483647u);
+                        let _e359 = global_9.member[_e142].member.member[2u];
+                        let _e361 = (bitcast<u32>(_e359) & 2147483647u);
+                        let _e363 = select(_e329, _e321, (_e329 < _e321));
+                        let _e365 = select(_e337, _e363, (_e337 < _e363));
+                        let _e367 = select(_e345, _e365, (_e345 < _e365));
+                        let _e369 = select(_e353, _e367, (_e353 < _e367));
+                        let _e371 = select(_e361, _e369, (_e361 < _e369));
+                        let _e372 = bitcast<u32>(_e293);
+                        let _e373 = (_e372 & 2147483647u);
+                        let _e377 = bitcast<u32>(_e298);
+                        let _e378 = (_e377 & 2147483647u);
+                        let _e382 = (((select(_e373, _e371, (_e373 < _e371)) < 2139095040u) && (_e378 <= 2139095040u)) && (_e365 > 0u));
+                        if _e382 {
+                            let _e385 = (bitcast<u32>(bitcast<f32>(_e365)) & 2147483647u);
+                            if (_e385 >= 8388608u) {
+                                phi_639_ = (bitcast<i32>((_e385 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_619_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e384)), 32u, (_e384 == 0u))));
+                                phi_639_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e385)), 32u, (_e385 == 0u))));
                             }
-                            let _e398 = phi_619_;
-                            phi_620_ = _e398;
+                            let _e399 = phi_639_;
+                            phi_640_ = _e399;
                         } else {
-                            phi_620_ = 0i;
+                            phi_640_ = 0i;
                         }
-                        let _e400 = phi_620_;
-                        let _e401 = (_e320 == _e364);
-                        if _e401 {
-                            phi_630_ = true;
+                        let _e401 = phi_640_;
+                        let _e402 = (_e321 == _e365);
+                        if _e402 {
+                            phi_650_ = true;
                         } else {
-                            phi_630_ = (_e328 == _e364);
+                            phi_650_ = (_e329 == _e365);
                         }
-                        let _e404 = phi_630_;
-                        let _e405 = select(1u, 0u, _e401);
-                        if _e404 {
-                            let _e406 = (_e405 + 1u);
-                            phi_640_ = _e406;
-                            phi_641_ = _e406;
-                            phi_643_ = select(true, false, (_e406 == 2u));
+                        let _e405 = phi_650_;
+                        let _e406 = select(1u, 0u, _e402);
+                        if _e405 {
+                            let _e407 = (_e406 + 1u);
+                            phi_660_ = _e407;
+                            phi_661_ = _e407;
+                            phi_663_ = select(true, false, (_e407 == 2u));
                         } else {
-                            phi_640_ = u32();
-                            phi_641_ = 0u;
-                            phi_643_ = true;
+                            phi_660_ = u32();
+                            phi_661_ = 0u;
+                            phi_663_ = true;
                         }
-                        let _e410 = phi_640_;
-                        let _e412 = phi_641_;
-                        let _e414 = phi_643_;
-                        if _e414 {
-                            phi_648_ = (_e412 + 1u);
+                        let _e411 = phi_660_;
+                        let _e413 = phi_661_;
+                        let _e415 = phi_663_;
+                        if _e415 {
+                            phi_668_ = (_e413 + 1u);
                         } else {
-                            phi_648_ = 0u;
+                            phi_668_ = 0u;
                         }
-                        let _e418 = phi_648_;
-                        let _e419 = select(_e410, _e412, _e414);
-                        let _e420 = select(_e405, select(2u, _e405, _e404), _e414);
-                        let _e421 = -(_e400);
-                        if (_e421 < -126i) {
-                            phi_681_ = -126i;
+                        let _e419 = phi_668_;
+                        let _e420 = select(_e411, _e413, _e415);
+                        let _e421 = select(_e406, select(2u, _e406, _e405), _e415);
+                        let _e422 = -(_e401);
+                        if (_e422 < -126i) {
+                            phi_701_ = -126i;
                         } else {
-                            phi_681_ = select(_e421, 127i, (_e421 > 127i));
+                            phi_701_ = select(_e422, 127i, (_e422 > 127i));
                         }
-                        let _e426 = phi_681_;
-                        let _e431 = bitcast<f32>((bitcast<u32>((_e426 + 127i)) << bitcast<u32>(23i)));
-                        let _e437 = bitcast<f32>((bitcast<u32>(((_e421 - _e426) + 127i)) << bitcast<u32>(23i)));
-                        let _e442 = global_9.member[_e141].member.member;
-                        let _e443 = (_e419 == 0u);
-                        if _e443 {
-                            phi_699_ = _e442[0];
+                        let _e427 = phi_701_;
+                        let _e432 = bitcast<f32>((bitcast<u32>((_e427 + 127i)) << bitcast<u32>(23i)));
+                        let _e438 = bitcast<f32>((bitcast<u32>(((_e422 - _e427) + 127i)) << bitcast<u32>(23i)));
+                        let _e443 = global_9.member[_e142].member.member;
+                        let _e444 = (_e420 == 0u);
+                        if _e444 {
+                            phi_719_ = _e443[0];
                         } else {
-                            phi_699_ = _e442[1];
+                            phi_719_ = _e443[1];
                         }
-                        let _e447 = phi_699_;
-                        let _e448 = (_e419 == 2u);
-                        if _e448 {
-                            phi_705_ = _e442[2];
+                        let _e448 = phi_719_;
+                        let _e449 = (_e420 == 2u);
+                        if _e449 {
+                            phi_725_ = _e443[2];
                         } else {
-                            phi_705_ = _e447;
+                            phi_725_ = _e448;
                         }
-                        let _e451 = phi_705_;
-                        let _e452 = bitcast<u32>(_e451);
-                        let _e454 = ((_e452 & 2139095040u) != 0u);
-                        let _e466 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * select(0.00000011920929f, 1f, _e454));
-                        let _e467 = global_9.member[_e141].member.member_2;
-                        if _e443 {
-                            phi_745_ = _e467[0];
+                        let _e452 = phi_725_;
+                        let _e453 = bitcast<u32>(_e452);
+                        let _e455 = ((_e453 & 2139095040u) != 0u);
+                        let _e467 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e453 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e453 & 2147483648u))), _e452, _e455) * select(0.00000011920929f, 1f, _e455));
+                        let _e468 = global_9.member[_e142].member.member_2;
+                        if _e444 {
+                            phi_765_ = _e468[0];
                         } else {
-                            phi_745_ = _e467[1];
+                            phi_765_ = _e468[1];
                         }
-                        let _e471 = phi_745_;
-                        if _e448 {
-                            phi_751_ = _e467[2];
+                        let _e472 = phi_765_;
+                        if _e449 {
+                            phi_771_ = _e468[2];
                         } else {
-                            phi_751_ = _e471;
+                            phi_771_ = _e472;
                         }
-                        let _e474 = phi_751_;
-                        let _e475 = bitcast<u32>(_e474);
-                        let _e477 = ((_e475 & 2139095040u) != 0u);
-                        let _e491 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e475 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e475 & 2147483648u))), _e474, _e477) * _e431) * select(0.00000011920929f, 1f, _e477)) * _e437);
-                        let _e495 = (bitcast<f32>((bitcast<u32>(_e491) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e495 {
-                            let _e499 = (bitcast<f32>((bitcast<u32>(_e466) & 2147483647u)) * 0.00000011920929f);
-                            phi_803_ = select(0.00000000000011368684f, _e499, (_e499 > 0.00000000000011368684f));
+                        let _e475 = phi_771_;
+                        let _e476 = bitcast<u32>(_e475);
+                        let _e478 = ((_e476 & 2139095040u) != 0u);
+                        let _e492 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e476 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e476 & 2147483648u))), _e475, _e478) * _e432) * select(0.00000011920929f, 1f, _e478)) * _e438);
+                        let _e496 = (bitcast<f32>((bitcast<u32>(_e492) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e499 = bitcast<f32>((bitcast<u32>(_e467) & 2147483647u));
+                        let _e500 = (_e499 * 0.00000011920929f);
+                        let _e503 = select(select(0.00000000000011368684f, _e500, (_e500 > 0.00000000000011368684f)), 0f, _e496);
+                        let _e504 = select(0f, _e492, _e496);
+                        let _e505 = (_e467 + _e503);
+                        let _e506 = (_e467 - _e503);
+                        let _e508 = select(38685626000000000000000000f, (1f / _e492), _e496);
+                        let _e509 = (_e419 == 0u);
+                        if _e509 {
+                            phi_844_ = _e443[0];
                         } else {
-                            phi_803_ = 0f;
+                            phi_844_ = _e443[1];
                         }
-                        let _e503 = phi_803_;
-                        let _e504 = (_e466 + _e503);
-                        let _e505 = (_e466 - _e503);
-                        let _e506 = select(_e491, 0f, _e495);
-                        if _e495 {
-                            phi_815_ = 38685626000000000000000000f;
+                        let _e513 = phi_844_;
+                        let _e514 = (_e419 == 2u);
+                        if _e514 {
+                            phi_850_ = _e443[2];
                         } else {
-                            phi_815_ = (1f / _e491);
+                            phi_850_ = _e513;
                         }
-                        let _e509 = phi_815_;
-                        let _e510 = (_e418 == 0u);
-                        if _e510 {
-                            phi_824_ = _e442[0];
+                        let _e517 = phi_850_;
+                        let _e518 = bitcast<u32>(_e517);
+                        let _e520 = ((_e518 & 2139095040u) != 0u);
+                        let _e532 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e518 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e518 & 2147483648u))), _e517, _e520) * select(0.00000011920929f, 1f, _e520));
+                        if _e509 {
+                            phi_890_ = _e468[0];
                         } else {
-                            phi_824_ = _e442[1];
+                            phi_890_ = _e468[1];
                         }
-                        let _e514 = phi_824_;
-                        let _e515 = (_e418 == 2u);
-                        if _e515 {
-                            phi_830_ = _e442[2];
+                        let _e536 = phi_890_;
+                        if _e514 {
+                            phi_896_ = _e468[2];
                         } else {
-                            phi_830_ = _e514;
+                            phi_896_ = _e536;
                         }
-                        let _e518 = phi_830_;
-                        let _e519 = bitcast<u32>(_e518);
-                        let _e521 = ((_e519 & 2139095040u) != 0u);
-                        let _e533 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e519 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e519 & 2147483648u))), _e518, _e521) * select(0.00000011920929f, 1f, _e521));
-                        if _e510 {
-                            phi_870_ = _e467[0];
+                        let _e539 = phi_896_;
+                        let _e540 = bitcast<u32>(_e539);
+                        let _e542 = ((_e540 & 2139095040u) != 0u);
+                        let _e556 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e540 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e540 & 2147483648u))), _e539, _e542) * _e432) * select(0.00000011920929f, 1f, _e542)) * _e438);
+                        let _e560 = (bitcast<f32>((bitcast<u32>(_e556) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e563 = bitcast<f32>((bitcast<u32>(_e532) & 2147483647u));
+                        let _e564 = (_e563 * 0.00000011920929f);
+                        let _e567 = select(select(0.00000000000011368684f, _e564, (_e564 > 0.00000000000011368684f)), 0f, _e560);
+                        let _e568 = select(0f, _e556, _e560);
+                        let _e569 = (_e532 + _e567);
+                        let _e570 = (_e532 - _e567);
+                        let _e572 = select(38685626000000000000000000f, (1f / _e556), _e560);
+                        let _e573 = (_e421 == 0u);
+                        if _e573 {
+                            phi_969_ = _e443[0];
                         } else {
-                            phi_870_ = _e467[1];
+                            phi_969_ = _e443[1];
                         }
-                        let _e537 = phi_870_;
-                        if _e515 {
-                            phi_876_ = _e467[2];
+                        let _e577 = phi_969_;
+                        let _e578 = (_e421 == 2u);
+                        if _e578 {
+                            phi_975_ = _e443[2];
                         } else {
-                            phi_876_ = _e537;
+                            phi_975_ = _e577;
                         }
-                        let _e540 = phi_876_;
-                        let _e541 = bitcast<u32>(_e540);
-                        let _e543 = ((_e541 & 2139095040u) != 0u);
-                        let _e557 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e541 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e541 & 2147483648u))), _e540, _e543) * _e431) * select(0.00000011920929f, 1f, _e543)) * _e437);
-                        let _e561 = (bitcast<f32>((bitcast<u32>(_e557) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e561 {
-                            let _e565 = (bitcast<f32>((bitcast<u32>(_e533) & 2147483647u)) * 0.00000011920929f);
-                            phi_928_ = select(0.00000000000011368684f, _e565, (_e565 > 0.00000000000011368684f));
+                        let _e581 = phi_975_;
+                        let _e582 = bitcast<u32>(_e581);
+                        let _e584 = ((_e582 & 2139095040u) != 0u);
+                        let _e596 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e582 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e582 & 2147483648u))), _e581, _e584) * select(0.00000011920929f, 1f, _e584));
+                        if _e573 {
+                            phi_1015_ = _e468[0];
                         } else {
-                            phi_928_ = 0f;
+                            phi_1015_ = _e468[1];
                         }
-                        let _e569 = phi_928_;
-                        let _e570 = (_e533 + _e569);
-                        let _e571 = (_e533 - _e569);
-                        let _e572 = select(_e557, 0f, _e561);
-                        if _e561 {
-                            phi_940_ = 38685626000000000000000000f;
+                        let _e600 = phi_1015_;
+                        if _e578 {
+                            phi_1021_ = _e468[2];
                         } else {
-                            phi_940_ = (1f / _e557);
+                            phi_1021_ = _e600;
                         }
-                        let _e575 = phi_940_;
-                        let _e576 = (_e420 == 0u);
-                        if _e576 {
-                            phi_949_ = _e442[0];
-                        } else {
-                            phi_949_ = _e442[1];
-                        }
-                        let _e580 = phi_949_;
-                        let _e581 = (_e420 == 2u);
-                        if _e581 {
-                            phi_955_ = _e442[2];
-                        } else {
-                            phi_955_ = _e580;
-                        }
-                        let _e584 = phi_955_;
-                        let _e585 = bitcast<u32>(_e584);
-                        let _e587 = ((_e585 & 2139095040u) != 0u);
-                        let _e599 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e585 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e585 & 2147483648u))), _e584, _e587) * select(0.00000011920929f, 1f, _e587));
-                        if _e576 {
-                            phi_995_ = _e467[0];
-                        } else {
-                            phi_995_ = _e467[1];
-                        }
-                        let _e603 = phi_995_;
-                        if _e581 {
-                            phi_1001_ = _e467[2];
-                        } else {
-                            phi_1001_ = _e603;
-                        }
-                        let _e606 = phi_1001_;
-                        let _e607 = bitcast<u32>(_e606);
-                        let _e609 = ((_e607 & 2139095040u) != 0u);
-                        let _e623 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e607 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e607 & 2147483648u))), _e606, _e609) * _e431) * select(0.00000011920929f, 1f, _e609)) * _e437);
-                        let _e627 = (bitcast<f32>((bitcast<u32>(_e623) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e627 {
-                            let _e631 = (bitcast<f32>((bitcast<u32>(_e599) & 2147483647u)) * 0.00000011920929f);
-                            phi_1053_ = select(0.00000000000011368684f, _e631, (_e631 > 0.00000000000011368684f));
-                        } else {
-                            phi_1053_ = 0f;
-                        }
-                        let _e635 = phi_1053_;
-                        let _e636 = (_e599 + _e635);
-                        let _e637 = (_e599 - _e635);
-                        let _e638 = select(_e623, 0f, _e627);
-                        if _e627 {
-                            phi_1065_ = 38685626000000000000000000f;
-                        } else {
-                            phi_1065_ = (1f / _e623);
-                        }
-                        let _e641 = phi_1065_;
-                        let _e644 = bitcast<f32>((bitcast<u32>(_e466) & 2147483647u));
-                        let _e647 = bitcast<f32>((bitcast<u32>(_e533) & 2147483647u));
-                        let _e649 = select(_e647, _e644, (_e644 > _e647));
-                        let _e652 = bitcast<f32>((bitcast<u32>(_e599) & 2147483647u));
-                        if (_e381 && (select(_e652, _e649, (_e649 > _e652)) <= 1099511600000f)) {
-                            let _e664 = ((_e372 & 8388607u) | (select(0u, 1u, ((_e372 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e667 = bitcast<i32>((_e372 >> bitcast<u32>(23i)));
-                            let _e671 = (_e664 == 0u);
-                            let _e674 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e664)), 32u, _e671)) - 8i);
-                            if (_e667 == 255i) {
-                                phi_1120_ = 255i;
+                        let _e603 = phi_1021_;
+                        let _e604 = bitcast<u32>(_e603);
+                        let _e606 = ((_e604 & 2139095040u) != 0u);
+                        let _e620 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e604 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e604 & 2147483648u))), _e603, _e606) * _e432) * select(0.00000011920929f, 1f, _e606)) * _e438);
+                        let _e624 = (bitcast<f32>((bitcast<u32>(_e620) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e627 = bitcast<f32>((bitcast<u32>(_e596) & 2147483647u));
+                        let _e628 = (_e627 * 0.00000011920929f);
+                        let _e631 = select(select(0.00000000000011368684f, _e628, (_e628 > 0.00000000000011368684f)), 0f, _e624);
+                        let _e632 = select(0f, _e620, _e624);
+                        let _e633 = (_e596 + _e631);
+                        let _e634 = (_e596 - _e631);
+                        let _e636 = select(38685626000000000000000000f, (1f / _e620), _e624);
+                        let _e638 = select(_e563, _e499, (_e499 > _e563));
+                        if (_e382 && (select(_e627, _e638, (_e638 > _e627)) <= 1099511600000f)) {
+                            let _e650 = ((_e373 & 8388607u) | (select(0u, 1u, ((_e373 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e653 = bitcast<i32>((_e373 >> bitcast<u32>(23i)));
+                            let _e657 = (_e650 == 0u);
+                            let _e660 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e650)), 32u, _e657)) - 8i);
+                            if (_e653 == 255i) {
+                                phi_1140_ = 255i;
                             } else {
-                                phi_1120_ = (((_e667 + select(0i, 1i, (_e667 == 0i))) - _e674) + _e400);
+                                phi_1140_ = (((_e653 + select(0i, 1i, (_e653 == 0i))) - _e660) + _e401);
                             }
-                            let _e682 = phi_1120_;
-                            let _e692 = (_e682 <= 0i);
-                            if _e692 {
-                                phi_1143_ = u32();
+                            let _e668 = phi_1140_;
+                            let _e678 = (_e668 <= 0i);
+                            if _e678 {
+                                phi_1163_ = u32();
                             } else {
-                                if _e671 {
-                                    phi_1142_ = u32();
+                                if _e657 {
+                                    phi_1162_ = u32();
                                 } else {
-                                    phi_1142_ = select(((bitcast<u32>(_e682) << bitcast<u32>(23i)) | ((_e664 << bitcast<u32>(((_e674 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e682 >= 255i));
+                                    phi_1162_ = select(((bitcast<u32>(_e668) << bitcast<u32>(23i)) | ((_e650 << bitcast<u32>(((_e660 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e668 >= 255i));
                                 }
-                                let _e696 = phi_1142_;
-                                phi_1143_ = _e696;
+                                let _e682 = phi_1162_;
+                                phi_1163_ = _e682;
                             }
-                            let _e698 = phi_1143_;
-                            let _e710 = ((_e377 & 8388607u) | (select(0u, 1u, ((_e377 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e713 = bitcast<i32>((_e377 >> bitcast<u32>(23i)));
-                            let _e717 = (_e710 == 0u);
-                            let _e720 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e710)), 32u, _e717)) - 8i);
-                            if (_e713 == 255i) {
-                                phi_1180_ = 255i;
+                            let _e684 = phi_1163_;
+                            let _e696 = ((_e378 & 8388607u) | (select(0u, 1u, ((_e378 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e699 = bitcast<i32>((_e378 >> bitcast<u32>(23i)));
+                            let _e703 = (_e696 == 0u);
+                            let _e706 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e696)), 32u, _e703)) - 8i);
+                            if (_e699 == 255i) {
+                                phi_1200_ = 255i;
                             } else {
-                                phi_1180_ = (((_e713 + select(0i, 1i, (_e713 == 0i))) - _e720) + _e400);
+                                phi_1200_ = (((_e699 + select(0i, 1i, (_e699 == 0i))) - _e706) + _e401);
                             }
-                            let _e728 = phi_1180_;
-                            let _e738 = (_e728 <= 0i);
-                            if _e738 {
-                                phi_1203_ = u32();
+                            let _e714 = phi_1200_;
+                            let _e724 = (_e714 <= 0i);
+                            if _e724 {
+                                phi_1223_ = u32();
                             } else {
-                                if _e717 {
-                                    phi_1202_ = u32();
+                                if _e703 {
+                                    phi_1222_ = u32();
                                 } else {
-                                    phi_1202_ = select(((bitcast<u32>(_e728) << bitcast<u32>(23i)) | ((_e710 << bitcast<u32>(((_e720 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e728 >= 255i));
+                                    phi_1222_ = select(((bitcast<u32>(_e714) << bitcast<u32>(23i)) | ((_e696 << bitcast<u32>(((_e706 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e714 >= 255i));
                                 }
-                                let _e742 = phi_1202_;
-                                phi_1203_ = _e742;
+                                let _e728 = phi_1222_;
+                                phi_1223_ = _e728;
                             }
-                            let _e744 = phi_1203_;
-                            phi_1211_ = bitcast<f32>(((_e376 & 2147483648u) | select(_e744, 0u, select(_e717, true, _e738))));
-                            phi_1212_ = bitcast<f32>(((_e371 & 2147483648u) | select(_e698, 0u, select(_e671, true, _e692))));
+                            let _e730 = phi_1223_;
+                            phi_1231_ = bitcast<f32>(((_e377 & 2147483648u) | select(_e730, 0u, select(_e703, true, _e724))));
+                            phi_1232_ = bitcast<f32>(((_e372 & 2147483648u) | select(_e684, 0u, select(_e657, true, _e678))));
                         } else {
-                            phi_1211_ = 0f;
-                            phi_1212_ = 1f;
+                            phi_1231_ = 0f;
+                            phi_1232_ = 1f;
                         }
-                        let _e750 = phi_1211_;
-                        let _e752 = phi_1212_;
+                        let _e736 = phi_1231_;
+                        let _e738 = phi_1232_;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -660,985 +624,962 @@ fn function_() {
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_9 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
-                        let _e757 = (_e419 % 3u);
-                        let _e758 = (_e757 < 3u);
-                        if _e758 {
+                        local_9 = array<f32, 3>(bitcast<f32>(_e114), bitcast<f32>(_e118), bitcast<f32>(_e122));
+                        let _e743 = (_e420 % 3u);
+                        let _e744 = (_e743 < 3u);
+                        if _e744 {
                         } else {
                             break;
                         }
-                        let _e760 = local_9[_e757];
-                        let _e761 = (_e418 % 3u);
-                        let _e762 = (_e761 < 3u);
-                        if _e762 {
+                        let _e746 = local_9[_e743];
+                        let _e747 = (_e419 % 3u);
+                        let _e748 = (_e747 < 3u);
+                        if _e748 {
                         } else {
                             break;
                         }
-                        let _e764 = local_9[_e761];
-                        let _e765 = (_e420 % 3u);
-                        let _e766 = (_e765 < 3u);
-                        if _e766 {
+                        let _e750 = local_9[_e747];
+                        let _e751 = (_e421 % 3u);
+                        let _e752 = (_e751 < 3u);
+                        if _e752 {
                         } else {
                             break;
                         }
-                        let _e768 = local_9[_e765];
-                        local_8 = array<f32, 3>(bitcast<f32>(_e125), bitcast<f32>(_e129), bitcast<f32>(_e133));
-                        if _e758 {
+                        let _e754 = local_9[_e751];
+                        local_8 = array<f32, 3>(bitcast<f32>(_e126), bitcast<f32>(_e130), bitcast<f32>(_e134));
+                        if _e744 {
                         } else {
                             break;
                         }
-                        let _e772 = local_8[_e757];
-                        if _e762 {
+                        let _e758 = local_8[_e743];
+                        if _e748 {
                         } else {
                             break;
                         }
-                        let _e774 = local_8[_e761];
-                        if _e766 {
+                        let _e760 = local_8[_e747];
+                        if _e752 {
                         } else {
                             break;
                         }
-                        let _e776 = local_8[_e765];
-                        phi_3930_ = false;
-                        phi_1295_ = type_46(_e750, false);
-                        phi_1298_ = ((3u * _e95) + 1u);
-                        phi_1300_ = (_e752 <= _e750);
-                        phi_1302_ = 0u;
-                        phi_1304_ = type_62(type_60(array<f32, 3>(_e760, _e764, _e768), array<f32, 3>(_e772, _e774, _e776)), select(0u, 2147483648u, (_e95 == 0u)));
+                        let _e762 = local_8[_e751];
+                        phi_4027_ = false;
+                        phi_1315_ = type_47(_e736, false);
+                        phi_1318_ = ((3u * _e96) + 1u);
+                        phi_1320_ = (_e738 <= _e736);
+                        phi_1322_ = 0u;
+                        phi_1324_ = type_63(type_61(array<f32, 3>(_e746, _e750, _e754), array<f32, 3>(_e758, _e760, _e762)), select(0u, 2147483648u, (_e96 == 0u)));
                         loop {
-                            let _e784 = phi_3930_;
-                            let _e786 = phi_1295_;
-                            let _e788 = phi_1298_;
-                            let _e790 = phi_1300_;
-                            let _e792 = phi_1302_;
-                            let _e794 = phi_1304_;
-                            local_10 = _e786;
-                            if _e790 {
-                                phi_1315_ = true;
+                            let _e770 = phi_4027_;
+                            let _e772 = phi_1315_;
+                            let _e774 = phi_1318_;
+                            let _e776 = phi_1320_;
+                            let _e778 = phi_1322_;
+                            let _e780 = phi_1324_;
+                            local_10 = _e772;
+                            if _e776 {
+                                phi_1335_ = true;
                             } else {
-                                phi_1315_ = (_e792 > 0u);
+                                phi_1335_ = (_e778 > 0u);
                             }
-                            let _e797 = phi_1315_;
-                            if _e797 {
-                                let _e798 = (_e788 > 0u);
-                                if _e798 {
-                                    if _e790 {
-                                        phi_1401_ = _e790;
-                                        phi_1402_ = _e792;
-                                        phi_1403_ = _e794;
+                            let _e783 = phi_1335_;
+                            if _e783 {
+                                let _e784 = (_e774 > 0u);
+                                if _e784 {
+                                    if _e776 {
+                                        phi_1421_ = _e776;
+                                        phi_1422_ = _e778;
+                                        phi_1423_ = _e780;
                                     } else {
-                                        let _e799 = (_e792 - 1u);
-                                        let _e800 = (_e799 % 128u);
-                                        let _e801 = (_e800 < 128u);
-                                        if _e801 {
+                                        let _e785 = (_e778 - 1u);
+                                        let _e786 = (_e785 % 128u);
+                                        let _e787 = (_e786 < 128u);
+                                        if _e787 {
                                         } else {
-                                            phi_4116_ = true;
+                                            phi_4218_ = true;
                                             break;
                                         }
-                                        let _e803 = local_6[_e800];
-                                        if _e801 {
+                                        let _e789 = local_6[_e786];
+                                        if _e787 {
                                         } else {
-                                            phi_4116_ = true;
+                                            phi_4218_ = true;
                                             break;
                                         }
-                                        let _e805 = local_5[_e800];
-                                        if _e801 {
+                                        let _e791 = local_5[_e786];
+                                        if _e787 {
                                         } else {
-                                            phi_4116_ = true;
+                                            phi_4218_ = true;
                                             break;
                                         }
-                                        let _e807 = local_4[_e800];
-                                        if _e801 {
+                                        let _e793 = local_4[_e786];
+                                        if _e787 {
                                         } else {
-                                            phi_4116_ = true;
+                                            phi_4218_ = true;
                                             break;
                                         }
-                                        let _e809 = local_3[_e800];
-                                        if _e801 {
+                                        let _e795 = local_3[_e786];
+                                        if _e787 {
                                         } else {
-                                            phi_4116_ = true;
+                                            phi_4218_ = true;
                                             break;
                                         }
-                                        let _e812 = local_2[_e800];
-                                        if _e801 {
+                                        let _e798 = local_2[_e786];
+                                        if _e787 {
                                         } else {
-                                            phi_4116_ = true;
+                                            phi_4218_ = true;
                                             break;
                                         }
-                                        let _e814 = local_1[_e800];
-                                        if _e801 {
+                                        let _e800 = local_1[_e786];
+                                        if _e787 {
                                         } else {
-                                            phi_4116_ = true;
+                                            phi_4218_ = true;
                                             break;
                                         }
-                                        let _e816 = local[_e800];
-                                        if _e801 {
+                                        let _e802 = local[_e786];
+                                        if _e787 {
                                         } else {
-                                            phi_4116_ = true;
+                                            phi_4218_ = true;
                                             break;
                                         }
-                                        let _e821 = local_7[_e800];
-                                        phi_1401_ = (_e821 <= _e786.member);
-                                        phi_1402_ = _e799;
-                                        phi_1403_ = type_62(type_60(array<f32, 3>(_e805, _e807, _e809), array<f32, 3>(_e812, _e814, _e816)), _e803);
+                                        let _e807 = local_7[_e786];
+                                        phi_1421_ = (_e807 <= _e772.member);
+                                        phi_1422_ = _e785;
+                                        phi_1423_ = type_63(type_61(array<f32, 3>(_e791, _e793, _e795), array<f32, 3>(_e798, _e800, _e802)), _e789);
                                     }
-                                    let _e825 = phi_1401_;
-                                    let _e827 = phi_1402_;
-                                    let _e829 = phi_1403_;
-                                    if _e825 {
-                                        let _e833 = ((_e829.member_1 & 2147483648u) != 0u);
-                                        if _e833 {
-                                            phi_1421_ = _e786;
-                                            phi_1424_ = type_8(0u, ((_e829.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e811 = phi_1421_;
+                                    let _e813 = phi_1422_;
+                                    let _e815 = phi_1423_;
+                                    if _e811 {
+                                        let _e819 = ((_e815.member_1 & 2147483648u) != 0u);
+                                        if _e819 {
+                                            phi_1441_ = _e772;
+                                            phi_1444_ = type_8(0u, ((_e815.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e840 = phi_1421_;
-                                                let _e842 = phi_1424_;
-                                                local_11 = _e840;
-                                                if (_e842.member < _e842.member_1) {
-                                                    phi_1425_ = type_8((_e842.member + 1u), _e842.member_1);
-                                                    phi_1447_ = type_8(1u, _e842.member);
+                                                let _e826 = phi_1441_;
+                                                let _e828 = phi_1444_;
+                                                local_11 = _e826;
+                                                if (_e828.member < _e828.member_1) {
+                                                    phi_1445_ = type_8((_e828.member + 1u), _e828.member_1);
+                                                    phi_1467_ = type_8(1u, _e828.member);
                                                 } else {
-                                                    phi_1425_ = _e842;
-                                                    phi_1447_ = type_8(0u, type_8().member_1);
+                                                    phi_1445_ = _e828;
+                                                    phi_1467_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e855 = phi_1425_;
-                                                let _e857 = phi_1447_;
-                                                let _e861 = (bitcast<i32>(_e857.member) != 0i);
-                                                if _e861 {
-                                                    let _e862 = ((_e829.member_1 & 268435455u) + _e857.member_1);
-                                                    let _e863 = (_e862 < _e97);
-                                                    if _e863 {
-                                                        if _e863 {
+                                                let _e841 = phi_1445_;
+                                                let _e843 = phi_1467_;
+                                                let _e847 = (bitcast<i32>(_e843.member) != 0i);
+                                                if _e847 {
+                                                    let _e848 = ((_e815.member_1 & 268435455u) + _e843.member_1);
+                                                    let _e849 = (_e848 < _e98);
+                                                    if _e849 {
+                                                        if _e849 {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        let _e867 = global_5.member[_e862].member_1;
-                                                        phi_1468_ = _e867;
+                                                        let _e853 = global_5.member[_e848].member_1;
+                                                        phi_1488_ = _e853;
                                                     } else {
-                                                        phi_1468_ = 4294967295u;
+                                                        phi_1488_ = 4294967295u;
                                                     }
-                                                    let _e869 = phi_1468_;
-                                                    if (_e862 >= _e97) {
-                                                        phi_1560_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e855 = phi_1488_;
+                                                    if (_e848 >= _e98) {
+                                                        phi_1580_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e863 {
+                                                        if _e849 {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        if (_e757 < 9u) {
+                                                        if (_e743 < 9u) {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        let _e876 = global_5.member[_e862].member[_e757];
-                                                        if (_e761 < 9u) {
+                                                        let _e862 = global_5.member[_e848].member[_e743];
+                                                        if (_e747 < 9u) {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        let _e882 = global_5.member[_e862].member[_e761];
-                                                        if (_e765 < 9u) {
+                                                        let _e868 = global_5.member[_e848].member[_e747];
+                                                        if (_e751 < 9u) {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        let _e888 = global_5.member[_e862].member[_e765];
-                                                        let _e890 = (3u + _e757);
+                                                        let _e874 = global_5.member[_e848].member[_e751];
+                                                        let _e876 = (3u + _e743);
+                                                        if (_e876 < 9u) {
+                                                        } else {
+                                                            phi_4021_ = true;
+                                                            break;
+                                                        }
+                                                        let _e882 = global_5.member[_e848].member[_e876];
+                                                        let _e883 = (3u + _e747);
+                                                        if (_e883 < 9u) {
+                                                        } else {
+                                                            phi_4021_ = true;
+                                                            break;
+                                                        }
+                                                        let _e889 = global_5.member[_e848].member[_e883];
+                                                        let _e890 = (3u + _e751);
                                                         if (_e890 < 9u) {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        let _e896 = global_5.member[_e862].member[_e890];
-                                                        let _e897 = (3u + _e761);
-                                                        if (_e897 < 9u) {
+                                                        let _e896 = global_5.member[_e848].member[_e890];
+                                                        let _e898 = (6u + _e743);
+                                                        if (_e898 < 9u) {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        let _e903 = global_5.member[_e862].member[_e897];
-                                                        let _e904 = (3u + _e765);
-                                                        if (_e904 < 9u) {
+                                                        let _e904 = global_5.member[_e848].member[_e898];
+                                                        let _e905 = (6u + _e747);
+                                                        if (_e905 < 9u) {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        let _e910 = global_5.member[_e862].member[_e904];
-                                                        let _e912 = (6u + _e757);
+                                                        let _e911 = global_5.member[_e848].member[_e905];
+                                                        let _e912 = (6u + _e751);
                                                         if (_e912 < 9u) {
                                                         } else {
-                                                            phi_3924_ = true;
+                                                            phi_4021_ = true;
                                                             break;
                                                         }
-                                                        let _e918 = global_5.member[_e862].member[_e912];
-                                                        let _e919 = (6u + _e761);
-                                                        if (_e919 < 9u) {
-                                                        } else {
-                                                            phi_3924_ = true;
-                                                            break;
-                                                        }
-                                                        let _e925 = global_5.member[_e862].member[_e919];
-                                                        let _e926 = (6u + _e765);
-                                                        if (_e926 < 9u) {
-                                                        } else {
-                                                            phi_3924_ = true;
-                                                            break;
-                                                        }
-                                                        let _e932 = global_5.member[_e862].member[_e926];
-                                                        phi_1560_ = array<array<f32, 3>, 3>(array<f32, 3>(_e876, _e882, _e888), array<f32, 3>(_e896, _e903, _e910), array<f32, 3>(_e918, _e925, _e932));
+                                                        let _e918 = global_5.member[_e848].member[_e912];
+                                                        phi_1580_ = array<array<f32, 3>, 3>(array<f32, 3>(_e862, _e868, _e874), array<f32, 3>(_e882, _e889, _e896), array<f32, 3>(_e904, _e911, _e918));
                                                     }
-                                                    let _e936 = phi_1560_;
-                                                    let _e944 = (_e936[0][2] - _e599);
-                                                    let _e947 = (((_e936[0][0] - _e466) * _e638) - (_e944 * _e506));
-                                                    let _e950 = (((_e936[0][1] - _e533) * _e638) - (_e944 * _e572));
-                                                    let _e957 = (_e936[1][2] - _e599);
-                                                    let _e960 = (((_e936[1][0] - _e466) * _e638) - (_e957 * _e506));
-                                                    let _e963 = (((_e936[1][1] - _e533) * _e638) - (_e957 * _e572));
-                                                    let _e970 = (_e936[2][2] - _e599);
-                                                    let _e973 = (((_e936[2][0] - _e466) * _e638) - (_e970 * _e506));
-                                                    let _e976 = (((_e936[2][1] - _e533) * _e638) - (_e970 * _e572));
-                                                    let _e977 = (_e973 * _e963);
-                                                    let _e978 = (_e976 * _e960);
-                                                    let _e979 = (_e947 * _e976);
-                                                    let _e980 = (_e950 * _e973);
-                                                    let _e981 = (_e960 * _e950);
-                                                    let _e982 = (_e963 * _e947);
-                                                    let _e987 = (((_e977 >= _e978) && (_e979 >= _e980)) && (_e981 >= _e982));
-                                                    if (_e987 || (((_e977 <= _e978) && (_e979 <= _e980)) && (_e981 <= _e982))) {
-                                                        let _e994 = select(-1f, 1f, _e987);
-                                                        let _e996 = ((_e977 - _e978) * _e994);
-                                                        let _e998 = select(0f, _e996, (_e996 > 0f));
-                                                        let _e1000 = ((_e979 - _e980) * _e994);
-                                                        let _e1002 = select(0f, _e1000, (_e1000 > 0f));
-                                                        let _e1004 = ((_e981 - _e982) * _e994);
-                                                        let _e1006 = select(0f, _e1004, (_e1004 > 0f));
-                                                        let _e1008 = ((_e998 + _e1002) + _e1006);
-                                                        if (_e1008 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2444_ = type_27();
-                                                            phi_2445_ = true;
-                                                            phi_2446_ = false;
-                                                        } else {
-                                                            let _e1011 = select(_e960, _e947, (_e947 < _e960));
-                                                            if (select(_e973, _e1011, (_e1011 < _e973)) > 0f) {
-                                                                phi_1712_ = true;
+                                                    let _e922 = phi_1580_;
+                                                    let _e938 = (_e922[0][2] - _e596);
+                                                    let _e941 = (((_e922[0][0] - _e467) * _e632) - (_e938 * _e504));
+                                                    let _e944 = (((_e922[0][1] - _e532) * _e632) - (_e938 * _e568));
+                                                    let _e947 = (_e922[1][2] - _e596);
+                                                    let _e950 = (((_e922[1][0] - _e467) * _e632) - (_e947 * _e504));
+                                                    let _e953 = (((_e922[1][1] - _e532) * _e632) - (_e947 * _e568));
+                                                    let _e956 = (_e922[2][2] - _e596);
+                                                    let _e959 = (((_e922[2][0] - _e467) * _e632) - (_e956 * _e504));
+                                                    let _e962 = (((_e922[2][1] - _e532) * _e632) - (_e956 * _e568));
+                                                    let _e963 = (_e959 * _e953);
+                                                    let _e964 = (_e962 * _e950);
+                                                    let _e965 = (_e941 * _e962);
+                                                    let _e966 = (_e944 * _e959);
+                                                    let _e967 = (_e950 * _e944);
+                                                    let _e968 = (_e953 * _e941);
+                                                    let _e973 = (((_e963 >= _e964) && (_e965 >= _e966)) && (_e967 >= _e968));
+                                                    let _e979 = (_e973 || (((_e963 <= _e964) && (_e965 <= _e966)) && (_e967 <= _e968)));
+                                                    if _e979 {
+                                                        let _e981 = select(-1f, 1f, _e973);
+                                                        let _e983 = ((_e963 - _e964) * _e981);
+                                                        let _e985 = select(0f, _e983, (_e983 > 0f));
+                                                        let _e987 = ((_e965 - _e966) * _e981);
+                                                        let _e989 = select(0f, _e987, (_e987 > 0f));
+                                                        let _e991 = ((_e967 - _e968) * _e981);
+                                                        let _e993 = select(0f, _e991, (_e991 > 0f));
+                                                        let _e995 = ((_e985 + _e989) + _e993);
+                                                        let _e997 = select(_e922[1][0], _e922[0][0], (_e922[0][0] < _e922[1][0]));
+                                                        let _e1001 = select(_e922[1][0], _e922[0][0], (_e922[0][0] > _e922[1][0]));
+                                                        let _e1005 = select(_e922[1][1], _e922[0][1], (_e922[0][1] < _e922[1][1]));
+                                                        let _e1009 = select(_e922[1][1], _e922[0][1], (_e922[0][1] > _e922[1][1]));
+                                                        let _e1013 = select(_e922[1][2], _e922[0][2], (_e922[0][2] < _e922[1][2]));
+                                                        let _e1017 = select(_e922[1][2], _e922[0][2], (_e922[0][2] > _e922[1][2]));
+                                                        let _e1022 = ((select(_e922[2][0], _e997, (_e997 < _e922[2][0])) - _e505) * _e508);
+                                                        let _e1023 = ((select(_e922[2][0], _e1001, (_e1001 > _e922[2][0])) - _e506) * _e508);
+                                                        let _e1026 = ((select(_e922[2][1], _e1005, (_e1005 < _e922[2][1])) - _e569) * _e572);
+                                                        let _e1027 = ((select(_e922[2][1], _e1009, (_e1009 > _e922[2][1])) - _e570) * _e572);
+                                                        let _e1030 = ((select(_e922[2][2], _e1013, (_e1013 < _e922[2][2])) - _e633) * _e636);
+                                                        let _e1031 = ((select(_e922[2][2], _e1017, (_e1017 > _e922[2][2])) - _e634) * _e636);
+                                                        let _e1033 = select(_e1031, _e1030, (_e1030 < _e1031));
+                                                        let _e1035 = select(_e1031, _e1030, (_e1030 > _e1031));
+                                                        let _e1037 = select(_e1023, _e1022, (_e1022 < _e1023));
+                                                        let _e1039 = select(_e1027, _e1026, (_e1026 < _e1027));
+                                                        let _e1041 = select(_e1039, _e1037, (_e1037 > _e1039));
+                                                        let _e1043 = select(_e1033, _e1041, (_e1041 > _e1033));
+                                                        let _e1045 = select(_e1023, _e1022, (_e1022 > _e1023));
+                                                        let _e1047 = select(_e1027, _e1026, (_e1026 > _e1027));
+                                                        let _e1049 = select(_e1047, _e1045, (_e1045 < _e1047));
+                                                        let _e1051 = select(_e1035, _e1049, (_e1049 < _e1035));
+                                                        let _e1052 = -(_e1033);
+                                                        let _e1058 = select(_e738, _e1043, (_e1043 > _e738));
+                                                        let _e1062 = select(_e950, _e941, (_e941 < _e950));
+                                                        let _e1067 = select(_e950, _e941, (_e941 > _e950));
+                                                        let _e1074 = select(_e953, _e944, (_e944 < _e953));
+                                                        let _e1079 = select(_e953, _e944, (_e944 > _e953));
+                                                        let _e1088 = (((((_e979 && (_e995 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e959, _e1062, (_e1062 < _e959)) <= 0f) && (select(_e959, _e1067, (_e1067 > _e959)) >= 0f))) && ((select(_e962, _e1074, (_e1074 < _e962)) <= 0f) && (select(_e962, _e1079, (_e1079 > _e962)) >= 0f))) && (_e1058 <= (_e1051 + (select(_e1052, _e1035, (_e1035 > _e1052)) * 0.0000019073523f)))) && (_e1058 <= _e826.member));
+                                                        if _e1088 {
+                                                            let _e1093 = (_e922[1][0] - _e922[0][0]);
+                                                            let _e1094 = (_e922[1][1] - _e922[0][1]);
+                                                            let _e1095 = (_e922[1][2] - _e922[0][2]);
+                                                            let _e1096 = vec3<f32>(_e1093, _e1094, _e1095);
+                                                            let _e1097 = (_e922[2][0] - _e922[1][0]);
+                                                            let _e1098 = (_e922[2][1] - _e922[1][1]);
+                                                            let _e1099 = (_e922[2][2] - _e922[1][2]);
+                                                            let _e1100 = vec3<f32>(_e1097, _e1098, _e1099);
+                                                            let _e1101 = (_e922[0][0] - _e922[2][0]);
+                                                            let _e1102 = (_e922[0][1] - _e922[2][1]);
+                                                            let _e1103 = (_e922[0][2] - _e922[2][2]);
+                                                            let _e1104 = vec3<f32>(_e1101, _e1102, _e1103);
+                                                            let _e1105 = abs(_e1093);
+                                                            let _e1106 = abs(_e1094);
+                                                            if (_e1105 != _e1105) {
+                                                                phi_3822_ = true;
                                                             } else {
-                                                                let _e1016 = select(_e960, _e947, (_e947 > _e960));
-                                                                phi_1712_ = (select(_e973, _e1016, (_e1016 > _e973)) < 0f);
+                                                                phi_3822_ = (_e1106 >= _e1105);
                                                             }
-                                                            let _e1021 = phi_1712_;
-                                                            if _e1021 {
-                                                                phi_2441_ = type_27();
-                                                                phi_2442_ = true;
-                                                                phi_2443_ = false;
+                                                            let _e1110 = phi_3822_;
+                                                            let _e1111 = select(_e1105, _e1106, _e1110);
+                                                            let _e1112 = abs(_e1095);
+                                                            if (_e1111 != _e1111) {
+                                                                phi_3837_ = true;
                                                             } else {
-                                                                let _e1023 = select(_e963, _e950, (_e950 < _e963));
-                                                                if (select(_e976, _e1023, (_e1023 < _e976)) > 0f) {
-                                                                    phi_1741_ = true;
-                                                                } else {
-                                                                    let _e1028 = select(_e963, _e950, (_e950 > _e963));
-                                                                    phi_1741_ = (select(_e976, _e1028, (_e1028 > _e976)) < 0f);
-                                                                }
-                                                                let _e1033 = phi_1741_;
-                                                                if _e1033 {
-                                                                    phi_2439_ = type_27();
-                                                                    phi_2440_ = false;
-                                                                } else {
-                                                                    let _e1035 = select(_e936[1][0], _e936[0][0], (_e936[0][0] < _e936[1][0]));
-                                                                    let _e1039 = select(_e936[1][0], _e936[0][0], (_e936[0][0] > _e936[1][0]));
-                                                                    let _e1043 = select(_e936[1][1], _e936[0][1], (_e936[0][1] < _e936[1][1]));
-                                                                    let _e1047 = select(_e936[1][1], _e936[0][1], (_e936[0][1] > _e936[1][1]));
-                                                                    let _e1051 = select(_e936[1][2], _e936[0][2], (_e936[0][2] < _e936[1][2]));
-                                                                    let _e1055 = select(_e936[1][2], _e936[0][2], (_e936[0][2] > _e936[1][2]));
-                                                                    let _e1060 = ((select(_e936[2][0], _e1035, (_e1035 < _e936[2][0])) - _e504) * _e509);
-                                                                    let _e1061 = ((select(_e936[2][0], _e1039, (_e1039 > _e936[2][0])) - _e505) * _e509);
-                                                                    let _e1064 = ((select(_e936[2][1], _e1043, (_e1043 < _e936[2][1])) - _e570) * _e575);
-                                                                    let _e1065 = ((select(_e936[2][1], _e1047, (_e1047 > _e936[2][1])) - _e571) * _e575);
-                                                                    let _e1068 = ((select(_e936[2][2], _e1051, (_e1051 < _e936[2][2])) - _e636) * _e641);
-                                                                    let _e1069 = ((select(_e936[2][2], _e1055, (_e1055 > _e936[2][2])) - _e637) * _e641);
-                                                                    let _e1071 = select(_e1069, _e1068, (_e1068 < _e1069));
-                                                                    let _e1073 = select(_e1069, _e1068, (_e1068 > _e1069));
-                                                                    let _e1075 = select(_e1061, _e1060, (_e1060 < _e1061));
-                                                                    let _e1077 = select(_e1065, _e1064, (_e1064 < _e1065));
-                                                                    let _e1079 = select(_e1077, _e1075, (_e1075 > _e1077));
-                                                                    let _e1081 = select(_e1071, _e1079, (_e1079 > _e1071));
-                                                                    let _e1083 = select(_e1061, _e1060, (_e1060 > _e1061));
-                                                                    let _e1085 = select(_e1065, _e1064, (_e1064 > _e1065));
-                                                                    let _e1087 = select(_e1085, _e1083, (_e1083 < _e1085));
-                                                                    let _e1089 = select(_e1073, _e1087, (_e1087 < _e1073));
-                                                                    let _e1090 = -(_e1071);
-                                                                    let _e1096 = select(_e752, _e1081, (_e1081 > _e752));
-                                                                    if (_e1096 > (_e1089 + (select(_e1090, _e1073, (_e1073 > _e1090)) * 0.0000019073523f))) {
-                                                                        phi_2434_ = type_27();
-                                                                        phi_2435_ = true;
-                                                                    } else {
-                                                                        let _e1098 = (_e1096 > _e840.member);
-                                                                        if _e1098 {
-                                                                            phi_2433_ = type_27();
-                                                                        } else {
-                                                                            let _e1099 = vec3<f32>(_e936[0][0], _e936[0][1], _e936[0][2]);
-                                                                            let _e1100 = vec3<f32>(_e936[1][0], _e936[1][1], _e936[1][2]);
-                                                                            let _e1101 = vec3<f32>(_e936[2][0], _e936[2][1], _e936[2][2]);
-                                                                            let _e1102 = (_e936[1][0] - _e936[0][0]);
-                                                                            let _e1103 = (_e936[1][1] - _e936[0][1]);
-                                                                            let _e1104 = (_e936[1][2] - _e936[0][2]);
-                                                                            let _e1105 = vec3<f32>(_e1102, _e1103, _e1104);
-                                                                            let _e1106 = (_e936[2][0] - _e936[1][0]);
-                                                                            let _e1107 = (_e936[2][1] - _e936[1][1]);
-                                                                            let _e1108 = (_e936[2][2] - _e936[1][2]);
-                                                                            let _e1109 = vec3<f32>(_e1106, _e1107, _e1108);
-                                                                            let _e1110 = (_e936[0][0] - _e936[2][0]);
-                                                                            let _e1111 = (_e936[0][1] - _e936[2][1]);
-                                                                            let _e1112 = (_e936[0][2] - _e936[2][2]);
-                                                                            let _e1113 = vec3<f32>(_e1110, _e1111, _e1112);
-                                                                            let _e1116 = bitcast<f32>((bitcast<u32>(_e1102) & 2147483647u));
-                                                                            let _e1119 = bitcast<f32>((bitcast<u32>(_e1103) & 2147483647u));
-                                                                            let _e1121 = select(_e1119, _e1116, (_e1116 > _e1119));
-                                                                            let _e1124 = bitcast<f32>((bitcast<u32>(_e1104) & 2147483647u));
-                                                                            let _e1126 = select(_e1124, _e1121, (_e1121 > _e1124));
-                                                                            let _e1129 = bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u));
-                                                                            let _e1132 = bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u));
-                                                                            let _e1134 = select(_e1132, _e1129, (_e1129 > _e1132));
-                                                                            let _e1137 = bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u));
-                                                                            let _e1139 = select(_e1137, _e1134, (_e1134 > _e1137));
-                                                                            let _e1142 = bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u));
-                                                                            let _e1145 = bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u));
-                                                                            let _e1147 = select(_e1145, _e1142, (_e1142 > _e1145));
-                                                                            let _e1150 = bitcast<f32>((bitcast<u32>(_e1112) & 2147483647u));
-                                                                            let _e1152 = select(_e1150, _e1147, (_e1147 > _e1150));
-                                                                            let _e1154 = select(_e1139, _e1126, (_e1126 > _e1139));
-                                                                            let _e1156 = select(_e1152, _e1154, (_e1154 > _e1152));
-                                                                            if (_e1126 == _e1156) {
-                                                                                phi_2160_ = _e963;
-                                                                                phi_2161_ = _e960;
-                                                                                phi_2162_ = _e950;
-                                                                                phi_2163_ = _e947;
-                                                                                phi_2164_ = _e1099;
-                                                                                phi_2165_ = _e1113;
-                                                                                phi_2166_ = _e1109;
-                                                                                phi_2167_ = _e1105;
-                                                                            } else {
-                                                                                let _e1158 = (_e1139 == _e1156);
-                                                                                let _e1163 = vec3(_e1158);
-                                                                                phi_2160_ = select(_e950, _e976, _e1158);
-                                                                                phi_2161_ = select(_e947, _e973, _e1158);
-                                                                                phi_2162_ = select(_e976, _e963, _e1158);
-                                                                                phi_2163_ = select(_e973, _e960, _e1158);
-                                                                                phi_2164_ = select(_e1101, _e1100, _e1163);
-                                                                                phi_2165_ = select(_e1109, _e1105, _e1163);
-                                                                                phi_2166_ = select(_e1105, _e1113, _e1163);
-                                                                                phi_2167_ = select(_e1113, _e1109, _e1163);
-                                                                            }
-                                                                            let _e1169 = phi_2160_;
-                                                                            let _e1171 = phi_2161_;
-                                                                            let _e1173 = phi_2162_;
-                                                                            let _e1175 = phi_2163_;
-                                                                            let _e1177 = phi_2164_;
-                                                                            let _e1179 = phi_2165_;
-                                                                            let _e1181 = phi_2166_;
-                                                                            let _e1183 = phi_2167_;
-                                                                            let _e1190 = ((_e1181.y * _e1179.z) - (_e1179.y * _e1181.z));
-                                                                            let _e1195 = ((_e1181.z * _e1179.x) - (_e1179.z * _e1181.x));
-                                                                            let _e1198 = ((_e1181.x * _e1179.y) - (_e1179.x * _e1181.y));
-                                                                            if (_e998 >= _e1002) {
-                                                                                phi_2204_ = select(true, false, (_e998 >= _e1006));
-                                                                            } else {
-                                                                                phi_2204_ = true;
-                                                                            }
-                                                                            let _e1203 = phi_2204_;
-                                                                            if _e1203 {
-                                                                                phi_2213_ = select(_e1101, _e1100, vec3((_e1002 >= _e1006)));
-                                                                            } else {
-                                                                                phi_2213_ = _e1099;
-                                                                            }
-                                                                            let _e1208 = phi_2213_;
-                                                                            let _e1219 = (((_e1190 * (_e1208.x - _e466)) + (_e1195 * (_e1208.y - _e533))) + (_e1198 * (_e1208.z - _e599)));
-                                                                            let _e1224 = (((_e1190 * _e506) + (_e1195 * _e572)) + (_e1198 * _e638));
-                                                                            let _e1225 = (_e1171 - _e1175);
-                                                                            let _e1226 = (_e1169 - _e1173);
-                                                                            let _e1234 = (-(((_e1175 * _e1225) + (_e1173 * _e1226))) / ((_e1225 * _e1225) + (_e1226 * _e1226)));
-                                                                            let _e1236 = select(1f, _e1234, (_e1234 < 1f));
-                                                                            let _e1238 = select(0f, _e1236, (_e1236 > 0f));
-                                                                            let _e1251 = ((_e1177.x + (_e1183.x * _e1238)) - _e466);
-                                                                            let _e1252 = ((_e1177.y + (_e1183.y * _e1238)) - _e533);
-                                                                            let _e1253 = ((_e1177.z + (_e1183.z * _e1238)) - _e599);
-                                                                            let _e1254 = (_e1253 / _e638);
-                                                                            let _e1266 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
-                                                                            let _e1269 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                            let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
-                                                                            let _e1274 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
-                                                                            let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
-                                                                            let _e1282 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
-                                                                            let _e1285 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
-                                                                            let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
-                                                                            let _e1290 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1190 * _e1251) + (_e1195 * _e1252)) + (_e1198 * _e1253)) - _e1219)) & 2147483647u)) <= ((0.0000009536743f * select(_e1156, _e1276, (_e1276 > _e1156))) * select(_e1290, _e1287, (_e1287 > _e1290)))) {
-                                                                                let _e1300 = bitcast<f32>((bitcast<u32>(_e1181.x) & 2147483647u));
-                                                                                let _e1303 = bitcast<f32>((bitcast<u32>(_e1181.y) & 2147483647u));
-                                                                                let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
-                                                                                let _e1308 = bitcast<f32>((bitcast<u32>(_e1181.z) & 2147483647u));
-                                                                                let _e1314 = bitcast<f32>((bitcast<u32>(_e1179.x) & 2147483647u));
-                                                                                let _e1317 = bitcast<f32>((bitcast<u32>(_e1179.y) & 2147483647u));
-                                                                                let _e1319 = select(_e1317, _e1314, (_e1314 > _e1317));
-                                                                                let _e1322 = bitcast<f32>((bitcast<u32>(_e1179.z) & 2147483647u));
-                                                                                let _e1326 = (bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u)) > ((0.0000038146973f * select(_e1308, _e1305, (_e1305 > _e1308))) * select(_e1322, _e1319, (_e1319 > _e1322))));
-                                                                                if _e1326 {
-                                                                                    phi_2378_ = (_e1219 / _e1224);
-                                                                                } else {
-                                                                                    phi_2378_ = f32();
-                                                                                }
-                                                                                let _e1329 = phi_2378_;
-                                                                                phi_2380_ = _e1329;
-                                                                                phi_2381_ = select(true, false, _e1326);
-                                                                            } else {
-                                                                                phi_2380_ = f32();
-                                                                                phi_2381_ = true;
-                                                                            }
-                                                                            let _e1332 = phi_2380_;
-                                                                            let _e1334 = phi_2381_;
-                                                                            if _e1334 {
-                                                                                let _e1342 = (((_e1190 * (_e1251 - (_e506 * _e1254))) + (_e1195 * (_e1252 - (_e572 * _e1254)))) / _e1224);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u)) <= _e1156) {
-                                                                                    phi_2401_ = (_e1254 + _e1342);
-                                                                                } else {
-                                                                                    phi_2401_ = _e1254;
-                                                                                }
-                                                                                let _e1349 = phi_2401_;
-                                                                                phi_2402_ = _e1349;
-                                                                            } else {
-                                                                                phi_2402_ = _e1332;
-                                                                            }
-                                                                            let _e1351 = phi_2402_;
-                                                                            let _e1353 = select(_e1089, _e1351, (_e1351 < _e1089));
-                                                                            let _e1355 = select(_e1081, _e1353, (_e1353 > _e1081));
-                                                                            if (_e1355 >= _e752) {
-                                                                                let _e1357 = (_e1355 <= _e840.member);
-                                                                                if _e1357 {
-                                                                                    let _e1358 = (1f / _e1008);
-                                                                                    phi_2425_ = type_27(_e1355, (_e1002 * _e1358), (_e1006 * _e1358), _e869);
-                                                                                } else {
-                                                                                    phi_2425_ = type_27();
-                                                                                }
-                                                                                let _e1363 = phi_2425_;
-                                                                                phi_2427_ = _e1363;
-                                                                                phi_2428_ = select(true, false, _e1357);
-                                                                            } else {
-                                                                                phi_2427_ = type_27();
-                                                                                phi_2428_ = true;
-                                                                            }
-                                                                            let _e1366 = phi_2427_;
-                                                                            let _e1368 = phi_2428_;
-                                                                            if _e1368 {
-                                                                                phi_2432_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                            } else {
-                                                                                phi_2432_ = _e1366;
-                                                                            }
-                                                                            let _e1370 = phi_2432_;
-                                                                            phi_2433_ = _e1370;
-                                                                        }
-                                                                        let _e1372 = phi_2433_;
-                                                                        phi_2434_ = _e1372;
-                                                                        phi_2435_ = _e1098;
-                                                                    }
-                                                                    let _e1374 = phi_2434_;
-                                                                    let _e1376 = phi_2435_;
-                                                                    phi_2439_ = _e1374;
-                                                                    phi_2440_ = _e1376;
-                                                                }
-                                                                let _e1378 = phi_2439_;
-                                                                let _e1380 = phi_2440_;
-                                                                phi_2441_ = _e1378;
-                                                                phi_2442_ = _e1033;
-                                                                phi_2443_ = _e1380;
+                                                                phi_3837_ = (_e1112 >= _e1111);
                                                             }
-                                                            let _e1382 = phi_2441_;
-                                                            let _e1384 = phi_2442_;
-                                                            let _e1386 = phi_2443_;
-                                                            phi_2444_ = _e1382;
-                                                            phi_2445_ = _e1384;
-                                                            phi_2446_ = _e1386;
-                                                        }
-                                                        let _e1388 = phi_2444_;
-                                                        let _e1390 = phi_2445_;
-                                                        let _e1392 = phi_2446_;
-                                                        phi_2454_ = _e1388;
-                                                        phi_2455_ = select(_e1392, true, _e1390);
-                                                    } else {
-                                                        phi_2454_ = type_27();
-                                                        phi_2455_ = true;
-                                                    }
-                                                    let _e1395 = phi_2454_;
-                                                    let _e1397 = phi_2455_;
-                                                    if _e1397 {
-                                                        phi_2459_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                    } else {
-                                                        phi_2459_ = _e1395;
-                                                    }
-                                                    let _e1399 = phi_2459_;
-                                                    if (_e1399.member_3 != 4294967295u) {
-                                                        if (_e869 == _e154) {
-                                                            phi_2794_ = false;
+                                                            let _e1116 = phi_3837_;
+                                                            let _e1117 = select(_e1111, _e1112, _e1116);
+                                                            let _e1118 = abs(_e1097);
+                                                            let _e1119 = abs(_e1098);
+                                                            if (_e1118 != _e1118) {
+                                                                phi_3852_ = true;
+                                                            } else {
+                                                                phi_3852_ = (_e1119 >= _e1118);
+                                                            }
+                                                            let _e1123 = phi_3852_;
+                                                            let _e1124 = select(_e1118, _e1119, _e1123);
+                                                            let _e1125 = abs(_e1099);
+                                                            if (_e1124 != _e1124) {
+                                                                phi_3867_ = true;
+                                                            } else {
+                                                                phi_3867_ = (_e1125 >= _e1124);
+                                                            }
+                                                            let _e1129 = phi_3867_;
+                                                            let _e1130 = select(_e1124, _e1125, _e1129);
+                                                            let _e1131 = abs(_e1101);
+                                                            let _e1132 = abs(_e1102);
+                                                            if (_e1131 != _e1131) {
+                                                                phi_3882_ = true;
+                                                            } else {
+                                                                phi_3882_ = (_e1132 >= _e1131);
+                                                            }
+                                                            let _e1136 = phi_3882_;
+                                                            let _e1137 = select(_e1131, _e1132, _e1136);
+                                                            let _e1138 = abs(_e1103);
+                                                            if (_e1137 != _e1137) {
+                                                                phi_3897_ = true;
+                                                            } else {
+                                                                phi_3897_ = (_e1138 >= _e1137);
+                                                            }
+                                                            let _e1142 = phi_3897_;
+                                                            let _e1143 = select(_e1137, _e1138, _e1142);
+                                                            let _e1145 = select(_e1130, _e1117, (_e1117 > _e1130));
+                                                            let _e1147 = select(_e1143, _e1145, (_e1145 > _e1143));
+                                                            if (_e1117 == _e1147) {
+                                                                phi_2122_ = _e953;
+                                                                phi_2123_ = _e950;
+                                                                phi_2124_ = _e944;
+                                                                phi_2125_ = _e941;
+                                                                phi_2126_ = vec3<f32>(_e922[0][0], _e922[0][1], _e922[0][2]);
+                                                                phi_2127_ = _e1104;
+                                                                phi_2128_ = _e1100;
+                                                                phi_2129_ = _e1096;
+                                                            } else {
+                                                                let _e1149 = (_e1130 == _e1147);
+                                                                let _e1154 = vec3(_e1149);
+                                                                phi_2122_ = select(_e944, _e962, _e1149);
+                                                                phi_2123_ = select(_e941, _e959, _e1149);
+                                                                phi_2124_ = select(_e962, _e953, _e1149);
+                                                                phi_2125_ = select(_e959, _e950, _e1149);
+                                                                phi_2126_ = select(vec3<f32>(_e922[2][0], _e922[2][1], _e922[2][2]), vec3<f32>(_e922[1][0], _e922[1][1], _e922[1][2]), _e1154);
+                                                                phi_2127_ = select(_e1100, _e1096, _e1154);
+                                                                phi_2128_ = select(_e1096, _e1104, _e1154);
+                                                                phi_2129_ = select(_e1104, _e1100, _e1154);
+                                                            }
+                                                            let _e1160 = phi_2122_;
+                                                            let _e1162 = phi_2123_;
+                                                            let _e1164 = phi_2124_;
+                                                            let _e1166 = phi_2125_;
+                                                            let _e1168 = phi_2126_;
+                                                            let _e1170 = phi_2127_;
+                                                            let _e1172 = phi_2128_;
+                                                            let _e1174 = phi_2129_;
+                                                            let _e1181 = ((_e1172.y * _e1170.z) - (_e1170.y * _e1172.z));
+                                                            let _e1186 = ((_e1172.z * _e1170.x) - (_e1170.z * _e1172.x));
+                                                            let _e1189 = ((_e1172.x * _e1170.y) - (_e1170.x * _e1172.y));
+                                                            let _e1192 = ((_e985 >= _e989) && (_e985 >= _e993));
+                                                            let _e1193 = (_e989 >= _e993);
+                                                            let _e1207 = (((_e1181 * (select(select(_e922[2][0], _e922[1][0], _e1193), _e922[0][0], _e1192) - _e467)) + (_e1186 * (select(select(_e922[2][1], _e922[1][1], _e1193), _e922[0][1], _e1192) - _e532))) + (_e1189 * (select(select(_e922[2][2], _e922[1][2], _e1193), _e922[0][2], _e1192) - _e596)));
+                                                            let _e1212 = (((_e1181 * _e504) + (_e1186 * _e568)) + (_e1189 * _e632));
+                                                            let _e1213 = (_e1162 - _e1166);
+                                                            let _e1214 = (_e1160 - _e1164);
+                                                            let _e1217 = ((_e1213 * _e1213) + (_e1214 * _e1214));
+                                                            let _e1224 = (-(((_e1166 * _e1213) + (_e1164 * _e1214))) / select(0.000000000000000000000000000000000000011754944f, _e1217, (_e1217 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1226 = select(1f, _e1224, (_e1224 < 1f));
+                                                            let _e1228 = select(0f, _e1226, (_e1226 > 0f));
+                                                            let _e1237 = ((_e1168.x + (_e1174.x * _e1228)) - _e467);
+                                                            let _e1240 = ((_e1168.y + (_e1174.y * _e1228)) - _e532);
+                                                            let _e1243 = ((_e1168.z + (_e1174.z * _e1228)) - _e596);
+                                                            let _e1246 = bitcast<f32>((bitcast<u32>(_e1237) & 2147483647u));
+                                                            let _e1249 = bitcast<f32>((bitcast<u32>(_e1240) & 2147483647u));
+                                                            let _e1251 = select(_e1249, _e1246, (_e1246 > _e1249));
+                                                            let _e1254 = bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u));
+                                                            let _e1256 = select(_e1254, _e1251, (_e1251 > _e1254));
+                                                            let _e1260 = abs(_e1181);
+                                                            let _e1261 = abs(_e1186);
+                                                            if (_e1260 != _e1260) {
+                                                                phi_3912_ = true;
+                                                            } else {
+                                                                phi_3912_ = (_e1261 >= _e1260);
+                                                            }
+                                                            let _e1265 = phi_3912_;
+                                                            let _e1266 = select(_e1260, _e1261, _e1265);
+                                                            let _e1267 = abs(_e1189);
+                                                            if (_e1266 != _e1266) {
+                                                                phi_3927_ = true;
+                                                            } else {
+                                                                phi_3927_ = (_e1267 >= _e1266);
+                                                            }
+                                                            let _e1271 = phi_3927_;
+                                                            let _e1287 = abs(_e1172.x);
+                                                            let _e1288 = abs(_e1172.y);
+                                                            if (_e1287 != _e1287) {
+                                                                phi_3942_ = true;
+                                                            } else {
+                                                                phi_3942_ = (_e1288 >= _e1287);
+                                                            }
+                                                            let _e1292 = phi_3942_;
+                                                            let _e1293 = select(_e1287, _e1288, _e1292);
+                                                            let _e1294 = abs(_e1172.z);
+                                                            if (_e1293 != _e1293) {
+                                                                phi_3957_ = true;
+                                                            } else {
+                                                                phi_3957_ = (_e1294 >= _e1293);
+                                                            }
+                                                            let _e1298 = phi_3957_;
+                                                            let _e1301 = abs(_e1170.x);
+                                                            let _e1302 = abs(_e1170.y);
+                                                            if (_e1301 != _e1301) {
+                                                                phi_3972_ = true;
+                                                            } else {
+                                                                phi_3972_ = (_e1302 >= _e1301);
+                                                            }
+                                                            let _e1306 = phi_3972_;
+                                                            let _e1307 = select(_e1301, _e1302, _e1306);
+                                                            let _e1308 = abs(_e1170.z);
+                                                            if (_e1307 != _e1307) {
+                                                                phi_3987_ = true;
+                                                            } else {
+                                                                phi_3987_ = (_e1308 >= _e1307);
+                                                            }
+                                                            let _e1312 = phi_3987_;
+                                                            let _e1317 = ((bitcast<f32>((bitcast<u32>(((((_e1181 * _e1237) + (_e1186 * _e1240)) + (_e1189 * _e1243)) - _e1207)) & 2147483647u)) <= ((0.0000009536743f * select(_e1147, _e1256, (_e1256 > _e1147))) * select(_e1266, _e1267, _e1271))) && !((bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u)) <= ((0.0000038146973f * select(_e1293, _e1294, _e1298)) * select(_e1307, _e1308, _e1312)))));
+                                                            let _e1318 = (_e1207 / _e1212);
+                                                            if (_e1088 && !(_e1317)) {
+                                                                let _e1321 = (_e1243 / _e632);
+                                                                let _e1329 = (((_e1181 * (_e1237 - (_e504 * _e1321))) + (_e1186 * (_e1240 - (_e568 * _e1321)))) / _e1212);
+                                                                phi_2337_ = select(select(_e1321, (_e1321 + _e1329), (bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u)) <= _e1147)), _e1318, _e1317);
+                                                            } else {
+                                                                phi_2337_ = _e1318;
+                                                            }
+                                                            let _e1338 = phi_2337_;
+                                                            let _e1340 = select(_e1051, _e1338, (_e1338 < _e1051));
+                                                            let _e1342 = select(_e1043, _e1340, (_e1340 > _e1043));
+                                                            let _e1343 = (1f / _e995);
+                                                            phi_2357_ = type_46(_e1342, (_e989 * _e1343), (_e993 * _e1343), ((_e1088 && (_e1342 >= _e738)) && (_e1342 <= _e826.member)));
+                                                            phi_2358_ = type_46();
                                                         } else {
-                                                            let _e1403 = (_e869 < arrayLength((&global_6.member)));
-                                                            if _e1403 {
-                                                                if _e1403 {
+                                                            phi_2357_ = type_46();
+                                                            phi_2358_ = type_46(0f, 0f, 0f, _e1088);
+                                                        }
+                                                        let _e1352 = phi_2357_;
+                                                        let _e1354 = phi_2358_;
+                                                        phi_2361_ = _e1352;
+                                                        phi_2362_ = _e1354;
+                                                        phi_2363_ = select(true, false, _e1088);
+                                                    } else {
+                                                        phi_2361_ = type_46();
+                                                        phi_2362_ = type_46(0f, 0f, 0f, _e979);
+                                                        phi_2363_ = true;
+                                                    }
+                                                    let _e1357 = phi_2361_;
+                                                    let _e1359 = phi_2362_;
+                                                    let _e1361 = phi_2363_;
+                                                    if _e1361 {
+                                                        phi_2367_ = _e1359;
+                                                    } else {
+                                                        phi_2367_ = _e1357;
+                                                    }
+                                                    let _e1363 = phi_2367_;
+                                                    if _e1363.member_3 {
+                                                        phi_2376_ = type_27(_e1363.member, _e1363.member_1, _e1363.member_2, _e855);
+                                                    } else {
+                                                        phi_2376_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    }
+                                                    let _e1370 = phi_2376_;
+                                                    if (_e1370.member_3 != 4294967295u) {
+                                                        if (_e855 == _e155) {
+                                                            phi_2711_ = false;
+                                                        } else {
+                                                            let _e1374 = (_e855 < arrayLength((&global_6.member)));
+                                                            if _e1374 {
+                                                                if _e1374 {
                                                                 } else {
-                                                                    phi_3924_ = true;
+                                                                    phi_4021_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1405 = global_6.member[_e869];
-                                                                phi_2482_ = _e1405;
+                                                                let _e1376 = global_6.member[_e855];
+                                                                phi_2399_ = _e1376;
                                                             } else {
-                                                                phi_2482_ = 4294967295u;
+                                                                phi_2399_ = 4294967295u;
                                                             }
-                                                            let _e1407 = phi_2482_;
-                                                            let _e1408 = (_e1407 < arrayLength((&global_7.member)));
-                                                            if _e1408 {
-                                                                if _e1408 {
+                                                            let _e1378 = phi_2399_;
+                                                            let _e1379 = (_e1378 < arrayLength((&global_7.member)));
+                                                            if _e1379 {
+                                                                if _e1379 {
                                                                 } else {
-                                                                    phi_3924_ = true;
+                                                                    phi_4021_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1410 = global_7.member[_e1407];
-                                                                phi_2496_ = _e1410;
+                                                                let _e1381 = global_7.member[_e1378];
+                                                                phi_2413_ = _e1381;
                                                             } else {
-                                                                phi_2496_ = 0i;
+                                                                phi_2413_ = 0i;
                                                             }
-                                                            let _e1412 = phi_2496_;
-                                                            let _e1413 = (_e1412 == 0i);
-                                                            if _e1413 {
-                                                                phi_2793_ = true;
+                                                            let _e1383 = phi_2413_;
+                                                            let _e1384 = (_e1383 == 0i);
+                                                            if _e1384 {
+                                                                phi_2710_ = true;
                                                             } else {
-                                                                if _e443 {
-                                                                    phi_2519_ = vec3<f32>(_e936[0][0], _e936[0][1], _e936[0][2]);
+                                                                if _e444 {
+                                                                    phi_2436_ = vec3<f32>(_e922[0][0], _e922[0][1], _e922[0][2]);
                                                                 } else {
-                                                                    if (_e419 == 1u) {
-                                                                        phi_2518_ = vec3<f32>(_e936[0][2], _e936[0][0], _e936[0][1]);
+                                                                    if (_e420 == 1u) {
+                                                                        phi_2435_ = vec3<f32>(_e922[0][2], _e922[0][0], _e922[0][1]);
                                                                     } else {
-                                                                        phi_2518_ = vec3<f32>(_e936[0][1], _e936[0][2], _e936[0][0]);
+                                                                        phi_2435_ = vec3<f32>(_e922[0][1], _e922[0][2], _e922[0][0]);
                                                                     }
-                                                                    let _e1418 = phi_2518_;
-                                                                    phi_2519_ = _e1418;
+                                                                    let _e1389 = phi_2435_;
+                                                                    phi_2436_ = _e1389;
                                                                 }
-                                                                let _e1421 = phi_2519_;
-                                                                if _e443 {
-                                                                    phi_2538_ = vec3<f32>(_e936[1][0], _e936[1][1], _e936[1][2]);
+                                                                let _e1392 = phi_2436_;
+                                                                if _e444 {
+                                                                    phi_2455_ = vec3<f32>(_e922[1][0], _e922[1][1], _e922[1][2]);
                                                                 } else {
-                                                                    if (_e419 == 1u) {
-                                                                        phi_2537_ = vec3<f32>(_e936[1][2], _e936[1][0], _e936[1][1]);
+                                                                    if (_e420 == 1u) {
+                                                                        phi_2454_ = vec3<f32>(_e922[1][2], _e922[1][0], _e922[1][1]);
                                                                     } else {
-                                                                        phi_2537_ = vec3<f32>(_e936[1][1], _e936[1][2], _e936[1][0]);
+                                                                        phi_2454_ = vec3<f32>(_e922[1][1], _e922[1][2], _e922[1][0]);
                                                                     }
-                                                                    let _e1426 = phi_2537_;
-                                                                    phi_2538_ = _e1426;
+                                                                    let _e1397 = phi_2454_;
+                                                                    phi_2455_ = _e1397;
                                                                 }
-                                                                let _e1429 = phi_2538_;
-                                                                if _e443 {
-                                                                    phi_2557_ = vec3<f32>(_e936[2][0], _e936[2][1], _e936[2][2]);
+                                                                let _e1400 = phi_2455_;
+                                                                if _e444 {
+                                                                    phi_2474_ = vec3<f32>(_e922[2][0], _e922[2][1], _e922[2][2]);
                                                                 } else {
-                                                                    if (_e419 == 1u) {
-                                                                        phi_2556_ = vec3<f32>(_e936[2][2], _e936[2][0], _e936[2][1]);
+                                                                    if (_e420 == 1u) {
+                                                                        phi_2473_ = vec3<f32>(_e922[2][2], _e922[2][0], _e922[2][1]);
                                                                     } else {
-                                                                        phi_2556_ = vec3<f32>(_e936[2][1], _e936[2][2], _e936[2][0]);
+                                                                        phi_2473_ = vec3<f32>(_e922[2][1], _e922[2][2], _e922[2][0]);
                                                                     }
-                                                                    let _e1434 = phi_2556_;
-                                                                    phi_2557_ = _e1434;
+                                                                    let _e1405 = phi_2473_;
+                                                                    phi_2474_ = _e1405;
                                                                 }
-                                                                let _e1437 = phi_2557_;
-                                                                let _e1440 = (_e1429.x - _e1421.x);
-                                                                let _e1443 = (_e1429.y - _e1421.y);
-                                                                let _e1446 = (_e1429.z - _e1421.z);
-                                                                let _e1448 = (_e1437.x - _e1421.x);
-                                                                let _e1450 = (_e1437.y - _e1421.y);
-                                                                let _e1452 = (_e1437.z - _e1421.z);
-                                                                if (_e286.member_1 == 1u) {
-                                                                    phi_2593_ = (vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]) - _e1421);
+                                                                let _e1408 = phi_2474_;
+                                                                let _e1411 = (_e1400.x - _e1392.x);
+                                                                let _e1414 = (_e1400.y - _e1392.y);
+                                                                let _e1417 = (_e1400.z - _e1392.z);
+                                                                let _e1419 = (_e1408.x - _e1392.x);
+                                                                let _e1421 = (_e1408.y - _e1392.y);
+                                                                let _e1423 = (_e1408.z - _e1392.z);
+                                                                if (_e287.member_1 == 1u) {
+                                                                    phi_2510_ = (vec3<f32>(_e287.member[0], _e287.member[1], _e287.member[2]) - _e1392);
                                                                 } else {
-                                                                    phi_2593_ = vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]);
+                                                                    phi_2510_ = vec3<f32>(_e287.member[0], _e287.member[1], _e287.member[2]);
                                                                 }
-                                                                let _e1467 = phi_2593_;
-                                                                let _e1473 = bitcast<f32>((bitcast<u32>((_e1440 * _e1450)) ^ _e286.member_3[0]));
-                                                                let _e1477 = bitcast<f32>((bitcast<u32>((_e1443 * _e1448)) ^ _e286.member_3[0]));
-                                                                let _e1481 = bitcast<f32>((bitcast<u32>((_e1443 * _e1452)) ^ _e286.member_3[0]));
-                                                                let _e1485 = bitcast<f32>((bitcast<u32>((_e1446 * _e1450)) ^ _e286.member_3[0]));
-                                                                let _e1489 = bitcast<f32>((bitcast<u32>((_e1446 * _e1448)) ^ _e286.member_3[0]));
-                                                                let _e1493 = bitcast<f32>((bitcast<u32>((_e1440 * _e1452)) ^ _e286.member_3[0]));
-                                                                let _e1494 = (_e1481 - _e1485);
-                                                                let _e1495 = (_e1489 - _e1493);
-                                                                let _e1496 = (_e1473 - _e1477);
-                                                                let _e1520 = (bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u)));
-                                                                let _e1527 = (bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1493) & 2147483647u)));
-                                                                let _e1534 = (bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u)));
-                                                                if (_e286.member_2 == 0f) {
-                                                                    phi_2775_ = 0f;
+                                                                let _e1438 = phi_2510_;
+                                                                let _e1444 = bitcast<f32>((bitcast<u32>((_e1411 * _e1421)) ^ _e287.member_3[0]));
+                                                                let _e1448 = bitcast<f32>((bitcast<u32>((_e1414 * _e1419)) ^ _e287.member_3[0]));
+                                                                let _e1452 = bitcast<f32>((bitcast<u32>((_e1414 * _e1423)) ^ _e287.member_3[0]));
+                                                                let _e1456 = bitcast<f32>((bitcast<u32>((_e1417 * _e1421)) ^ _e287.member_3[0]));
+                                                                let _e1460 = bitcast<f32>((bitcast<u32>((_e1417 * _e1419)) ^ _e287.member_3[0]));
+                                                                let _e1464 = bitcast<f32>((bitcast<u32>((_e1411 * _e1423)) ^ _e287.member_3[0]));
+                                                                let _e1465 = (_e1452 - _e1456);
+                                                                let _e1466 = (_e1460 - _e1464);
+                                                                let _e1467 = (_e1444 - _e1448);
+                                                                let _e1491 = (bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u)));
+                                                                let _e1498 = (bitcast<f32>((bitcast<u32>(_e1460) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1464) & 2147483647u)));
+                                                                let _e1505 = (bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u)));
+                                                                if (_e287.member_2 == 0f) {
+                                                                    phi_2692_ = 0f;
                                                                 } else {
-                                                                    let _e1564 = bitcast<f32>((bitcast<u32>(_e1494) & 2147483647u));
-                                                                    let _e1567 = bitcast<f32>((bitcast<u32>(_e1495) & 2147483647u));
-                                                                    let _e1570 = bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u));
-                                                                    let _e1572 = select(_e1570, _e1567, (_e1567 > _e1570));
-                                                                    let _e1576 = select(_e1570, _e1567, (_e1567 < _e1570));
-                                                                    let _e1580 = select(_e1567, _e1564, (_e1564 < _e1567));
-                                                                    let _e1582 = select(_e1567, _e1564, (_e1564 > _e1567));
-                                                                    let _e1584 = select(_e1570, _e1582, (_e1582 < _e1570));
-                                                                    phi_2775_ = bitcast<f32>((bitcast<u32>((_e286.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1572, _e1564, (_e1564 > _e1572)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1584, _e1580, (_e1580 > _e1584)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1576, _e1564, (_e1564 < _e1576)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1520 + _e1527) + _e1534))) ^ _e286.member_3[0]))) * 1.0000005f)) ^ _e286.member_3[0])))) ^ _e286.member_3[0]));
+                                                                    let _e1535 = bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u));
+                                                                    let _e1538 = bitcast<f32>((bitcast<u32>(_e1466) & 2147483647u));
+                                                                    let _e1541 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
+                                                                    let _e1543 = select(_e1541, _e1538, (_e1538 > _e1541));
+                                                                    let _e1547 = select(_e1541, _e1538, (_e1538 < _e1541));
+                                                                    let _e1551 = select(_e1538, _e1535, (_e1535 < _e1538));
+                                                                    let _e1553 = select(_e1538, _e1535, (_e1535 > _e1538));
+                                                                    let _e1555 = select(_e1541, _e1553, (_e1553 < _e1541));
+                                                                    phi_2692_ = bitcast<f32>((bitcast<u32>((_e287.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1543, _e1535, (_e1535 > _e1543)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1555, _e1551, (_e1551 > _e1555)))) ^ _e287.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1547, _e1535, (_e1535 < _e1547)))) ^ _e287.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1491 + _e1498) + _e1505))) ^ _e287.member_3[0]))) * 1.0000005f)) ^ _e287.member_3[0])))) ^ _e287.member_3[0]));
                                                                 }
-                                                                let _e1611 = phi_2775_;
-                                                                phi_2793_ = (_e1413 || !(((((bitcast<f32>((bitcast<u32>((_e1467.x * _e1494)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1467.y * _e1495)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1467.z * _e1496)) ^ _e286.member_3[0]))) * f32(-(_e1412))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1467.x) & 2147483647u)) * _e1520)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1467.y) & 2147483647u)) * _e1527)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1467.z) & 2147483647u)) * _e1534)) ^ _e286.member_3[0]))))) ^ _e286.member_3[0])) + _e1611) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1582 = phi_2692_;
+                                                                phi_2710_ = (_e1384 || !(((((bitcast<f32>((bitcast<u32>((_e1438.x * _e1465)) ^ _e287.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1438.y * _e1466)) ^ _e287.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1438.z * _e1467)) ^ _e287.member_3[0]))) * f32(-(_e1383))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1438.x) & 2147483647u)) * _e1491)) ^ _e287.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1438.y) & 2147483647u)) * _e1498)) ^ _e287.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1438.z) & 2147483647u)) * _e1505)) ^ _e287.member_3[0]))))) ^ _e287.member_3[0])) + _e1582) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1625 = phi_2793_;
-                                                            phi_2794_ = _e1625;
+                                                            let _e1596 = phi_2710_;
+                                                            phi_2711_ = _e1596;
                                                         }
-                                                        let _e1627 = phi_2794_;
-                                                        if _e1627 {
-                                                            phi_2799_ = type_46(_e840.member, true);
+                                                        let _e1598 = phi_2711_;
+                                                        if _e1598 {
+                                                            phi_2716_ = type_47(-340282350000000000000000000000000000000f, true);
                                                         } else {
-                                                            phi_2799_ = _e840;
+                                                            phi_2716_ = _e826;
                                                         }
-                                                        let _e1632 = phi_2799_;
-                                                        phi_2800_ = _e1632;
+                                                        let _e1600 = phi_2716_;
+                                                        phi_2717_ = _e1600;
                                                     } else {
-                                                        phi_2800_ = _e840;
+                                                        phi_2717_ = _e826;
                                                     }
-                                                    let _e1634 = phi_2800_;
-                                                    phi_1422_ = _e1634;
+                                                    let _e1602 = phi_2717_;
+                                                    phi_1442_ = _e1602;
                                                 } else {
-                                                    phi_1422_ = type_46();
+                                                    phi_1442_ = type_47();
                                                 }
-                                                let _e1636 = phi_1422_;
+                                                let _e1604 = phi_1442_;
                                                 continue;
                                                 continuing {
-                                                    phi_1421_ = _e1636;
-                                                    phi_1424_ = _e855;
-                                                    phi_3924_ = _e784;
-                                                    break if !(_e861);
+                                                    phi_1441_ = _e1604;
+                                                    phi_1444_ = _e841;
+                                                    phi_4021_ = _e770;
+                                                    break if !(_e847);
                                                 }
                                             }
-                                            let _e1639 = phi_3924_;
-                                            phi_4116_ = _e1639;
-                                            if _e1639 {
+                                            let _e1607 = phi_4021_;
+                                            phi_4218_ = _e1607;
+                                            if _e1607 {
                                                 break;
                                             }
-                                            phi_4175_ = _e1639;
-                                            let _e2201 = local_11;
-                                            phi_2801_ = _e2201;
+                                            phi_4277_ = _e1607;
+                                            let _e2156 = local_11;
+                                            phi_2718_ = _e2156;
                                         } else {
-                                            phi_4175_ = _e784;
-                                            phi_2801_ = _e786;
+                                            phi_4277_ = _e770;
+                                            phi_2718_ = _e772;
                                         }
-                                        let _e1641 = phi_4175_;
-                                        let _e1643 = phi_2801_;
-                                        if _e833 {
-                                            phi_3808_ = bool();
-                                            phi_3809_ = u32();
-                                            phi_3810_ = type_62();
+                                        let _e1609 = phi_4277_;
+                                        let _e1611 = phi_2718_;
+                                        if _e819 {
+                                            phi_3725_ = bool();
+                                            phi_3726_ = u32();
+                                            phi_3727_ = type_63();
                                         } else {
-                                            let _e1644 = (_e829.member_1 < _e95);
-                                            if _e1644 {
-                                                if _e1644 {
+                                            let _e1612 = (_e815.member_1 < _e96);
+                                            if _e1612 {
+                                                if _e1612 {
                                                 } else {
-                                                    phi_4116_ = true;
+                                                    phi_4218_ = true;
                                                     break;
                                                 }
-                                                let _e1646 = global_10.member[_e829.member_1];
-                                                phi_2822_ = _e1646;
+                                                let _e1614 = global_10.member[_e815.member_1];
+                                                phi_2739_ = _e1614;
                                             } else {
-                                                phi_2822_ = type_55(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2739_ = type_56(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e1648 = phi_2822_;
-                                            let _e1663 = ((10u * _e419) & 31u);
-                                            let _e1666 = ((_e1648.member[0] >> bitcast<u32>(_e1663)) & 1023u);
-                                            let _e1674 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[0] - _e829.member.member[0]) * 0.0009775171f)) ^ _e137));
-                                            let _e1679 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1666)) - 8388608f) * _e1674)) ^ _e137)));
-                                            let _e1683 = select(select(_e829.member.member_1[0], _e1679, (_e1679 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1666 == 1023u));
-                                            let _e1685 = ((10u * _e418) & 31u);
-                                            let _e1688 = ((_e1648.member[0] >> bitcast<u32>(_e1685)) & 1023u);
-                                            let _e1696 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[1] - _e829.member.member[1]) * 0.0009775171f)) ^ _e137));
-                                            let _e1701 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1688)) - 8388608f) * _e1696)) ^ _e137)));
-                                            let _e1705 = select(select(_e829.member.member_1[1], _e1701, (_e1701 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1688 == 1023u));
-                                            let _e1707 = ((10u * _e420) & 31u);
-                                            let _e1710 = ((_e1648.member[0] >> bitcast<u32>(_e1707)) & 1023u);
-                                            let _e1718 = bitcast<f32>((bitcast<u32>(((_e829.member.member_1[2] - _e829.member.member[2]) * 0.0009775171f)) ^ _e137));
-                                            let _e1723 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1710)) - 8388608f) * _e1718)) ^ _e137)));
-                                            let _e1727 = select(select(_e829.member.member_1[2], _e1723, (_e1723 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1710 == 1023u));
-                                            let _e1730 = ((_e1648.member[1] >> bitcast<u32>(_e1663)) & 1023u);
-                                            let _e1738 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1730)) - 8388608f) * _e1674)) ^ _e137)));
-                                            let _e1742 = select(select(_e829.member.member_1[0], _e1738, (_e1738 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1730 == 1023u));
-                                            let _e1745 = ((_e1648.member[1] >> bitcast<u32>(_e1685)) & 1023u);
-                                            let _e1753 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1745)) - 8388608f) * _e1696)) ^ _e137)));
-                                            let _e1757 = select(select(_e829.member.member_1[1], _e1753, (_e1753 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1745 == 1023u));
-                                            let _e1760 = ((_e1648.member[1] >> bitcast<u32>(_e1707)) & 1023u);
-                                            let _e1768 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1760)) - 8388608f) * _e1718)) ^ _e137)));
-                                            let _e1772 = select(select(_e829.member.member_1[2], _e1768, (_e1768 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1760 == 1023u));
-                                            let _e1778 = ((_e1648.member_1[0] >> bitcast<u32>(_e1663)) & 1023u);
-                                            let _e1786 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1778)) - 8388608f) * _e1674)) ^ _e137)));
-                                            let _e1790 = select(select(_e829.member.member_1[0], _e1786, (_e1786 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1778 == 1023u));
-                                            let _e1793 = ((_e1648.member_1[0] >> bitcast<u32>(_e1685)) & 1023u);
-                                            let _e1801 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1793)) - 8388608f) * _e1696)) ^ _e137)));
-                                            let _e1805 = select(select(_e829.member.member_1[1], _e1801, (_e1801 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1793 == 1023u));
-                                            let _e1808 = ((_e1648.member_1[0] >> bitcast<u32>(_e1707)) & 1023u);
-                                            let _e1816 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1808)) - 8388608f) * _e1718)) ^ _e137)));
-                                            let _e1820 = select(select(_e829.member.member_1[2], _e1816, (_e1816 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1808 == 1023u));
-                                            let _e1823 = ((_e1648.member_1[1] >> bitcast<u32>(_e1663)) & 1023u);
-                                            let _e1831 = (_e829.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1823)) - 8388608f) * _e1674)) ^ _e137)));
-                                            let _e1835 = select(select(_e829.member.member_1[0], _e1831, (_e1831 < _e829.member.member_1[0])), _e829.member.member_1[0], (_e1823 == 1023u));
-                                            let _e1838 = ((_e1648.member_1[1] >> bitcast<u32>(_e1685)) & 1023u);
-                                            let _e1846 = (_e829.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1838)) - 8388608f) * _e1696)) ^ _e137)));
-                                            let _e1850 = select(select(_e829.member.member_1[1], _e1846, (_e1846 < _e829.member.member_1[1])), _e829.member.member_1[1], (_e1838 == 1023u));
-                                            let _e1853 = ((_e1648.member_1[1] >> bitcast<u32>(_e1707)) & 1023u);
-                                            let _e1861 = (_e829.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1853)) - 8388608f) * _e1718)) ^ _e137)));
-                                            let _e1865 = select(select(_e829.member.member_1[2], _e1861, (_e1861 < _e829.member.member_1[2])), _e829.member.member_1[2], (_e1853 == 1023u));
-                                            let _e1870 = type_62(type_60(array<f32, 3>(_e1683, _e1705, _e1727), array<f32, 3>(_e1742, _e1757, _e1772)), _e1648.member_2);
-                                            let _e1875 = type_62(type_60(array<f32, 3>(_e1790, _e1805, _e1820), array<f32, 3>(_e1835, _e1850, _e1865)), _e1648.member_3);
-                                            let _e1881 = ((_e1683 - _e504) * _e509);
-                                            let _e1882 = ((_e1790 - _e504) * _e509);
-                                            let _e1883 = ((_e1742 - _e505) * _e509);
-                                            let _e1884 = ((_e1835 - _e505) * _e509);
-                                            let _e1889 = ((_e1705 - _e570) * _e575);
-                                            let _e1890 = ((_e1805 - _e570) * _e575);
-                                            let _e1891 = ((_e1757 - _e571) * _e575);
-                                            let _e1892 = ((_e1850 - _e571) * _e575);
-                                            let _e1897 = ((_e1727 - _e636) * _e641);
-                                            let _e1898 = ((_e1820 - _e636) * _e641);
-                                            let _e1899 = ((_e1772 - _e637) * _e641);
-                                            let _e1900 = ((_e1865 - _e637) * _e641);
-                                            let _e1902 = select(_e1899, _e1897, (_e1897 < _e1899));
-                                            let _e1904 = select(_e1900, _e1898, (_e1898 < _e1900));
-                                            let _e1906 = select(_e1899, _e1897, (_e1897 > _e1899));
-                                            let _e1908 = select(_e1900, _e1898, (_e1898 > _e1900));
-                                            let _e1910 = select(_e1883, _e1881, (_e1881 < _e1883));
-                                            let _e1912 = select(_e1884, _e1882, (_e1882 < _e1884));
-                                            let _e1914 = select(_e1891, _e1889, (_e1889 < _e1891));
-                                            let _e1916 = select(_e1892, _e1890, (_e1890 < _e1892));
-                                            let _e1918 = select(_e1914, _e1910, (_e1910 > _e1914));
-                                            let _e1920 = select(_e1916, _e1912, (_e1912 > _e1916));
-                                            let _e1922 = select(_e1902, _e1918, (_e1918 > _e1902));
-                                            let _e1924 = select(_e1904, _e1920, (_e1920 > _e1904));
-                                            let _e1926 = select(_e1883, _e1881, (_e1881 > _e1883));
-                                            let _e1928 = select(_e1884, _e1882, (_e1882 > _e1884));
-                                            let _e1930 = select(_e1891, _e1889, (_e1889 > _e1891));
-                                            let _e1932 = select(_e1892, _e1890, (_e1890 > _e1892));
-                                            let _e1934 = select(_e1930, _e1926, (_e1926 < _e1930));
-                                            let _e1936 = select(_e1932, _e1928, (_e1928 < _e1932));
-                                            let _e1941 = -(_e1902);
-                                            let _e1942 = -(_e1904);
-                                            let _e1949 = (select(_e1906, _e1934, (_e1934 < _e1906)) + (select(_e1941, _e1906, (_e1906 > _e1941)) * 0.0000019073523f));
-                                            let _e1950 = (select(_e1908, _e1936, (_e1936 < _e1908)) + (select(_e1942, _e1908, (_e1908 > _e1942)) * 0.0000019073523f));
-                                            let _e1952 = select(_e752, _e1922, (_e1922 > _e752));
-                                            let _e1954 = select(_e752, _e1924, (_e1924 > _e752));
-                                            let _e1959 = (_e1952 <= select(_e1643.member, _e1949, (_e1949 < _e1643.member)));
-                                            let _e1960 = (_e1954 <= select(_e1643.member, _e1950, (_e1950 < _e1643.member)));
-                                            let _e1961 = (_e1952 <= _e1954);
-                                            if _e1959 {
-                                                if _e1960 {
-                                                    if _e1961 {
-                                                        phi_3708_ = _e1875;
+                                            let _e1616 = phi_2739_;
+                                            let _e1631 = ((10u * _e420) & 31u);
+                                            let _e1634 = ((_e1616.member[0] >> bitcast<u32>(_e1631)) & 1023u);
+                                            let _e1642 = bitcast<f32>((bitcast<u32>(((_e815.member.member_1[0] - _e815.member.member[0]) * 0.0009775171f)) ^ _e138));
+                                            let _e1647 = (_e815.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1634)) - 8388608f) * _e1642)) ^ _e138)));
+                                            let _e1651 = select(select(_e815.member.member_1[0], _e1647, (_e1647 < _e815.member.member_1[0])), _e815.member.member_1[0], (_e1634 == 1023u));
+                                            let _e1653 = ((10u * _e419) & 31u);
+                                            let _e1656 = ((_e1616.member[0] >> bitcast<u32>(_e1653)) & 1023u);
+                                            let _e1664 = bitcast<f32>((bitcast<u32>(((_e815.member.member_1[1] - _e815.member.member[1]) * 0.0009775171f)) ^ _e138));
+                                            let _e1669 = (_e815.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1656)) - 8388608f) * _e1664)) ^ _e138)));
+                                            let _e1673 = select(select(_e815.member.member_1[1], _e1669, (_e1669 < _e815.member.member_1[1])), _e815.member.member_1[1], (_e1656 == 1023u));
+                                            let _e1675 = ((10u * _e421) & 31u);
+                                            let _e1678 = ((_e1616.member[0] >> bitcast<u32>(_e1675)) & 1023u);
+                                            let _e1686 = bitcast<f32>((bitcast<u32>(((_e815.member.member_1[2] - _e815.member.member[2]) * 0.0009775171f)) ^ _e138));
+                                            let _e1691 = (_e815.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1678)) - 8388608f) * _e1686)) ^ _e138)));
+                                            let _e1695 = select(select(_e815.member.member_1[2], _e1691, (_e1691 < _e815.member.member_1[2])), _e815.member.member_1[2], (_e1678 == 1023u));
+                                            let _e1698 = ((_e1616.member[1] >> bitcast<u32>(_e1631)) & 1023u);
+                                            let _e1706 = (_e815.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1698)) - 8388608f) * _e1642)) ^ _e138)));
+                                            let _e1710 = select(select(_e815.member.member_1[0], _e1706, (_e1706 < _e815.member.member_1[0])), _e815.member.member_1[0], (_e1698 == 1023u));
+                                            let _e1713 = ((_e1616.member[1] >> bitcast<u32>(_e1653)) & 1023u);
+                                            let _e1721 = (_e815.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1713)) - 8388608f) * _e1664)) ^ _e138)));
+                                            let _e1725 = select(select(_e815.member.member_1[1], _e1721, (_e1721 < _e815.member.member_1[1])), _e815.member.member_1[1], (_e1713 == 1023u));
+                                            let _e1728 = ((_e1616.member[1] >> bitcast<u32>(_e1675)) & 1023u);
+                                            let _e1736 = (_e815.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1728)) - 8388608f) * _e1686)) ^ _e138)));
+                                            let _e1740 = select(select(_e815.member.member_1[2], _e1736, (_e1736 < _e815.member.member_1[2])), _e815.member.member_1[2], (_e1728 == 1023u));
+                                            let _e1746 = ((_e1616.member_1[0] >> bitcast<u32>(_e1631)) & 1023u);
+                                            let _e1754 = (_e815.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1746)) - 8388608f) * _e1642)) ^ _e138)));
+                                            let _e1758 = select(select(_e815.member.member_1[0], _e1754, (_e1754 < _e815.member.member_1[0])), _e815.member.member_1[0], (_e1746 == 1023u));
+                                            let _e1761 = ((_e1616.member_1[0] >> bitcast<u32>(_e1653)) & 1023u);
+                                            let _e1769 = (_e815.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1761)) - 8388608f) * _e1664)) ^ _e138)));
+                                            let _e1773 = select(select(_e815.member.member_1[1], _e1769, (_e1769 < _e815.member.member_1[1])), _e815.member.member_1[1], (_e1761 == 1023u));
+                                            let _e1776 = ((_e1616.member_1[0] >> bitcast<u32>(_e1675)) & 1023u);
+                                            let _e1784 = (_e815.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1776)) - 8388608f) * _e1686)) ^ _e138)));
+                                            let _e1788 = select(select(_e815.member.member_1[2], _e1784, (_e1784 < _e815.member.member_1[2])), _e815.member.member_1[2], (_e1776 == 1023u));
+                                            let _e1791 = ((_e1616.member_1[1] >> bitcast<u32>(_e1631)) & 1023u);
+                                            let _e1799 = (_e815.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1791)) - 8388608f) * _e1642)) ^ _e138)));
+                                            let _e1803 = select(select(_e815.member.member_1[0], _e1799, (_e1799 < _e815.member.member_1[0])), _e815.member.member_1[0], (_e1791 == 1023u));
+                                            let _e1806 = ((_e1616.member_1[1] >> bitcast<u32>(_e1653)) & 1023u);
+                                            let _e1814 = (_e815.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1806)) - 8388608f) * _e1664)) ^ _e138)));
+                                            let _e1818 = select(select(_e815.member.member_1[1], _e1814, (_e1814 < _e815.member.member_1[1])), _e815.member.member_1[1], (_e1806 == 1023u));
+                                            let _e1821 = ((_e1616.member_1[1] >> bitcast<u32>(_e1675)) & 1023u);
+                                            let _e1829 = (_e815.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1821)) - 8388608f) * _e1686)) ^ _e138)));
+                                            let _e1833 = select(select(_e815.member.member_1[2], _e1829, (_e1829 < _e815.member.member_1[2])), _e815.member.member_1[2], (_e1821 == 1023u));
+                                            let _e1838 = type_63(type_61(array<f32, 3>(_e1651, _e1673, _e1695), array<f32, 3>(_e1710, _e1725, _e1740)), _e1616.member_2);
+                                            let _e1843 = type_63(type_61(array<f32, 3>(_e1758, _e1773, _e1788), array<f32, 3>(_e1803, _e1818, _e1833)), _e1616.member_3);
+                                            let _e1849 = ((_e1651 - _e505) * _e508);
+                                            let _e1850 = ((_e1758 - _e505) * _e508);
+                                            let _e1851 = ((_e1710 - _e506) * _e508);
+                                            let _e1852 = ((_e1803 - _e506) * _e508);
+                                            let _e1857 = ((_e1673 - _e569) * _e572);
+                                            let _e1858 = ((_e1773 - _e569) * _e572);
+                                            let _e1859 = ((_e1725 - _e570) * _e572);
+                                            let _e1860 = ((_e1818 - _e570) * _e572);
+                                            let _e1865 = ((_e1695 - _e633) * _e636);
+                                            let _e1866 = ((_e1788 - _e633) * _e636);
+                                            let _e1867 = ((_e1740 - _e634) * _e636);
+                                            let _e1868 = ((_e1833 - _e634) * _e636);
+                                            let _e1870 = select(_e1867, _e1865, (_e1865 < _e1867));
+                                            let _e1872 = select(_e1868, _e1866, (_e1866 < _e1868));
+                                            let _e1874 = select(_e1867, _e1865, (_e1865 > _e1867));
+                                            let _e1876 = select(_e1868, _e1866, (_e1866 > _e1868));
+                                            let _e1878 = select(_e1851, _e1849, (_e1849 < _e1851));
+                                            let _e1880 = select(_e1852, _e1850, (_e1850 < _e1852));
+                                            let _e1882 = select(_e1859, _e1857, (_e1857 < _e1859));
+                                            let _e1884 = select(_e1860, _e1858, (_e1858 < _e1860));
+                                            let _e1886 = select(_e1882, _e1878, (_e1878 > _e1882));
+                                            let _e1888 = select(_e1884, _e1880, (_e1880 > _e1884));
+                                            let _e1890 = select(_e1870, _e1886, (_e1886 > _e1870));
+                                            let _e1892 = select(_e1872, _e1888, (_e1888 > _e1872));
+                                            let _e1894 = select(_e1851, _e1849, (_e1849 > _e1851));
+                                            let _e1896 = select(_e1852, _e1850, (_e1850 > _e1852));
+                                            let _e1898 = select(_e1859, _e1857, (_e1857 > _e1859));
+                                            let _e1900 = select(_e1860, _e1858, (_e1858 > _e1860));
+                                            let _e1902 = select(_e1898, _e1894, (_e1894 < _e1898));
+                                            let _e1904 = select(_e1900, _e1896, (_e1896 < _e1900));
+                                            let _e1909 = -(_e1870);
+                                            let _e1910 = -(_e1872);
+                                            let _e1917 = (select(_e1874, _e1902, (_e1902 < _e1874)) + (select(_e1909, _e1874, (_e1874 > _e1909)) * 0.0000019073523f));
+                                            let _e1918 = (select(_e1876, _e1904, (_e1904 < _e1876)) + (select(_e1910, _e1876, (_e1876 > _e1910)) * 0.0000019073523f));
+                                            let _e1920 = select(_e738, _e1890, (_e1890 > _e738));
+                                            let _e1922 = select(_e738, _e1892, (_e1892 > _e738));
+                                            let _e1927 = (_e1920 <= select(_e1611.member, _e1917, (_e1917 < _e1611.member)));
+                                            let _e1928 = (_e1922 <= select(_e1611.member, _e1918, (_e1918 < _e1611.member)));
+                                            let _e1929 = (_e1920 <= _e1922);
+                                            if _e1927 {
+                                                if _e1928 {
+                                                    if _e1929 {
+                                                        phi_3625_ = _e1843;
                                                     } else {
-                                                        phi_3708_ = _e1870;
+                                                        phi_3625_ = _e1838;
                                                     }
-                                                    let _e1963 = phi_3708_;
-                                                    let _e1970 = (_e827 % 128u);
-                                                    let _e1971 = (_e1970 < 128u);
-                                                    if _e1971 {
+                                                    let _e1931 = phi_3625_;
+                                                    let _e1938 = (_e813 % 128u);
+                                                    let _e1939 = (_e1938 < 128u);
+                                                    if _e1939 {
                                                     } else {
-                                                        phi_4116_ = true;
+                                                        phi_4218_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1970] = _e1963.member_1;
-                                                    if _e1971 {
+                                                    local_6[_e1938] = _e1931.member_1;
+                                                    if _e1939 {
                                                     } else {
-                                                        phi_4116_ = true;
+                                                        phi_4218_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1970] = _e1963.member.member[0];
-                                                    if _e1971 {
+                                                    local_5[_e1938] = _e1931.member.member[0];
+                                                    if _e1939 {
                                                     } else {
-                                                        phi_4116_ = true;
+                                                        phi_4218_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1970] = _e1963.member.member[1];
-                                                    if _e1971 {
+                                                    local_4[_e1938] = _e1931.member.member[1];
+                                                    if _e1939 {
                                                     } else {
-                                                        phi_4116_ = true;
+                                                        phi_4218_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1970] = _e1963.member.member[2];
-                                                    if _e1971 {
+                                                    local_3[_e1938] = _e1931.member.member[2];
+                                                    if _e1939 {
                                                     } else {
-                                                        phi_4116_ = true;
+                                                        phi_4218_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1970] = _e1963.member.member_1[0];
-                                                    if _e1971 {
+                                                    local_2[_e1938] = _e1931.member.member_1[0];
+                                                    if _e1939 {
                                                     } else {
-                                                        phi_4116_ = true;
+                                                        phi_4218_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e1970] = _e1963.member.member_1[1];
-                                                    if _e1971 {
+                                                    local_1[_e1938] = _e1931.member.member_1[1];
+                                                    if _e1939 {
                                                     } else {
-                                                        phi_4116_ = true;
+                                                        phi_4218_ = true;
                                                         break;
                                                     }
-                                                    local[_e1970] = _e1963.member.member_1[2];
-                                                    if _e1971 {
+                                                    local[_e1938] = _e1931.member.member_1[2];
+                                                    if _e1939 {
                                                     } else {
-                                                        phi_4116_ = true;
+                                                        phi_4218_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1970] = select(_e1952, _e1954, _e1961);
-                                                    if _e1961 {
-                                                        phi_3784_ = _e1870;
+                                                    local_7[_e1938] = select(_e1920, _e1922, _e1929);
+                                                    if _e1929 {
+                                                        phi_3701_ = _e1838;
                                                     } else {
-                                                        phi_3784_ = _e1875;
+                                                        phi_3701_ = _e1843;
                                                     }
-                                                    let _e1988 = phi_3784_;
-                                                    phi_3785_ = (_e827 + 1u);
-                                                    phi_3786_ = _e1988;
+                                                    let _e1956 = phi_3701_;
+                                                    phi_3702_ = (_e813 + 1u);
+                                                    phi_3703_ = _e1956;
                                                 } else {
-                                                    phi_3785_ = u32();
-                                                    phi_3786_ = type_62();
+                                                    phi_3702_ = u32();
+                                                    phi_3703_ = type_63();
                                                 }
-                                                let _e1990 = phi_3785_;
-                                                let _e1992 = phi_3786_;
-                                                phi_3788_ = _e1990;
-                                                phi_3789_ = _e1992;
-                                                phi_3790_ = select(true, false, _e1960);
+                                                let _e1958 = phi_3702_;
+                                                let _e1960 = phi_3703_;
+                                                phi_3705_ = _e1958;
+                                                phi_3706_ = _e1960;
+                                                phi_3707_ = select(true, false, _e1928);
                                             } else {
-                                                phi_3788_ = u32();
-                                                phi_3789_ = type_62();
-                                                phi_3790_ = true;
+                                                phi_3705_ = u32();
+                                                phi_3706_ = type_63();
+                                                phi_3707_ = true;
                                             }
-                                            let _e1995 = phi_3788_;
-                                            let _e1997 = phi_3789_;
-                                            let _e1999 = phi_3790_;
-                                            if _e1999 {
-                                                if _e1959 {
-                                                    phi_3797_ = _e1870;
+                                            let _e1963 = phi_3705_;
+                                            let _e1965 = phi_3706_;
+                                            let _e1967 = phi_3707_;
+                                            if _e1967 {
+                                                if _e1927 {
+                                                    phi_3714_ = _e1838;
                                                 } else {
-                                                    phi_3797_ = _e1875;
+                                                    phi_3714_ = _e1843;
                                                 }
-                                                let _e2001 = phi_3797_;
-                                                phi_3802_ = select(_e1960, true, _e1959);
-                                                phi_3804_ = _e2001;
+                                                let _e1969 = phi_3714_;
+                                                phi_3719_ = select(_e1928, true, _e1927);
+                                                phi_3721_ = _e1969;
                                             } else {
-                                                phi_3802_ = _e825;
-                                                phi_3804_ = _e1997;
+                                                phi_3719_ = _e811;
+                                                phi_3721_ = _e1965;
                                             }
-                                            let _e2004 = phi_3802_;
-                                            let _e2006 = phi_3804_;
-                                            phi_3808_ = _e2004;
-                                            phi_3809_ = select(_e1995, _e827, _e1999);
-                                            phi_3810_ = _e2006;
+                                            let _e1972 = phi_3719_;
+                                            let _e1974 = phi_3721_;
+                                            phi_3725_ = _e1972;
+                                            phi_3726_ = select(_e1963, _e813, _e1967);
+                                            phi_3727_ = _e1974;
                                         }
-                                        let _e2009 = phi_3808_;
-                                        let _e2011 = phi_3809_;
-                                        let _e2013 = phi_3810_;
-                                        if _e833 {
-                                            phi_3820_ = select(_e827, 0u, _e1643.member_1);
-                                            phi_3821_ = _e829;
+                                        let _e1977 = phi_3725_;
+                                        let _e1979 = phi_3726_;
+                                        let _e1981 = phi_3727_;
+                                        if _e819 {
+                                            phi_3737_ = select(_e813, 0u, _e1611.member_1);
+                                            phi_3738_ = _e815;
                                         } else {
-                                            phi_3820_ = _e2011;
-                                            phi_3821_ = _e2013;
+                                            phi_3737_ = _e1979;
+                                            phi_3738_ = _e1981;
                                         }
-                                        let _e2017 = phi_3820_;
-                                        let _e2019 = phi_3821_;
-                                        phi_4119_ = _e1641;
-                                        phi_3822_ = _e1643;
-                                        phi_3823_ = (_e788 - 1u);
-                                        phi_3824_ = select(_e2009, false, _e833);
-                                        phi_3825_ = _e2017;
-                                        phi_3826_ = _e2019;
+                                        let _e1985 = phi_3737_;
+                                        let _e1987 = phi_3738_;
+                                        phi_4221_ = _e1609;
+                                        phi_3739_ = _e1611;
+                                        phi_3740_ = (_e774 - 1u);
+                                        phi_3741_ = select(_e1977, false, _e819);
+                                        phi_3742_ = _e1985;
+                                        phi_3743_ = _e1987;
                                     } else {
-                                        phi_4119_ = _e784;
-                                        phi_3822_ = _e786;
-                                        phi_3823_ = _e788;
-                                        phi_3824_ = _e825;
-                                        phi_3825_ = _e827;
-                                        phi_3826_ = _e829;
+                                        phi_4221_ = _e770;
+                                        phi_3739_ = _e772;
+                                        phi_3740_ = _e774;
+                                        phi_3741_ = _e811;
+                                        phi_3742_ = _e813;
+                                        phi_3743_ = _e815;
                                     }
-                                    let _e2022 = phi_4119_;
-                                    let _e2024 = phi_3822_;
-                                    let _e2026 = phi_3823_;
-                                    let _e2028 = phi_3824_;
-                                    let _e2030 = phi_3825_;
-                                    let _e2032 = phi_3826_;
-                                    phi_4118_ = _e2022;
-                                    phi_3827_ = _e2024;
-                                    phi_3828_ = _e2026;
-                                    phi_3829_ = _e2028;
-                                    phi_3830_ = _e2030;
-                                    phi_3831_ = _e2032;
+                                    let _e1990 = phi_4221_;
+                                    let _e1992 = phi_3739_;
+                                    let _e1994 = phi_3740_;
+                                    let _e1996 = phi_3741_;
+                                    let _e1998 = phi_3742_;
+                                    let _e2000 = phi_3743_;
+                                    phi_4220_ = _e1990;
+                                    phi_3744_ = _e1992;
+                                    phi_3745_ = _e1994;
+                                    phi_3746_ = _e1996;
+                                    phi_3747_ = _e1998;
+                                    phi_3748_ = _e2000;
                                 } else {
-                                    phi_4118_ = _e784;
-                                    phi_3827_ = type_46();
-                                    phi_3828_ = u32();
-                                    phi_3829_ = bool();
-                                    phi_3830_ = u32();
-                                    phi_3831_ = type_62();
+                                    phi_4220_ = _e770;
+                                    phi_3744_ = type_47();
+                                    phi_3745_ = u32();
+                                    phi_3746_ = bool();
+                                    phi_3747_ = u32();
+                                    phi_3748_ = type_63();
                                 }
-                                let _e2034 = phi_4118_;
-                                let _e2036 = phi_3827_;
-                                let _e2038 = phi_3828_;
-                                let _e2040 = phi_3829_;
-                                let _e2042 = phi_3830_;
-                                let _e2044 = phi_3831_;
-                                phi_4117_ = _e2034;
-                                phi_1296_ = _e2036;
-                                phi_1299_ = _e2038;
-                                phi_1301_ = _e2040;
-                                phi_1303_ = _e2042;
-                                phi_1305_ = _e2044;
-                                phi_3832_ = _e798;
+                                let _e2002 = phi_4220_;
+                                let _e2004 = phi_3744_;
+                                let _e2006 = phi_3745_;
+                                let _e2008 = phi_3746_;
+                                let _e2010 = phi_3747_;
+                                let _e2012 = phi_3748_;
+                                phi_4219_ = _e2002;
+                                phi_1316_ = _e2004;
+                                phi_1319_ = _e2006;
+                                phi_1321_ = _e2008;
+                                phi_1323_ = _e2010;
+                                phi_1325_ = _e2012;
+                                phi_3749_ = _e784;
                             } else {
-                                phi_4117_ = _e784;
-                                phi_1296_ = type_46();
-                                phi_1299_ = u32();
-                                phi_1301_ = bool();
-                                phi_1303_ = u32();
-                                phi_1305_ = type_62();
-                                phi_3832_ = false;
+                                phi_4219_ = _e770;
+                                phi_1316_ = type_47();
+                                phi_1319_ = u32();
+                                phi_1321_ = bool();
+                                phi_1323_ = u32();
+                                phi_1325_ = type_63();
+                                phi_3749_ = false;
                             }
-                            let _e2046 = phi_4117_;
-                            let _e2048 = phi_1296_;
-                            let _e2050 = phi_1299_;
-                            let _e2052 = phi_1301_;
-                            let _e2054 = phi_1303_;
-                            let _e2056 = phi_1305_;
-                            let _e2058 = phi_3832_;
+                            let _e2014 = phi_4219_;
+                            let _e2016 = phi_1316_;
+                            let _e2018 = phi_1319_;
+                            let _e2020 = phi_1321_;
+                            let _e2022 = phi_1323_;
+                            let _e2024 = phi_1325_;
+                            let _e2026 = phi_3749_;
                             continue;
                             continuing {
-                                phi_3930_ = _e2046;
-                                phi_1295_ = _e2048;
-                                phi_1298_ = _e2050;
-                                phi_1300_ = _e2052;
-                                phi_1302_ = _e2054;
-                                phi_1304_ = _e2056;
-                                phi_4116_ = _e2046;
-                                break if !(_e2058);
+                                phi_4027_ = _e2014;
+                                phi_1315_ = _e2016;
+                                phi_1318_ = _e2018;
+                                phi_1320_ = _e2020;
+                                phi_1322_ = _e2022;
+                                phi_1324_ = _e2024;
+                                phi_4218_ = _e2014;
+                                break if !(_e2026);
                             }
                         }
-                        let _e2061 = phi_4116_;
-                        if _e2061 {
+                        let _e2029 = phi_4218_;
+                        if _e2029 {
                             break;
                         }
-                        let _e2063 = local_10;
-                        if _e2063.member_1 {
+                        let _e2031 = local_10;
+                        if _e2031.member_1 {
                         } else {
-                            if _e287 {
+                            if _e288 {
                             } else {
                                 break;
                             }
-                            let _e2067 = global_2.member[_e141];
-                            if _e148 {
+                            let _e2035 = global_2.member[_e142];
+                            if _e149 {
                             } else {
                                 break;
                             }
-                            let _e2071 = global_9.member[_e141].member_1;
-                            if _e287 {
+                            let _e2039 = global_9.member[_e142].member_1;
+                            if _e288 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e141] = type_29(_e2067.member, _e2067.member_1, _e2067.member_2, array<f32, 3>((_e2067.member_3[0] + (_e2071[0] * _e2067.member_1[0])), (_e2067.member_3[1] + (_e2071[1] * _e2067.member_1[1])), (_e2067.member_3[2] + (_e2071[2] * _e2067.member_1[2]))), _e2067.member_4);
+                            global_2.member[_e142] = type_29(_e2035.member, _e2035.member_1, _e2035.member_2, array<f32, 3>((_e2035.member_3[0] + (_e2039[0] * _e2035.member_1[0])), (_e2035.member_3[1] + (_e2039[1] * _e2035.member_1[1])), (_e2035.member_3[2] + (_e2039[2] * _e2035.member_1[2]))), _e2035.member_4);
                         }
                     }
                 }

@@ -56,48 +56,55 @@ struct type_36 {
 
 struct type_40 {
     member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_41 {
+    member: f32,
     member_1: bool,
 }
 
-struct type_42 {
+struct type_43 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_45 {
+struct type_46 {
     member: array<i32>,
 }
 
-struct type_49 {
+struct type_50 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_51 {
-    member: array<type_49>,
+struct type_52 {
+    member: array<type_50>,
 }
 
-struct type_54 {
+struct type_55 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_56 {
+struct type_57 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_58 {
-    member: array<type_56>,
+struct type_59 {
+    member: array<type_57>,
 }
 
-struct type_62 {
-    member: type_54,
+struct type_63 {
+    member: type_55,
     member_1: u32,
 }
 
-struct type_67 {
+struct type_68 {
     member: array<atomic<u32>>,
 }
 
@@ -107,21 +114,21 @@ var<uniform> global_1: type_12;
 @group(0) @binding(8) 
 var<storage, read_write> global_2: type_26;
 @group(0) @binding(1) 
-var<uniform> global_3: type_42;
+var<uniform> global_3: type_43;
 @group(0) @binding(2) 
-var<uniform> global_4: type_42;
+var<uniform> global_4: type_43;
 @group(0) @binding(5) 
 var<storage> global_5: type_4;
 @group(0) @binding(6) 
-var<storage> global_6: type_45;
+var<storage> global_6: type_46;
 @group(0) @binding(9) 
-var<storage, read_write> global_7: type_67;
+var<storage, read_write> global_7: type_68;
 @group(0) @binding(7) 
 var<storage> global_8: type_32;
 @group(0) @binding(3) 
-var<storage> global_9: type_51;
+var<storage> global_9: type_52;
 @group(0) @binding(4) 
-var<storage> global_10: type_58;
+var<storage> global_10: type_59;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -134,523 +141,480 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_288_: u32;
-    var phi_332_: i32;
-    var phi_472_: type_36;
-    var phi_622_: i32;
-    var phi_623_: i32;
-    var phi_633_: bool;
-    var phi_643_: u32;
-    var phi_644_: u32;
-    var phi_646_: bool;
-    var phi_651_: u32;
-    var phi_684_: i32;
-    var phi_702_: f32;
-    var phi_708_: f32;
-    var phi_748_: f32;
-    var phi_754_: f32;
-    var phi_806_: f32;
-    var phi_818_: f32;
-    var phi_827_: f32;
-    var phi_833_: f32;
-    var phi_873_: f32;
-    var phi_879_: f32;
-    var phi_931_: f32;
-    var phi_943_: f32;
-    var phi_952_: f32;
-    var phi_958_: f32;
-    var phi_998_: f32;
-    var phi_1004_: f32;
-    var phi_1056_: f32;
-    var phi_1068_: f32;
-    var phi_1123_: i32;
-    var phi_1145_: u32;
-    var phi_1146_: u32;
-    var phi_1183_: i32;
-    var phi_1205_: u32;
-    var phi_1206_: u32;
-    var phi_1214_: f32;
-    var phi_1215_: f32;
+    var phi_308_: u32;
+    var phi_352_: i32;
+    var phi_492_: type_36;
+    var phi_642_: i32;
+    var phi_643_: i32;
+    var phi_653_: bool;
+    var phi_663_: u32;
+    var phi_664_: u32;
+    var phi_666_: bool;
+    var phi_671_: u32;
+    var phi_704_: i32;
+    var phi_722_: f32;
+    var phi_728_: f32;
+    var phi_768_: f32;
+    var phi_774_: f32;
+    var phi_847_: f32;
+    var phi_853_: f32;
+    var phi_893_: f32;
+    var phi_899_: f32;
+    var phi_972_: f32;
+    var phi_978_: f32;
+    var phi_1018_: f32;
+    var phi_1024_: f32;
+    var phi_1143_: i32;
+    var phi_1165_: u32;
+    var phi_1166_: u32;
+    var phi_1203_: i32;
+    var phi_1225_: u32;
+    var phi_1226_: u32;
+    var phi_1234_: f32;
+    var phi_1235_: f32;
+    var phi_4212_: bool;
+    var phi_1318_: type_41;
+    var phi_1321_: u32;
+    var phi_1323_: bool;
+    var phi_1325_: u32;
+    var phi_1327_: type_63;
+    var phi_1338_: bool;
+    var phi_1424_: bool;
+    var phi_1425_: u32;
+    var phi_1426_: type_63;
+    var phi_1445_: type_41;
+    var phi_1448_: type_8;
+    var phi_1449_: type_8;
+    var phi_1471_: type_8;
+    var phi_1496_: u32;
+    var phi_1512_: type_57;
+    var phi_4007_: bool;
+    var phi_4022_: bool;
+    var phi_4037_: bool;
+    var phi_4052_: bool;
+    var phi_4067_: bool;
+    var phi_4082_: bool;
+    var phi_2319_: f32;
+    var phi_2320_: f32;
+    var phi_2321_: f32;
+    var phi_2322_: f32;
+    var phi_2323_: vec3<f32>;
+    var phi_2324_: vec3<f32>;
+    var phi_2325_: vec3<f32>;
+    var phi_2326_: vec3<f32>;
+    var phi_4097_: bool;
     var phi_4112_: bool;
-    var phi_1298_: type_40;
-    var phi_1301_: u32;
-    var phi_1303_: bool;
-    var phi_1305_: u32;
-    var phi_1307_: type_62;
-    var phi_1318_: bool;
-    var phi_1404_: bool;
-    var phi_1405_: u32;
-    var phi_1406_: type_62;
-    var phi_1425_: type_40;
-    var phi_1428_: type_8;
-    var phi_1429_: type_8;
-    var phi_1451_: type_8;
-    var phi_1476_: u32;
-    var phi_1492_: type_56;
-    var phi_1930_: bool;
-    var phi_1959_: bool;
-    var phi_2354_: f32;
-    var phi_2355_: f32;
-    var phi_2356_: f32;
-    var phi_2357_: f32;
-    var phi_2358_: vec3<f32>;
-    var phi_2359_: vec3<f32>;
-    var phi_2360_: vec3<f32>;
-    var phi_2361_: vec3<f32>;
-    var phi_2398_: bool;
-    var phi_2407_: vec3<f32>;
-    var phi_2572_: f32;
-    var phi_2574_: f32;
-    var phi_2575_: bool;
-    var phi_2595_: f32;
-    var phi_2596_: f32;
-    var phi_2619_: type_22;
-    var phi_2621_: type_22;
-    var phi_2622_: bool;
-    var phi_2626_: type_22;
-    var phi_2627_: type_22;
-    var phi_2628_: type_22;
-    var phi_2629_: bool;
-    var phi_2633_: type_22;
-    var phi_2634_: bool;
-    var phi_2635_: type_22;
-    var phi_2636_: bool;
-    var phi_2637_: bool;
-    var phi_2638_: type_22;
-    var phi_2639_: bool;
-    var phi_2640_: bool;
-    var phi_2648_: type_22;
-    var phi_2649_: bool;
-    var phi_2653_: type_22;
-    var phi_2676_: u32;
-    var phi_2690_: i32;
-    var phi_2708_: vec3<f32>;
-    var phi_2709_: vec3<f32>;
-    var phi_2723_: vec3<f32>;
-    var phi_2724_: vec3<f32>;
-    var phi_2738_: vec3<f32>;
-    var phi_2739_: vec3<f32>;
-    var phi_2775_: vec3<f32>;
-    var phi_2957_: f32;
-    var phi_2975_: bool;
-    var phi_2976_: bool;
-    var phi_2981_: type_40;
-    var phi_2982_: type_40;
-    var phi_1426_: type_40;
-    var phi_4106_: bool;
-    var phi_4375_: bool;
-    var phi_2983_: type_40;
-    var phi_3004_: type_49;
-    var phi_3890_: type_62;
-    var phi_3966_: type_62;
-    var phi_3967_: u32;
-    var phi_3968_: type_62;
-    var phi_3970_: u32;
-    var phi_3971_: type_62;
-    var phi_3972_: bool;
-    var phi_3979_: type_62;
-    var phi_3984_: bool;
-    var phi_3986_: type_62;
-    var phi_3990_: bool;
-    var phi_3991_: u32;
-    var phi_3992_: type_62;
-    var phi_4002_: u32;
-    var phi_4003_: type_62;
-    var phi_4319_: bool;
-    var phi_4004_: type_40;
-    var phi_4005_: u32;
-    var phi_4006_: bool;
-    var phi_4007_: u32;
-    var phi_4008_: type_62;
-    var phi_4318_: bool;
-    var phi_4009_: type_40;
-    var phi_4010_: u32;
-    var phi_4011_: bool;
-    var phi_4012_: u32;
-    var phi_4013_: type_62;
-    var phi_4317_: bool;
-    var phi_1299_: type_40;
-    var phi_1302_: u32;
-    var phi_1304_: bool;
-    var phi_1306_: u32;
-    var phi_1308_: type_62;
-    var phi_4014_: bool;
-    var phi_4316_: bool;
-    var local_10: type_40;
-    var local_11: type_40;
+    var phi_4127_: bool;
+    var phi_4142_: bool;
+    var phi_4157_: bool;
+    var phi_4172_: bool;
+    var phi_2534_: f32;
+    var phi_2554_: type_40;
+    var phi_2555_: type_40;
+    var phi_2558_: type_40;
+    var phi_2559_: type_40;
+    var phi_2560_: bool;
+    var phi_2564_: type_40;
+    var phi_2573_: type_22;
+    var phi_2596_: u32;
+    var phi_2610_: i32;
+    var phi_2628_: vec3<f32>;
+    var phi_2629_: vec3<f32>;
+    var phi_2643_: vec3<f32>;
+    var phi_2644_: vec3<f32>;
+    var phi_2658_: vec3<f32>;
+    var phi_2659_: vec3<f32>;
+    var phi_2695_: vec3<f32>;
+    var phi_2877_: f32;
+    var phi_2895_: bool;
+    var phi_2896_: bool;
+    var phi_2901_: type_41;
+    var phi_2902_: type_41;
+    var phi_1446_: type_41;
+    var phi_4206_: bool;
+    var phi_4480_: bool;
+    var phi_2903_: type_41;
+    var phi_2924_: type_50;
+    var phi_3810_: type_63;
+    var phi_3886_: type_63;
+    var phi_3887_: u32;
+    var phi_3888_: type_63;
+    var phi_3890_: u32;
+    var phi_3891_: type_63;
+    var phi_3892_: bool;
+    var phi_3899_: type_63;
+    var phi_3904_: bool;
+    var phi_3906_: type_63;
+    var phi_3910_: bool;
+    var phi_3911_: u32;
+    var phi_3912_: type_63;
+    var phi_3922_: u32;
+    var phi_3923_: type_63;
+    var phi_4424_: bool;
+    var phi_3924_: type_41;
+    var phi_3925_: u32;
+    var phi_3926_: bool;
+    var phi_3927_: u32;
+    var phi_3928_: type_63;
+    var phi_4423_: bool;
+    var phi_3929_: type_41;
+    var phi_3930_: u32;
+    var phi_3931_: bool;
+    var phi_3932_: u32;
+    var phi_3933_: type_63;
+    var phi_4422_: bool;
+    var phi_1319_: type_41;
+    var phi_1322_: u32;
+    var phi_1324_: bool;
+    var phi_1326_: u32;
+    var phi_1328_: type_63;
+    var phi_3934_: bool;
+    var phi_4421_: bool;
+    var local_10: type_41;
+    var local_11: type_41;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e90 = global;
-            let _e93 = arrayLength((&global_9.member));
-            let _e108 = arrayLength((&global_7.member));
-            let _e112 = global_4.member[0u][0u];
-            let _e116 = global_4.member[0u][1u];
-            let _e120 = global_4.member[0u][2u];
-            let _e124 = global_4.member[1u][0u];
-            let _e128 = global_4.member[1u][1u];
-            let _e132 = global_4.member[1u][2u];
-            let _e136 = global_4.member[1u][3u];
-            let _e140 = (_e90.x + (_e90.y * 2097152u));
-            let _e147 = (_e140 < arrayLength((&global_8.member)));
-            if _e147 {
-                if _e147 {
+            let _e91 = global;
+            let _e94 = arrayLength((&global_9.member));
+            let _e109 = arrayLength((&global_7.member));
+            let _e113 = global_4.member[0u][0u];
+            let _e117 = global_4.member[0u][1u];
+            let _e121 = global_4.member[0u][2u];
+            let _e125 = global_4.member[1u][0u];
+            let _e129 = global_4.member[1u][1u];
+            let _e133 = global_4.member[1u][2u];
+            let _e137 = global_4.member[1u][3u];
+            let _e141 = (_e91.x + (_e91.y * 2097152u));
+            let _e148 = (_e141 < arrayLength((&global_8.member)));
+            if _e148 {
+                if _e148 {
                 } else {
                     break;
                 }
-                let _e151 = global_8.member[_e140].member_2;
-                phi_288_ = _e151;
+                let _e152 = global_8.member[_e141].member_2;
+                phi_308_ = _e152;
             } else {
-                phi_288_ = 4294967295u;
+                phi_308_ = 4294967295u;
             }
-            let _e153 = phi_288_;
-            let _e156 = global_1.member[0u];
-            let _e160 = global_3.member[0u][0u];
-            let _e164 = global_3.member[0u][1u];
-            let _e168 = global_3.member[0u][2u];
-            let _e172 = global_3.member[0u][3u];
-            let _e176 = global_3.member[1u][0u];
-            let _e180 = global_3.member[1u][1u];
-            let _e184 = global_3.member[1u][2u];
-            let _e188 = global_3.member[1u][3u];
-            let _e189 = bitcast<f32>(_e160);
-            let _e190 = bitcast<f32>(_e164);
-            let _e191 = bitcast<f32>(_e168);
-            let _e193 = bitcast<f32>(_e176);
-            let _e194 = array<u32, 3>(_e180, _e184, _e188);
-            let _e196 = bitcast<i32>(_e156);
-            if (_e196 < -126i) {
-                phi_332_ = -126i;
+            let _e154 = phi_308_;
+            let _e157 = global_1.member[0u];
+            let _e161 = global_3.member[0u][0u];
+            let _e165 = global_3.member[0u][1u];
+            let _e169 = global_3.member[0u][2u];
+            let _e173 = global_3.member[0u][3u];
+            let _e177 = global_3.member[1u][0u];
+            let _e181 = global_3.member[1u][1u];
+            let _e185 = global_3.member[1u][2u];
+            let _e189 = global_3.member[1u][3u];
+            let _e190 = bitcast<f32>(_e161);
+            let _e191 = bitcast<f32>(_e165);
+            let _e192 = bitcast<f32>(_e169);
+            let _e194 = bitcast<f32>(_e177);
+            let _e195 = array<u32, 3>(_e181, _e185, _e189);
+            let _e197 = bitcast<i32>(_e157);
+            if (_e197 < -126i) {
+                phi_352_ = -126i;
             } else {
-                phi_332_ = select(_e196, 127i, (_e196 > 127i));
+                phi_352_ = select(_e197, 127i, (_e197 > 127i));
             }
-            let _e201 = phi_332_;
-            let _e206 = bitcast<f32>((bitcast<u32>((_e201 + 127i)) << bitcast<u32>(23i)));
-            let _e212 = bitcast<f32>((bitcast<u32>(((_e196 - _e201) + 127i)) << bitcast<u32>(23i)));
-            if (_e172 == 0u) {
-                phi_472_ = type_36(array<f32, 3>(_e189, _e190, _e191), _e172, _e193, _e194);
+            let _e202 = phi_352_;
+            let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
+            let _e213 = bitcast<f32>((bitcast<u32>(((_e197 - _e202) + 127i)) << bitcast<u32>(23i)));
+            if (_e173 == 0u) {
+                phi_492_ = type_36(array<f32, 3>(_e190, _e191, _e192), _e173, _e194, _e195);
             } else {
-                let _e214 = bitcast<u32>(_e189);
-                let _e216 = ((_e214 & 2139095040u) != 0u);
-                let _e231 = bitcast<u32>(_e190);
-                let _e233 = ((_e231 & 2139095040u) != 0u);
-                let _e248 = bitcast<u32>(_e191);
-                let _e250 = ((_e248 & 2139095040u) != 0u);
-                let _e266 = bitcast<u32>(_e193);
-                let _e268 = ((_e266 & 2139095040u) != 0u);
-                phi_472_ = type_36(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e214 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e214 & 2147483648u))), _e189, _e216) * _e206) * select(0.00000011920929f, 1f, _e216)) * _e212), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e231 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e231 & 2147483648u))), _e190, _e233) * _e206) * select(0.00000011920929f, 1f, _e233)) * _e212), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e191, _e250) * _e206) * select(0.00000011920929f, 1f, _e250)) * _e212)), _e172, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e266 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e266 & 2147483648u))), _e193, _e268) * _e206) * select(0.00000011920929f, 1f, _e268)) * _e212), _e194);
+                let _e215 = bitcast<u32>(_e190);
+                let _e217 = ((_e215 & 2139095040u) != 0u);
+                let _e232 = bitcast<u32>(_e191);
+                let _e234 = ((_e232 & 2139095040u) != 0u);
+                let _e249 = bitcast<u32>(_e192);
+                let _e251 = ((_e249 & 2139095040u) != 0u);
+                let _e267 = bitcast<u32>(_e194);
+                let _e269 = ((_e267 & 2139095040u) != 0u);
+                phi_492_ = type_36(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e215 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e215 & 2147483648u))), _e190, _e217) * _e207) * select(0.00000011920929f, 1f, _e217)) * _e213), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e232 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e232 & 2147483648u))), _e191, _e234) * _e207) * select(0.00000011920929f, 1f, _e234)) * _e213), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e249 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e249 & 2147483648u))), _e192, _e251) * _e207) * select(0.00000011920929f, 1f, _e251)) * _e213)), _e173, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e194, _e269) * _e207) * select(0.00000011920929f, 1f, _e269)) * _e213), _e195);
             }
-            let _e285 = phi_472_;
-            if _e147 {
-                let _e286 = (_e140 < arrayLength((&global_2.member)));
-                if _e286 {
-                    if _e147 {
+            let _e286 = phi_492_;
+            if _e148 {
+                let _e287 = (_e141 < arrayLength((&global_2.member)));
+                if _e287 {
+                    if _e148 {
                     } else {
                         break;
                     }
-                    let _e291 = global_8.member[_e140].member.member_1;
-                    let _e296 = global_8.member[_e140].member.member_3;
-                    if (_e291 <= _e296) {
-                        let _e298 = (1u < _e108);
-                        if _e298 {
-                            if (0u < _e108) {
+                    let _e292 = global_8.member[_e141].member.member_1;
+                    let _e297 = global_8.member[_e141].member.member_3;
+                    if (_e292 <= _e297) {
+                        let _e299 = (1u < _e109);
+                        if _e299 {
+                            if (0u < _e109) {
                             } else {
                                 break;
                             }
-                            let _e302 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e302 + 1u) < _e302) {
-                                if _e298 {
+                            let _e303 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e303 + 1u) < _e303) {
+                                if _e299 {
                                 } else {
                                     break;
                                 }
-                                let _e307 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e308 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e147 {
+                        if _e148 {
                         } else {
                             break;
                         }
-                        let _e317 = global_8.member[_e140].member.member_2[0u];
-                        let _e319 = (bitcast<u32>(_e317) & 2147483647u);
-                        let _e325 = global_8.member[_e140].member.member_2[1u];
-                        let _e327 = (bitcast<u32>(_e325) & 2147483647u);
-                        let _e333 = global_8.member[_e140].member.member_2[2u];
-                        let _e335 = (bitcast<u32>(_e333) & 2147483647u);
-                        let _e341 = global_8.member[_e140].member.member[0u];
-                        let _e343 = (bitcast<u32>(_e341) & 2147483647u);
-                        let _e349 = global_8.member[_e140].member.member[1u];
-                        let _e351 = (bitcast<u32>(_e349) & 2147483647u);
-                        let _e357 = global_8.member[_e140].member.member[2u];
-                        let _e359 = (bitcast<u32>(_e357) & 2147483647u);
-                        let _e361 = select(_e327, _e319, (_e327 < _e319));
-                        let _e363 = select(_e335, _e361, (_e335 < _e361));
-                        let _e365 = select(_e343, _e363, (_e343 < _e363));
-                        let _e367 = select(_e351, _e365, (_e351 < _e365));
-                        let _e369 = select(_e359, _e367, (_e359 < _e367));
-                        let _e370 = bitcast<u32>(_e291);
-                        let _e371 = (_e370 & 2147483647u);
-                        let _e375 = bitcast<u32>(_e296);
-                        let _e376 = (_e375 & 2147483647u);
-                        let _e380 = (((select(_e371, _e369, (_e371 < _e369)) < 2139095040u) && (_e376 <= 2139095040u)) && (_e363 > 0u));
-                        if _e380 {
-                            let _e383 = (bitcast<u32>(bitcast<f32>(_e363)) & 2147483647u);
-                            if (_e383 >= 8388608u) {
-                                phi_622_ = (bitcast<i32>((_e383 >> bitcast<u32>(23i))) - 127i);
+                        let _e318 = global_8.member[_e141].member.member_2[0u];
+                        let _e320 = (bitcast<u32>(_e318) & 2147483647u);
+                        let _e326 = global_8.member[_e141].member.member_2[1u];
+                        let _e328 = (bitcast<u32>(_e326) & 2147483647u);
+                        let _e334 = global_8.member[_e141].member.member_2[2u];
+                        let _e336 = (bitcast<u32>(_e334) & 2147483647u);
+                        let _e342 = global_8.member[_e141].member.member[0u];
+                        let _e344 = (bitcast<u32>(_e342) & 2147483647u);
+                        let _e350 = global_8.member[_e141].member.member[1u];
+                        let _e352 = (bitcast<u32>(_e350) & 2147483647u);
+                        let _e358 = global_8.member[_e141].member.member[2u];
+                        let _e360 = (bitcast<u32>(_e358) & 2147483647u);
+                        let _e362 = select(_e328, _e320, (_e328 < _e320));
+                        let _e364 = select(_e336, _e362, (_e336 < _e362));
+                        let _e366 = select(_e344, _e364, (_e344 < _e364));
+                        let _e368 = select(_e352, _e366, (_e352 < _e366));
+                        let _e370 = select(_e360, _e368, (_e360 < _e368));
+                        let _e371 = bitcast<u32>(_e292);
+                        let _e372 = (_e371 & 2147483647u);
+                        let _e376 = bitcast<u32>(_e297);
+                        let _e377 = (_e376 & 2147483647u);
+                        let _e381 = (((select(_e372, _e370, (_e372 < _e370)) < 2139095040u) && (_e377 <= 2139095040u)) && (_e364 > 0u));
+                        if _e381 {
+                            let _e384 = (bitcast<u32>(bitcast<f32>(_e364)) & 2147483647u);
+                            if (_e384 >= 8388608u) {
+                                phi_642_ = (bitcast<i32>((_e384 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_622_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e383)), 32u, (_e383 == 0u))));
+                                phi_642_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e384)), 32u, (_e384 == 0u))));
                             }
-                            let _e397 = phi_622_;
-                            phi_623_ = _e397;
+                            let _e398 = phi_642_;
+                            phi_643_ = _e398;
                         } else {
-                            phi_623_ = 0i;
+                            phi_643_ = 0i;
                         }
-                        let _e399 = phi_623_;
-                        let _e400 = (_e319 == _e363);
-                        if _e400 {
-                            phi_633_ = true;
+                        let _e400 = phi_643_;
+                        let _e401 = (_e320 == _e364);
+                        if _e401 {
+                            phi_653_ = true;
                         } else {
-                            phi_633_ = (_e327 == _e363);
+                            phi_653_ = (_e328 == _e364);
                         }
-                        let _e403 = phi_633_;
-                        let _e404 = select(1u, 0u, _e400);
-                        if _e403 {
-                            let _e405 = (_e404 + 1u);
-                            phi_643_ = _e405;
-                            phi_644_ = _e405;
-                            phi_646_ = select(true, false, (_e405 == 2u));
+                        let _e404 = phi_653_;
+                        let _e405 = select(1u, 0u, _e401);
+                        if _e404 {
+                            let _e406 = (_e405 + 1u);
+                            phi_663_ = _e406;
+                            phi_664_ = _e406;
+                            phi_666_ = select(true, false, (_e406 == 2u));
                         } else {
-                            phi_643_ = u32();
-                            phi_644_ = 0u;
-                            phi_646_ = true;
+                            phi_663_ = u32();
+                            phi_664_ = 0u;
+                            phi_666_ = true;
                         }
-                        let _e409 = phi_643_;
-                        let _e411 = phi_644_;
-                        let _e413 = phi_646_;
-                        if _e413 {
-                            phi_651_ = (_e411 + 1u);
+                        let _e410 = phi_663_;
+                        let _e412 = phi_664_;
+                        let _e414 = phi_666_;
+                        if _e414 {
+                            phi_671_ = (_e412 + 1u);
                         } else {
-                            phi_651_ = 0u;
+                            phi_671_ = 0u;
                         }
-                        let _e417 = phi_651_;
-                        let _e418 = select(_e409, _e411, _e413);
-                        let _e419 = select(_e404, select(2u, _e404, _e403), _e413);
-                        let _e420 = -(_e399);
-                        if (_e420 < -126i) {
-                            phi_684_ = -126i;
+                        let _e418 = phi_671_;
+                        let _e419 = select(_e410, _e412, _e414);
+                        let _e420 = select(_e405, select(2u, _e405, _e404), _e414);
+                        let _e421 = -(_e400);
+                        if (_e421 < -126i) {
+                            phi_704_ = -126i;
                         } else {
-                            phi_684_ = select(_e420, 127i, (_e420 > 127i));
+                            phi_704_ = select(_e421, 127i, (_e421 > 127i));
                         }
-                        let _e425 = phi_684_;
-                        let _e430 = bitcast<f32>((bitcast<u32>((_e425 + 127i)) << bitcast<u32>(23i)));
-                        let _e436 = bitcast<f32>((bitcast<u32>(((_e420 - _e425) + 127i)) << bitcast<u32>(23i)));
-                        let _e441 = global_8.member[_e140].member.member;
-                        let _e442 = (_e418 == 0u);
-                        if _e442 {
-                            phi_702_ = _e441[0];
+                        let _e426 = phi_704_;
+                        let _e431 = bitcast<f32>((bitcast<u32>((_e426 + 127i)) << bitcast<u32>(23i)));
+                        let _e437 = bitcast<f32>((bitcast<u32>(((_e421 - _e426) + 127i)) << bitcast<u32>(23i)));
+                        let _e442 = global_8.member[_e141].member.member;
+                        let _e443 = (_e419 == 0u);
+                        if _e443 {
+                            phi_722_ = _e442[0];
                         } else {
-                            phi_702_ = _e441[1];
+                            phi_722_ = _e442[1];
                         }
-                        let _e446 = phi_702_;
-                        let _e447 = (_e418 == 2u);
-                        if _e447 {
-                            phi_708_ = _e441[2];
+                        let _e447 = phi_722_;
+                        let _e448 = (_e419 == 2u);
+                        if _e448 {
+                            phi_728_ = _e442[2];
                         } else {
-                            phi_708_ = _e446;
+                            phi_728_ = _e447;
                         }
-                        let _e450 = phi_708_;
-                        let _e451 = bitcast<u32>(_e450);
-                        let _e453 = ((_e451 & 2139095040u) != 0u);
-                        let _e465 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e451 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e451 & 2147483648u))), _e450, _e453) * select(0.00000011920929f, 1f, _e453));
-                        let _e466 = global_8.member[_e140].member.member_2;
-                        if _e442 {
-                            phi_748_ = _e466[0];
+                        let _e451 = phi_728_;
+                        let _e452 = bitcast<u32>(_e451);
+                        let _e454 = ((_e452 & 2139095040u) != 0u);
+                        let _e466 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * select(0.00000011920929f, 1f, _e454));
+                        let _e467 = global_8.member[_e141].member.member_2;
+                        if _e443 {
+                            phi_768_ = _e467[0];
                         } else {
-                            phi_748_ = _e466[1];
+                            phi_768_ = _e467[1];
                         }
-                        let _e470 = phi_748_;
-                        if _e447 {
-                            phi_754_ = _e466[2];
+                        let _e471 = phi_768_;
+                        if _e448 {
+                            phi_774_ = _e467[2];
                         } else {
-                            phi_754_ = _e470;
+                            phi_774_ = _e471;
                         }
-                        let _e473 = phi_754_;
-                        let _e474 = bitcast<u32>(_e473);
-                        let _e476 = ((_e474 & 2139095040u) != 0u);
-                        let _e490 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e474 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e474 & 2147483648u))), _e473, _e476) * _e430) * select(0.00000011920929f, 1f, _e476)) * _e436);
-                        let _e494 = (bitcast<f32>((bitcast<u32>(_e490) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e494 {
-                            let _e498 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) * 0.00000011920929f);
-                            phi_806_ = select(0.00000000000011368684f, _e498, (_e498 > 0.00000000000011368684f));
+                        let _e474 = phi_774_;
+                        let _e475 = bitcast<u32>(_e474);
+                        let _e477 = ((_e475 & 2139095040u) != 0u);
+                        let _e491 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e475 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e475 & 2147483648u))), _e474, _e477) * _e431) * select(0.00000011920929f, 1f, _e477)) * _e437);
+                        let _e495 = (bitcast<f32>((bitcast<u32>(_e491) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e498 = bitcast<f32>((bitcast<u32>(_e466) & 2147483647u));
+                        let _e499 = (_e498 * 0.00000011920929f);
+                        let _e502 = select(select(0.00000000000011368684f, _e499, (_e499 > 0.00000000000011368684f)), 0f, _e495);
+                        let _e503 = select(0f, _e491, _e495);
+                        let _e504 = (_e466 + _e502);
+                        let _e505 = (_e466 - _e502);
+                        let _e507 = select(38685626000000000000000000f, (1f / _e491), _e495);
+                        let _e508 = (_e418 == 0u);
+                        if _e508 {
+                            phi_847_ = _e442[0];
                         } else {
-                            phi_806_ = 0f;
+                            phi_847_ = _e442[1];
                         }
-                        let _e502 = phi_806_;
-                        let _e503 = (_e465 + _e502);
-                        let _e504 = (_e465 - _e502);
-                        let _e505 = select(_e490, 0f, _e494);
-                        if _e494 {
-                            phi_818_ = 38685626000000000000000000f;
+                        let _e512 = phi_847_;
+                        let _e513 = (_e418 == 2u);
+                        if _e513 {
+                            phi_853_ = _e442[2];
                         } else {
-                            phi_818_ = (1f / _e490);
+                            phi_853_ = _e512;
                         }
-                        let _e508 = phi_818_;
-                        let _e509 = (_e417 == 0u);
-                        if _e509 {
-                            phi_827_ = _e441[0];
+                        let _e516 = phi_853_;
+                        let _e517 = bitcast<u32>(_e516);
+                        let _e519 = ((_e517 & 2139095040u) != 0u);
+                        let _e531 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e517 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e517 & 2147483648u))), _e516, _e519) * select(0.00000011920929f, 1f, _e519));
+                        if _e508 {
+                            phi_893_ = _e467[0];
                         } else {
-                            phi_827_ = _e441[1];
+                            phi_893_ = _e467[1];
                         }
-                        let _e513 = phi_827_;
-                        let _e514 = (_e417 == 2u);
-                        if _e514 {
-                            phi_833_ = _e441[2];
+                        let _e535 = phi_893_;
+                        if _e513 {
+                            phi_899_ = _e467[2];
                         } else {
-                            phi_833_ = _e513;
+                            phi_899_ = _e535;
                         }
-                        let _e517 = phi_833_;
-                        let _e518 = bitcast<u32>(_e517);
-                        let _e520 = ((_e518 & 2139095040u) != 0u);
-                        let _e532 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e518 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e518 & 2147483648u))), _e517, _e520) * select(0.00000011920929f, 1f, _e520));
-                        if _e509 {
-                            phi_873_ = _e466[0];
+                        let _e538 = phi_899_;
+                        let _e539 = bitcast<u32>(_e538);
+                        let _e541 = ((_e539 & 2139095040u) != 0u);
+                        let _e555 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e539 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e539 & 2147483648u))), _e538, _e541) * _e431) * select(0.00000011920929f, 1f, _e541)) * _e437);
+                        let _e559 = (bitcast<f32>((bitcast<u32>(_e555) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e562 = bitcast<f32>((bitcast<u32>(_e531) & 2147483647u));
+                        let _e563 = (_e562 * 0.00000011920929f);
+                        let _e566 = select(select(0.00000000000011368684f, _e563, (_e563 > 0.00000000000011368684f)), 0f, _e559);
+                        let _e567 = select(0f, _e555, _e559);
+                        let _e568 = (_e531 + _e566);
+                        let _e569 = (_e531 - _e566);
+                        let _e571 = select(38685626000000000000000000f, (1f / _e555), _e559);
+                        let _e572 = (_e420 == 0u);
+                        if _e572 {
+                            phi_972_ = _e442[0];
                         } else {
-                            phi_873_ = _e466[1];
+                            phi_972_ = _e442[1];
                         }
-                        let _e536 = phi_873_;
-                        if _e514 {
-                            phi_879_ = _e466[2];
+                        let _e576 = phi_972_;
+                        let _e577 = (_e420 == 2u);
+                        if _e577 {
+                            phi_978_ = _e442[2];
                         } else {
-                            phi_879_ = _e536;
+                            phi_978_ = _e576;
                         }
-                        let _e539 = phi_879_;
-                        let _e540 = bitcast<u32>(_e539);
-                        let _e542 = ((_e540 & 2139095040u) != 0u);
-                        let _e556 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e540 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e540 & 2147483648u))), _e539, _e542) * _e430) * select(0.00000011920929f, 1f, _e542)) * _e436);
-                        let _e560 = (bitcast<f32>((bitcast<u32>(_e556) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e560 {
-                            let _e564 = (bitcast<f32>((bitcast<u32>(_e532) & 2147483647u)) * 0.00000011920929f);
-                            phi_931_ = select(0.00000000000011368684f, _e564, (_e564 > 0.00000000000011368684f));
+                        let _e580 = phi_978_;
+                        let _e581 = bitcast<u32>(_e580);
+                        let _e583 = ((_e581 & 2139095040u) != 0u);
+                        let _e595 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e581 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e581 & 2147483648u))), _e580, _e583) * select(0.00000011920929f, 1f, _e583));
+                        if _e572 {
+                            phi_1018_ = _e467[0];
                         } else {
-                            phi_931_ = 0f;
+                            phi_1018_ = _e467[1];
                         }
-                        let _e568 = phi_931_;
-                        let _e569 = (_e532 + _e568);
-                        let _e570 = (_e532 - _e568);
-                        let _e571 = select(_e556, 0f, _e560);
-                        if _e560 {
-                            phi_943_ = 38685626000000000000000000f;
+                        let _e599 = phi_1018_;
+                        if _e577 {
+                            phi_1024_ = _e467[2];
                         } else {
-                            phi_943_ = (1f / _e556);
+                            phi_1024_ = _e599;
                         }
-                        let _e574 = phi_943_;
-                        let _e575 = (_e419 == 0u);
-                        if _e575 {
-                            phi_952_ = _e441[0];
-                        } else {
-                            phi_952_ = _e441[1];
-                        }
-                        let _e579 = phi_952_;
-                        let _e580 = (_e419 == 2u);
-                        if _e580 {
-                            phi_958_ = _e441[2];
-                        } else {
-                            phi_958_ = _e579;
-                        }
-                        let _e583 = phi_958_;
-                        let _e584 = bitcast<u32>(_e583);
-                        let _e586 = ((_e584 & 2139095040u) != 0u);
-                        let _e598 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e584 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e584 & 2147483648u))), _e583, _e586) * select(0.00000011920929f, 1f, _e586));
-                        if _e575 {
-                            phi_998_ = _e466[0];
-                        } else {
-                            phi_998_ = _e466[1];
-                        }
-                        let _e602 = phi_998_;
-                        if _e580 {
-                            phi_1004_ = _e466[2];
-                        } else {
-                            phi_1004_ = _e602;
-                        }
-                        let _e605 = phi_1004_;
-                        let _e606 = bitcast<u32>(_e605);
-                        let _e608 = ((_e606 & 2139095040u) != 0u);
-                        let _e622 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e606 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e606 & 2147483648u))), _e605, _e608) * _e430) * select(0.00000011920929f, 1f, _e608)) * _e436);
-                        let _e626 = (bitcast<f32>((bitcast<u32>(_e622) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e626 {
-                            let _e630 = (bitcast<f32>((bitcast<u32>(_e598) & 2147483647u)) * 0.00000011920929f);
-                            phi_1056_ = select(0.00000000000011368684f, _e630, (_e630 > 0.00000000000011368684f));
-                        } else {
-                            phi_1056_ = 0f;
-                        }
-                        let _e634 = phi_1056_;
-                        let _e635 = (_e598 + _e634);
-                        let _e636 = (_e598 - _e634);
-                        let _e637 = select(_e622, 0f, _e626);
-                        if _e626 {
-                            phi_1068_ = 38685626000000000000000000f;
-                        } else {
-                            phi_1068_ = (1f / _e622);
-                        }
-                        let _e640 = phi_1068_;
-                        let _e643 = bitcast<f32>((bitcast<u32>(_e465) & 2147483647u));
-                        let _e646 = bitcast<f32>((bitcast<u32>(_e532) & 2147483647u));
-                        let _e648 = select(_e646, _e643, (_e643 > _e646));
-                        let _e651 = bitcast<f32>((bitcast<u32>(_e598) & 2147483647u));
-                        if (_e380 && (select(_e651, _e648, (_e648 > _e651)) <= 1099511600000f)) {
-                            let _e663 = ((_e371 & 8388607u) | (select(0u, 1u, ((_e371 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e666 = bitcast<i32>((_e371 >> bitcast<u32>(23i)));
-                            let _e670 = (_e663 == 0u);
-                            let _e673 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e663)), 32u, _e670)) - 8i);
-                            if (_e666 == 255i) {
-                                phi_1123_ = 255i;
+                        let _e602 = phi_1024_;
+                        let _e603 = bitcast<u32>(_e602);
+                        let _e605 = ((_e603 & 2139095040u) != 0u);
+                        let _e619 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e603 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e603 & 2147483648u))), _e602, _e605) * _e431) * select(0.00000011920929f, 1f, _e605)) * _e437);
+                        let _e623 = (bitcast<f32>((bitcast<u32>(_e619) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e626 = bitcast<f32>((bitcast<u32>(_e595) & 2147483647u));
+                        let _e627 = (_e626 * 0.00000011920929f);
+                        let _e630 = select(select(0.00000000000011368684f, _e627, (_e627 > 0.00000000000011368684f)), 0f, _e623);
+                        let _e631 = select(0f, _e619, _e623);
+                        let _e632 = (_e595 + _e630);
+                        let _e633 = (_e595 - _e630);
+                        let _e635 = select(38685626000000000000000000f, (1f / _e619), _e623);
+                        let _e637 = select(_e562, _e498, (_e498 > _e562));
+                        if (_e381 && (select(_e626, _e637, (_e637 > _e626)) <= 1099511600000f)) {
+                            let _e649 = ((_e372 & 8388607u) | (select(0u, 1u, ((_e372 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e652 = bitcast<i32>((_e372 >> bitcast<u32>(23i)));
+                            let _e656 = (_e649 == 0u);
+                            let _e659 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e649)), 32u, _e656)) - 8i);
+                            if (_e652 == 255i) {
+                                phi_1143_ = 255i;
                             } else {
-                                phi_1123_ = (((_e666 + select(0i, 1i, (_e666 == 0i))) - _e673) + _e399);
+                                phi_1143_ = (((_e652 + select(0i, 1i, (_e652 == 0i))) - _e659) + _e400);
                             }
-                            let _e681 = phi_1123_;
-                            let _e691 = (_e681 <= 0i);
-                            if _e691 {
-                                phi_1146_ = u32();
+                            let _e667 = phi_1143_;
+                            let _e677 = (_e667 <= 0i);
+                            if _e677 {
+                                phi_1166_ = u32();
                             } else {
-                                if _e670 {
-                                    phi_1145_ = u32();
+                                if _e656 {
+                                    phi_1165_ = u32();
                                 } else {
-                                    phi_1145_ = select(((bitcast<u32>(_e681) << bitcast<u32>(23i)) | ((_e663 << bitcast<u32>(((_e673 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e681 >= 255i));
+                                    phi_1165_ = select(((bitcast<u32>(_e667) << bitcast<u32>(23i)) | ((_e649 << bitcast<u32>(((_e659 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e667 >= 255i));
                                 }
-                                let _e695 = phi_1145_;
-                                phi_1146_ = _e695;
+                                let _e681 = phi_1165_;
+                                phi_1166_ = _e681;
                             }
-                            let _e697 = phi_1146_;
-                            let _e709 = ((_e376 & 8388607u) | (select(0u, 1u, ((_e376 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e712 = bitcast<i32>((_e376 >> bitcast<u32>(23i)));
-                            let _e716 = (_e709 == 0u);
-                            let _e719 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e709)), 32u, _e716)) - 8i);
-                            if (_e712 == 255i) {
-                                phi_1183_ = 255i;
+                            let _e683 = phi_1166_;
+                            let _e695 = ((_e377 & 8388607u) | (select(0u, 1u, ((_e377 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e698 = bitcast<i32>((_e377 >> bitcast<u32>(23i)));
+                            let _e702 = (_e695 == 0u);
+                            let _e705 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e695)), 32u, _e702)) - 8i);
+                            if (_e698 == 255i) {
+                                phi_1203_ = 255i;
                             } else {
-                                phi_1183_ = (((_e712 + select(0i, 1i, (_e712 == 0i))) - _e719) + _e399);
+                                phi_1203_ = (((_e698 + select(0i, 1i, (_e698 == 0i))) - _e705) + _e400);
                             }
-                            let _e727 = phi_1183_;
-                            let _e737 = (_e727 <= 0i);
-                            if _e737 {
-                                phi_1206_ = u32();
+                            let _e713 = phi_1203_;
+                            let _e723 = (_e713 <= 0i);
+                            if _e723 {
+                                phi_1226_ = u32();
                             } else {
-                                if _e716 {
-                                    phi_1205_ = u32();
+                                if _e702 {
+                                    phi_1225_ = u32();
                                 } else {
-                                    phi_1205_ = select(((bitcast<u32>(_e727) << bitcast<u32>(23i)) | ((_e709 << bitcast<u32>(((_e719 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e727 >= 255i));
+                                    phi_1225_ = select(((bitcast<u32>(_e713) << bitcast<u32>(23i)) | ((_e695 << bitcast<u32>(((_e705 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e713 >= 255i));
                                 }
-                                let _e741 = phi_1205_;
-                                phi_1206_ = _e741;
+                                let _e727 = phi_1225_;
+                                phi_1226_ = _e727;
                             }
-                            let _e743 = phi_1206_;
-                            phi_1214_ = bitcast<f32>(((_e375 & 2147483648u) | select(_e743, 0u, select(_e716, true, _e737))));
-                            phi_1215_ = bitcast<f32>(((_e370 & 2147483648u) | select(_e697, 0u, select(_e670, true, _e691))));
+                            let _e729 = phi_1226_;
+                            phi_1234_ = bitcast<f32>(((_e376 & 2147483648u) | select(_e729, 0u, select(_e702, true, _e723))));
+                            phi_1235_ = bitcast<f32>(((_e371 & 2147483648u) | select(_e683, 0u, select(_e656, true, _e677))));
                         } else {
-                            phi_1214_ = 0f;
-                            phi_1215_ = 1f;
+                            phi_1234_ = 0f;
+                            phi_1235_ = 1f;
                         }
-                        let _e749 = phi_1214_;
-                        let _e751 = phi_1215_;
+                        let _e735 = phi_1234_;
+                        let _e737 = phi_1235_;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -659,959 +623,936 @@ fn function_() {
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_9 = array<f32, 3>(bitcast<f32>(_e112), bitcast<f32>(_e116), bitcast<f32>(_e120));
-                        let _e756 = (_e418 % 3u);
-                        let _e757 = (_e756 < 3u);
-                        if _e757 {
+                        local_9 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
+                        let _e742 = (_e419 % 3u);
+                        let _e743 = (_e742 < 3u);
+                        if _e743 {
                         } else {
                             break;
                         }
-                        let _e759 = local_9[_e756];
-                        let _e760 = (_e417 % 3u);
-                        let _e761 = (_e760 < 3u);
-                        if _e761 {
+                        let _e745 = local_9[_e742];
+                        let _e746 = (_e418 % 3u);
+                        let _e747 = (_e746 < 3u);
+                        if _e747 {
                         } else {
                             break;
                         }
-                        let _e763 = local_9[_e760];
-                        let _e764 = (_e419 % 3u);
-                        let _e765 = (_e764 < 3u);
-                        if _e765 {
+                        let _e749 = local_9[_e746];
+                        let _e750 = (_e420 % 3u);
+                        let _e751 = (_e750 < 3u);
+                        if _e751 {
                         } else {
                             break;
                         }
-                        let _e767 = local_9[_e764];
-                        local_8 = array<f32, 3>(bitcast<f32>(_e124), bitcast<f32>(_e128), bitcast<f32>(_e132));
-                        if _e757 {
+                        let _e753 = local_9[_e750];
+                        local_8 = array<f32, 3>(bitcast<f32>(_e125), bitcast<f32>(_e129), bitcast<f32>(_e133));
+                        if _e743 {
                         } else {
                             break;
                         }
-                        let _e771 = local_8[_e756];
-                        if _e761 {
+                        let _e757 = local_8[_e742];
+                        if _e747 {
                         } else {
                             break;
                         }
-                        let _e773 = local_8[_e760];
-                        if _e765 {
+                        let _e759 = local_8[_e746];
+                        if _e751 {
                         } else {
                             break;
                         }
-                        let _e775 = local_8[_e764];
-                        phi_4112_ = false;
-                        phi_1298_ = type_40(_e749, false);
-                        phi_1301_ = ((3u * _e93) + 1u);
-                        phi_1303_ = (_e751 <= _e749);
-                        phi_1305_ = 0u;
-                        phi_1307_ = type_62(type_54(array<f32, 3>(_e759, _e763, _e767), array<f32, 3>(_e771, _e773, _e775)), select(0u, 2147483648u, (_e93 == 0u)));
+                        let _e761 = local_8[_e750];
+                        phi_4212_ = false;
+                        phi_1318_ = type_41(_e735, false);
+                        phi_1321_ = ((3u * _e94) + 1u);
+                        phi_1323_ = (_e737 <= _e735);
+                        phi_1325_ = 0u;
+                        phi_1327_ = type_63(type_55(array<f32, 3>(_e745, _e749, _e753), array<f32, 3>(_e757, _e759, _e761)), select(0u, 2147483648u, (_e94 == 0u)));
                         loop {
-                            let _e783 = phi_4112_;
-                            let _e785 = phi_1298_;
-                            let _e787 = phi_1301_;
-                            let _e789 = phi_1303_;
-                            let _e791 = phi_1305_;
-                            let _e793 = phi_1307_;
-                            local_10 = _e785;
-                            if _e789 {
-                                phi_1318_ = true;
+                            let _e769 = phi_4212_;
+                            let _e771 = phi_1318_;
+                            let _e773 = phi_1321_;
+                            let _e775 = phi_1323_;
+                            let _e777 = phi_1325_;
+                            let _e779 = phi_1327_;
+                            local_10 = _e771;
+                            if _e775 {
+                                phi_1338_ = true;
                             } else {
-                                phi_1318_ = (_e791 > 0u);
+                                phi_1338_ = (_e777 > 0u);
                             }
-                            let _e796 = phi_1318_;
-                            if _e796 {
-                                let _e797 = (_e787 > 0u);
-                                if _e797 {
-                                    if _e789 {
-                                        phi_1404_ = _e789;
-                                        phi_1405_ = _e791;
-                                        phi_1406_ = _e793;
+                            let _e782 = phi_1338_;
+                            if _e782 {
+                                let _e783 = (_e773 > 0u);
+                                if _e783 {
+                                    if _e775 {
+                                        phi_1424_ = _e775;
+                                        phi_1425_ = _e777;
+                                        phi_1426_ = _e779;
                                     } else {
-                                        let _e798 = (_e791 - 1u);
-                                        let _e799 = (_e798 % 128u);
-                                        let _e800 = (_e799 < 128u);
-                                        if _e800 {
+                                        let _e784 = (_e777 - 1u);
+                                        let _e785 = (_e784 % 128u);
+                                        let _e786 = (_e785 < 128u);
+                                        if _e786 {
                                         } else {
-                                            phi_4316_ = true;
+                                            phi_4421_ = true;
                                             break;
                                         }
-                                        let _e802 = local_6[_e799];
-                                        if _e800 {
+                                        let _e788 = local_6[_e785];
+                                        if _e786 {
                                         } else {
-                                            phi_4316_ = true;
+                                            phi_4421_ = true;
                                             break;
                                         }
-                                        let _e804 = local_5[_e799];
-                                        if _e800 {
+                                        let _e790 = local_5[_e785];
+                                        if _e786 {
                                         } else {
-                                            phi_4316_ = true;
+                                            phi_4421_ = true;
                                             break;
                                         }
-                                        let _e806 = local_4[_e799];
-                                        if _e800 {
+                                        let _e792 = local_4[_e785];
+                                        if _e786 {
                                         } else {
-                                            phi_4316_ = true;
+                                            phi_4421_ = true;
                                             break;
                                         }
-                                        let _e808 = local_3[_e799];
-                                        if _e800 {
+                                        let _e794 = local_3[_e785];
+                                        if _e786 {
                                         } else {
-                                            phi_4316_ = true;
+                                            phi_4421_ = true;
                                             break;
                                         }
-                                        let _e811 = local_2[_e799];
-                                        if _e800 {
+                                        let _e797 = local_2[_e785];
+                                        if _e786 {
                                         } else {
-                                            phi_4316_ = true;
+                                            phi_4421_ = true;
                                             break;
                                         }
-                                        let _e813 = local_1[_e799];
-                                        if _e800 {
+                                        let _e799 = local_1[_e785];
+                                        if _e786 {
                                         } else {
-                                            phi_4316_ = true;
+                                            phi_4421_ = true;
                                             break;
                                         }
-                                        let _e815 = local[_e799];
-                                        if _e800 {
+                                        let _e801 = local[_e785];
+                                        if _e786 {
                                         } else {
-                                            phi_4316_ = true;
+                                            phi_4421_ = true;
                                             break;
                                         }
-                                        let _e820 = local_7[_e799];
-                                        phi_1404_ = (_e820 <= _e785.member);
-                                        phi_1405_ = _e798;
-                                        phi_1406_ = type_62(type_54(array<f32, 3>(_e804, _e806, _e808), array<f32, 3>(_e811, _e813, _e815)), _e802);
+                                        let _e806 = local_7[_e785];
+                                        phi_1424_ = (_e806 <= _e771.member);
+                                        phi_1425_ = _e784;
+                                        phi_1426_ = type_63(type_55(array<f32, 3>(_e790, _e792, _e794), array<f32, 3>(_e797, _e799, _e801)), _e788);
                                     }
-                                    let _e824 = phi_1404_;
-                                    let _e826 = phi_1405_;
-                                    let _e828 = phi_1406_;
-                                    if _e824 {
-                                        let _e832 = ((_e828.member_1 & 2147483648u) != 0u);
-                                        if _e832 {
-                                            phi_1425_ = _e785;
-                                            phi_1428_ = type_8(0u, ((_e828.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e810 = phi_1424_;
+                                    let _e812 = phi_1425_;
+                                    let _e814 = phi_1426_;
+                                    if _e810 {
+                                        let _e818 = ((_e814.member_1 & 2147483648u) != 0u);
+                                        if _e818 {
+                                            phi_1445_ = _e771;
+                                            phi_1448_ = type_8(0u, ((_e814.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e840 = phi_1425_;
-                                                let _e842 = phi_1428_;
-                                                local_11 = _e840;
-                                                if (_e842.member < _e842.member_1) {
-                                                    phi_1429_ = type_8((_e842.member + 1u), _e842.member_1);
-                                                    phi_1451_ = type_8(1u, _e842.member);
+                                                let _e826 = phi_1445_;
+                                                let _e828 = phi_1448_;
+                                                local_11 = _e826;
+                                                if (_e828.member < _e828.member_1) {
+                                                    phi_1449_ = type_8((_e828.member + 1u), _e828.member_1);
+                                                    phi_1471_ = type_8(1u, _e828.member);
                                                 } else {
-                                                    phi_1429_ = _e842;
-                                                    phi_1451_ = type_8(0u, type_8().member_1);
+                                                    phi_1449_ = _e828;
+                                                    phi_1471_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e855 = phi_1429_;
-                                                let _e857 = phi_1451_;
-                                                let _e861 = (bitcast<i32>(_e857.member) != 0i);
-                                                if _e861 {
-                                                    let _e862 = ((_e828.member_1 & 268435455u) + _e857.member_1);
-                                                    let _e863 = (_e862 < arrayLength((&global_10.member)));
-                                                    if _e863 {
-                                                        if _e863 {
+                                                let _e841 = phi_1449_;
+                                                let _e843 = phi_1471_;
+                                                let _e847 = (bitcast<i32>(_e843.member) != 0i);
+                                                if _e847 {
+                                                    let _e848 = ((_e814.member_1 & 268435455u) + _e843.member_1);
+                                                    let _e849 = (_e848 < arrayLength((&global_10.member)));
+                                                    if _e849 {
+                                                        if _e849 {
                                                         } else {
-                                                            phi_4106_ = true;
+                                                            phi_4206_ = true;
                                                             break;
                                                         }
-                                                        let _e866 = global_10.member[_e862].member_1;
-                                                        phi_1476_ = _e866;
+                                                        let _e852 = global_10.member[_e848].member_1;
+                                                        phi_1496_ = _e852;
                                                     } else {
-                                                        phi_1476_ = 4294967295u;
+                                                        phi_1496_ = 4294967295u;
                                                     }
-                                                    let _e868 = phi_1476_;
-                                                    if _e863 {
-                                                        if _e863 {
+                                                    let _e854 = phi_1496_;
+                                                    if _e849 {
+                                                        if _e849 {
                                                         } else {
-                                                            phi_4106_ = true;
+                                                            phi_4206_ = true;
                                                             break;
                                                         }
-                                                        let _e870 = global_10.member[_e862];
-                                                        phi_1492_ = _e870;
+                                                        let _e856 = global_10.member[_e848];
+                                                        phi_1512_ = _e856;
                                                     } else {
-                                                        phi_1492_ = type_56(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_1512_ = type_57(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e872 = phi_1492_;
-                                                    let _e884 = ((10u * _e418) & 31u);
-                                                    let _e887 = ((_e872.member[0] >> bitcast<u32>(_e884)) & 1023u);
-                                                    let _e895 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[0] - _e828.member.member[0]) * 0.0009775171f)) ^ _e136));
-                                                    let _e900 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e887)) - 8388608f) * _e895)) ^ _e136)));
-                                                    let _e904 = select(select(_e828.member.member_1[0], _e900, (_e900 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e887 == 1023u));
-                                                    let _e906 = ((10u * _e417) & 31u);
-                                                    let _e909 = ((_e872.member[0] >> bitcast<u32>(_e906)) & 1023u);
-                                                    let _e917 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[1] - _e828.member.member[1]) * 0.0009775171f)) ^ _e136));
-                                                    let _e922 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e909)) - 8388608f) * _e917)) ^ _e136)));
-                                                    let _e926 = select(select(_e828.member.member_1[1], _e922, (_e922 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e909 == 1023u));
-                                                    let _e928 = ((10u * _e419) & 31u);
-                                                    let _e931 = ((_e872.member[0] >> bitcast<u32>(_e928)) & 1023u);
-                                                    let _e939 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[2] - _e828.member.member[2]) * 0.0009775171f)) ^ _e136));
-                                                    let _e944 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e931)) - 8388608f) * _e939)) ^ _e136)));
-                                                    let _e948 = select(select(_e828.member.member_1[2], _e944, (_e944 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e931 == 1023u));
-                                                    let _e952 = ((_e872.member[1] >> bitcast<u32>(_e884)) & 1023u);
-                                                    let _e960 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e952)) - 8388608f) * _e895)) ^ _e136)));
-                                                    let _e964 = select(select(_e828.member.member_1[0], _e960, (_e960 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e952 == 1023u));
-                                                    let _e967 = ((_e872.member[1] >> bitcast<u32>(_e906)) & 1023u);
-                                                    let _e975 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e967)) - 8388608f) * _e917)) ^ _e136)));
-                                                    let _e979 = select(select(_e828.member.member_1[1], _e975, (_e975 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e967 == 1023u));
-                                                    let _e982 = ((_e872.member[1] >> bitcast<u32>(_e928)) & 1023u);
-                                                    let _e990 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e982)) - 8388608f) * _e939)) ^ _e136)));
-                                                    let _e994 = select(select(_e828.member.member_1[2], _e990, (_e990 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e982 == 1023u));
-                                                    let _e998 = ((_e872.member[2] >> bitcast<u32>(_e884)) & 1023u);
-                                                    let _e1006 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e998)) - 8388608f) * _e895)) ^ _e136)));
-                                                    let _e1010 = select(select(_e828.member.member_1[0], _e1006, (_e1006 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e998 == 1023u));
-                                                    let _e1013 = ((_e872.member[2] >> bitcast<u32>(_e906)) & 1023u);
-                                                    let _e1021 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1013)) - 8388608f) * _e917)) ^ _e136)));
-                                                    let _e1025 = select(select(_e828.member.member_1[1], _e1021, (_e1021 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1013 == 1023u));
-                                                    let _e1028 = ((_e872.member[2] >> bitcast<u32>(_e928)) & 1023u);
-                                                    let _e1036 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1028)) - 8388608f) * _e939)) ^ _e136)));
-                                                    let _e1040 = select(select(_e828.member.member_1[2], _e1036, (_e1036 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1028 == 1023u));
-                                                    let _e1044 = (_e948 - _e598);
-                                                    let _e1047 = (((_e904 - _e465) * _e637) - (_e1044 * _e505));
-                                                    let _e1050 = (((_e926 - _e532) * _e637) - (_e1044 * _e571));
-                                                    let _e1053 = (_e994 - _e598);
-                                                    let _e1056 = (((_e964 - _e465) * _e637) - (_e1053 * _e505));
-                                                    let _e1059 = (((_e979 - _e532) * _e637) - (_e1053 * _e571));
-                                                    let _e1062 = (_e1040 - _e598);
-                                                    let _e1065 = (((_e1010 - _e465) * _e637) - (_e1062 * _e505));
-                                                    let _e1068 = (((_e1025 - _e532) * _e637) - (_e1062 * _e571));
-                                                    let _e1069 = (_e1065 * _e1059);
-                                                    let _e1070 = (_e1068 * _e1056);
-                                                    let _e1071 = (_e1047 * _e1068);
-                                                    let _e1072 = (_e1050 * _e1065);
-                                                    let _e1073 = (_e1056 * _e1050);
-                                                    let _e1074 = (_e1059 * _e1047);
-                                                    let _e1079 = (((_e1069 >= _e1070) && (_e1071 >= _e1072)) && (_e1073 >= _e1074));
-                                                    if (_e1079 || (((_e1069 <= _e1070) && (_e1071 <= _e1072)) && (_e1073 <= _e1074))) {
-                                                        let _e1086 = select(-1f, 1f, _e1079);
-                                                        let _e1088 = ((_e1069 - _e1070) * _e1086);
-                                                        let _e1090 = select(0f, _e1088, (_e1088 > 0f));
-                                                        let _e1092 = ((_e1071 - _e1072) * _e1086);
-                                                        let _e1094 = select(0f, _e1092, (_e1092 > 0f));
-                                                        let _e1096 = ((_e1073 - _e1074) * _e1086);
-                                                        let _e1098 = select(0f, _e1096, (_e1096 > 0f));
-                                                        let _e1100 = ((_e1090 + _e1094) + _e1098);
-                                                        if (_e1100 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2638_ = type_22();
-                                                            phi_2639_ = true;
-                                                            phi_2640_ = false;
+                                                    let _e858 = phi_1512_;
+                                                    let _e870 = ((10u * _e419) & 31u);
+                                                    let _e873 = ((_e858.member[0] >> bitcast<u32>(_e870)) & 1023u);
+                                                    let _e881 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[0] - _e814.member.member[0]) * 0.0009775171f)) ^ _e137));
+                                                    let _e886 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e873)) - 8388608f) * _e881)) ^ _e137)));
+                                                    let _e890 = select(select(_e814.member.member_1[0], _e886, (_e886 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e873 == 1023u));
+                                                    let _e892 = ((10u * _e418) & 31u);
+                                                    let _e895 = ((_e858.member[0] >> bitcast<u32>(_e892)) & 1023u);
+                                                    let _e903 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[1] - _e814.member.member[1]) * 0.0009775171f)) ^ _e137));
+                                                    let _e908 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e895)) - 8388608f) * _e903)) ^ _e137)));
+                                                    let _e912 = select(select(_e814.member.member_1[1], _e908, (_e908 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e895 == 1023u));
+                                                    let _e914 = ((10u * _e420) & 31u);
+                                                    let _e917 = ((_e858.member[0] >> bitcast<u32>(_e914)) & 1023u);
+                                                    let _e925 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[2] - _e814.member.member[2]) * 0.0009775171f)) ^ _e137));
+                                                    let _e930 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e917)) - 8388608f) * _e925)) ^ _e137)));
+                                                    let _e934 = select(select(_e814.member.member_1[2], _e930, (_e930 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e917 == 1023u));
+                                                    let _e938 = ((_e858.member[1] >> bitcast<u32>(_e870)) & 1023u);
+                                                    let _e946 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e938)) - 8388608f) * _e881)) ^ _e137)));
+                                                    let _e950 = select(select(_e814.member.member_1[0], _e946, (_e946 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e938 == 1023u));
+                                                    let _e953 = ((_e858.member[1] >> bitcast<u32>(_e892)) & 1023u);
+                                                    let _e961 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e953)) - 8388608f) * _e903)) ^ _e137)));
+                                                    let _e965 = select(select(_e814.member.member_1[1], _e961, (_e961 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e953 == 1023u));
+                                                    let _e968 = ((_e858.member[1] >> bitcast<u32>(_e914)) & 1023u);
+                                                    let _e976 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e968)) - 8388608f) * _e925)) ^ _e137)));
+                                                    let _e980 = select(select(_e814.member.member_1[2], _e976, (_e976 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e968 == 1023u));
+                                                    let _e984 = ((_e858.member[2] >> bitcast<u32>(_e870)) & 1023u);
+                                                    let _e992 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e984)) - 8388608f) * _e881)) ^ _e137)));
+                                                    let _e996 = select(select(_e814.member.member_1[0], _e992, (_e992 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e984 == 1023u));
+                                                    let _e999 = ((_e858.member[2] >> bitcast<u32>(_e892)) & 1023u);
+                                                    let _e1007 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e999)) - 8388608f) * _e903)) ^ _e137)));
+                                                    let _e1011 = select(select(_e814.member.member_1[1], _e1007, (_e1007 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e999 == 1023u));
+                                                    let _e1014 = ((_e858.member[2] >> bitcast<u32>(_e914)) & 1023u);
+                                                    let _e1022 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1014)) - 8388608f) * _e925)) ^ _e137)));
+                                                    let _e1026 = select(select(_e814.member.member_1[2], _e1022, (_e1022 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1014 == 1023u));
+                                                    let _e1030 = (_e934 - _e595);
+                                                    let _e1033 = (((_e890 - _e466) * _e631) - (_e1030 * _e503));
+                                                    let _e1036 = (((_e912 - _e531) * _e631) - (_e1030 * _e567));
+                                                    let _e1039 = (_e980 - _e595);
+                                                    let _e1042 = (((_e950 - _e466) * _e631) - (_e1039 * _e503));
+                                                    let _e1045 = (((_e965 - _e531) * _e631) - (_e1039 * _e567));
+                                                    let _e1048 = (_e1026 - _e595);
+                                                    let _e1051 = (((_e996 - _e466) * _e631) - (_e1048 * _e503));
+                                                    let _e1054 = (((_e1011 - _e531) * _e631) - (_e1048 * _e567));
+                                                    let _e1055 = (_e1051 * _e1045);
+                                                    let _e1056 = (_e1054 * _e1042);
+                                                    let _e1057 = (_e1033 * _e1054);
+                                                    let _e1058 = (_e1036 * _e1051);
+                                                    let _e1059 = (_e1042 * _e1036);
+                                                    let _e1060 = (_e1045 * _e1033);
+                                                    let _e1065 = (((_e1055 >= _e1056) && (_e1057 >= _e1058)) && (_e1059 >= _e1060));
+                                                    let _e1071 = (_e1065 || (((_e1055 <= _e1056) && (_e1057 <= _e1058)) && (_e1059 <= _e1060)));
+                                                    if _e1071 {
+                                                        let _e1073 = select(-1f, 1f, _e1065);
+                                                        let _e1075 = ((_e1055 - _e1056) * _e1073);
+                                                        let _e1077 = select(0f, _e1075, (_e1075 > 0f));
+                                                        let _e1079 = ((_e1057 - _e1058) * _e1073);
+                                                        let _e1081 = select(0f, _e1079, (_e1079 > 0f));
+                                                        let _e1083 = ((_e1059 - _e1060) * _e1073);
+                                                        let _e1085 = select(0f, _e1083, (_e1083 > 0f));
+                                                        let _e1087 = ((_e1077 + _e1081) + _e1085);
+                                                        let _e1089 = select(_e950, _e890, (_e890 < _e950));
+                                                        let _e1093 = select(_e950, _e890, (_e890 > _e950));
+                                                        let _e1097 = select(_e965, _e912, (_e912 < _e965));
+                                                        let _e1101 = select(_e965, _e912, (_e912 > _e965));
+                                                        let _e1105 = select(_e980, _e934, (_e934 < _e980));
+                                                        let _e1109 = select(_e980, _e934, (_e934 > _e980));
+                                                        let _e1114 = ((select(_e996, _e1089, (_e1089 < _e996)) - _e504) * _e507);
+                                                        let _e1115 = ((select(_e996, _e1093, (_e1093 > _e996)) - _e505) * _e507);
+                                                        let _e1118 = ((select(_e1011, _e1097, (_e1097 < _e1011)) - _e568) * _e571);
+                                                        let _e1119 = ((select(_e1011, _e1101, (_e1101 > _e1011)) - _e569) * _e571);
+                                                        let _e1122 = ((select(_e1026, _e1105, (_e1105 < _e1026)) - _e632) * _e635);
+                                                        let _e1123 = ((select(_e1026, _e1109, (_e1109 > _e1026)) - _e633) * _e635);
+                                                        let _e1125 = select(_e1123, _e1122, (_e1122 < _e1123));
+                                                        let _e1127 = select(_e1123, _e1122, (_e1122 > _e1123));
+                                                        let _e1129 = select(_e1115, _e1114, (_e1114 < _e1115));
+                                                        let _e1131 = select(_e1119, _e1118, (_e1118 < _e1119));
+                                                        let _e1133 = select(_e1131, _e1129, (_e1129 > _e1131));
+                                                        let _e1135 = select(_e1125, _e1133, (_e1133 > _e1125));
+                                                        let _e1137 = select(_e1115, _e1114, (_e1114 > _e1115));
+                                                        let _e1139 = select(_e1119, _e1118, (_e1118 > _e1119));
+                                                        let _e1141 = select(_e1139, _e1137, (_e1137 < _e1139));
+                                                        let _e1143 = select(_e1127, _e1141, (_e1141 < _e1127));
+                                                        let _e1144 = -(_e1125);
+                                                        let _e1150 = select(_e737, _e1135, (_e1135 > _e737));
+                                                        let _e1154 = select(_e1042, _e1033, (_e1033 < _e1042));
+                                                        let _e1159 = select(_e1042, _e1033, (_e1033 > _e1042));
+                                                        let _e1166 = select(_e1045, _e1036, (_e1036 < _e1045));
+                                                        let _e1171 = select(_e1045, _e1036, (_e1036 > _e1045));
+                                                        let _e1180 = (((((_e1071 && (_e1087 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1051, _e1154, (_e1154 < _e1051)) <= 0f) && (select(_e1051, _e1159, (_e1159 > _e1051)) >= 0f))) && ((select(_e1054, _e1166, (_e1166 < _e1054)) <= 0f) && (select(_e1054, _e1171, (_e1171 > _e1054)) >= 0f))) && (_e1150 <= (_e1143 + (select(_e1144, _e1127, (_e1127 > _e1144)) * 0.0000019073523f)))) && (_e1150 <= _e826.member));
+                                                        if _e1180 {
+                                                            let _e1185 = (_e950 - _e890);
+                                                            let _e1186 = (_e965 - _e912);
+                                                            let _e1187 = (_e980 - _e934);
+                                                            let _e1188 = vec3<f32>(_e1185, _e1186, _e1187);
+                                                            let _e1189 = (_e996 - _e950);
+                                                            let _e1190 = (_e1011 - _e965);
+                                                            let _e1191 = (_e1026 - _e980);
+                                                            let _e1192 = vec3<f32>(_e1189, _e1190, _e1191);
+                                                            let _e1193 = (_e890 - _e996);
+                                                            let _e1194 = (_e912 - _e1011);
+                                                            let _e1195 = (_e934 - _e1026);
+                                                            let _e1196 = vec3<f32>(_e1193, _e1194, _e1195);
+                                                            let _e1197 = abs(_e1185);
+                                                            let _e1198 = abs(_e1186);
+                                                            if (_e1197 != _e1197) {
+                                                                phi_4007_ = true;
+                                                            } else {
+                                                                phi_4007_ = (_e1198 >= _e1197);
+                                                            }
+                                                            let _e1202 = phi_4007_;
+                                                            let _e1203 = select(_e1197, _e1198, _e1202);
+                                                            let _e1204 = abs(_e1187);
+                                                            if (_e1203 != _e1203) {
+                                                                phi_4022_ = true;
+                                                            } else {
+                                                                phi_4022_ = (_e1204 >= _e1203);
+                                                            }
+                                                            let _e1208 = phi_4022_;
+                                                            let _e1209 = select(_e1203, _e1204, _e1208);
+                                                            let _e1210 = abs(_e1189);
+                                                            let _e1211 = abs(_e1190);
+                                                            if (_e1210 != _e1210) {
+                                                                phi_4037_ = true;
+                                                            } else {
+                                                                phi_4037_ = (_e1211 >= _e1210);
+                                                            }
+                                                            let _e1215 = phi_4037_;
+                                                            let _e1216 = select(_e1210, _e1211, _e1215);
+                                                            let _e1217 = abs(_e1191);
+                                                            if (_e1216 != _e1216) {
+                                                                phi_4052_ = true;
+                                                            } else {
+                                                                phi_4052_ = (_e1217 >= _e1216);
+                                                            }
+                                                            let _e1221 = phi_4052_;
+                                                            let _e1222 = select(_e1216, _e1217, _e1221);
+                                                            let _e1223 = abs(_e1193);
+                                                            let _e1224 = abs(_e1194);
+                                                            if (_e1223 != _e1223) {
+                                                                phi_4067_ = true;
+                                                            } else {
+                                                                phi_4067_ = (_e1224 >= _e1223);
+                                                            }
+                                                            let _e1228 = phi_4067_;
+                                                            let _e1229 = select(_e1223, _e1224, _e1228);
+                                                            let _e1230 = abs(_e1195);
+                                                            if (_e1229 != _e1229) {
+                                                                phi_4082_ = true;
+                                                            } else {
+                                                                phi_4082_ = (_e1230 >= _e1229);
+                                                            }
+                                                            let _e1234 = phi_4082_;
+                                                            let _e1235 = select(_e1229, _e1230, _e1234);
+                                                            let _e1237 = select(_e1222, _e1209, (_e1209 > _e1222));
+                                                            let _e1239 = select(_e1235, _e1237, (_e1237 > _e1235));
+                                                            if (_e1209 == _e1239) {
+                                                                phi_2319_ = _e1045;
+                                                                phi_2320_ = _e1042;
+                                                                phi_2321_ = _e1036;
+                                                                phi_2322_ = _e1033;
+                                                                phi_2323_ = vec3<f32>(_e890, _e912, _e934);
+                                                                phi_2324_ = _e1196;
+                                                                phi_2325_ = _e1192;
+                                                                phi_2326_ = _e1188;
+                                                            } else {
+                                                                let _e1241 = (_e1222 == _e1239);
+                                                                let _e1246 = vec3(_e1241);
+                                                                phi_2319_ = select(_e1036, _e1054, _e1241);
+                                                                phi_2320_ = select(_e1033, _e1051, _e1241);
+                                                                phi_2321_ = select(_e1054, _e1045, _e1241);
+                                                                phi_2322_ = select(_e1051, _e1042, _e1241);
+                                                                phi_2323_ = select(vec3<f32>(_e996, _e1011, _e1026), vec3<f32>(_e950, _e965, _e980), _e1246);
+                                                                phi_2324_ = select(_e1192, _e1188, _e1246);
+                                                                phi_2325_ = select(_e1188, _e1196, _e1246);
+                                                                phi_2326_ = select(_e1196, _e1192, _e1246);
+                                                            }
+                                                            let _e1252 = phi_2319_;
+                                                            let _e1254 = phi_2320_;
+                                                            let _e1256 = phi_2321_;
+                                                            let _e1258 = phi_2322_;
+                                                            let _e1260 = phi_2323_;
+                                                            let _e1262 = phi_2324_;
+                                                            let _e1264 = phi_2325_;
+                                                            let _e1266 = phi_2326_;
+                                                            let _e1273 = ((_e1264.y * _e1262.z) - (_e1262.y * _e1264.z));
+                                                            let _e1278 = ((_e1264.z * _e1262.x) - (_e1262.z * _e1264.x));
+                                                            let _e1281 = ((_e1264.x * _e1262.y) - (_e1262.x * _e1264.y));
+                                                            let _e1284 = ((_e1077 >= _e1081) && (_e1077 >= _e1085));
+                                                            let _e1285 = (_e1081 >= _e1085);
+                                                            let _e1299 = (((_e1273 * (select(select(_e996, _e950, _e1285), _e890, _e1284) - _e466)) + (_e1278 * (select(select(_e1011, _e965, _e1285), _e912, _e1284) - _e531))) + (_e1281 * (select(select(_e1026, _e980, _e1285), _e934, _e1284) - _e595)));
+                                                            let _e1304 = (((_e1273 * _e503) + (_e1278 * _e567)) + (_e1281 * _e631));
+                                                            let _e1305 = (_e1254 - _e1258);
+                                                            let _e1306 = (_e1252 - _e1256);
+                                                            let _e1309 = ((_e1305 * _e1305) + (_e1306 * _e1306));
+                                                            let _e1316 = (-(((_e1258 * _e1305) + (_e1256 * _e1306))) / select(0.000000000000000000000000000000000000011754944f, _e1309, (_e1309 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1318 = select(1f, _e1316, (_e1316 < 1f));
+                                                            let _e1320 = select(0f, _e1318, (_e1318 > 0f));
+                                                            let _e1329 = ((_e1260.x + (_e1266.x * _e1320)) - _e466);
+                                                            let _e1332 = ((_e1260.y + (_e1266.y * _e1320)) - _e531);
+                                                            let _e1335 = ((_e1260.z + (_e1266.z * _e1320)) - _e595);
+                                                            let _e1338 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
+                                                            let _e1341 = bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u));
+                                                            let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
+                                                            let _e1346 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
+                                                            let _e1348 = select(_e1346, _e1343, (_e1343 > _e1346));
+                                                            let _e1352 = abs(_e1273);
+                                                            let _e1353 = abs(_e1278);
+                                                            if (_e1352 != _e1352) {
+                                                                phi_4097_ = true;
+                                                            } else {
+                                                                phi_4097_ = (_e1353 >= _e1352);
+                                                            }
+                                                            let _e1357 = phi_4097_;
+                                                            let _e1358 = select(_e1352, _e1353, _e1357);
+                                                            let _e1359 = abs(_e1281);
+                                                            if (_e1358 != _e1358) {
+                                                                phi_4112_ = true;
+                                                            } else {
+                                                                phi_4112_ = (_e1359 >= _e1358);
+                                                            }
+                                                            let _e1363 = phi_4112_;
+                                                            let _e1379 = abs(_e1264.x);
+                                                            let _e1380 = abs(_e1264.y);
+                                                            if (_e1379 != _e1379) {
+                                                                phi_4127_ = true;
+                                                            } else {
+                                                                phi_4127_ = (_e1380 >= _e1379);
+                                                            }
+                                                            let _e1384 = phi_4127_;
+                                                            let _e1385 = select(_e1379, _e1380, _e1384);
+                                                            let _e1386 = abs(_e1264.z);
+                                                            if (_e1385 != _e1385) {
+                                                                phi_4142_ = true;
+                                                            } else {
+                                                                phi_4142_ = (_e1386 >= _e1385);
+                                                            }
+                                                            let _e1390 = phi_4142_;
+                                                            let _e1393 = abs(_e1262.x);
+                                                            let _e1394 = abs(_e1262.y);
+                                                            if (_e1393 != _e1393) {
+                                                                phi_4157_ = true;
+                                                            } else {
+                                                                phi_4157_ = (_e1394 >= _e1393);
+                                                            }
+                                                            let _e1398 = phi_4157_;
+                                                            let _e1399 = select(_e1393, _e1394, _e1398);
+                                                            let _e1400 = abs(_e1262.z);
+                                                            if (_e1399 != _e1399) {
+                                                                phi_4172_ = true;
+                                                            } else {
+                                                                phi_4172_ = (_e1400 >= _e1399);
+                                                            }
+                                                            let _e1404 = phi_4172_;
+                                                            let _e1409 = ((bitcast<f32>((bitcast<u32>(((((_e1273 * _e1329) + (_e1278 * _e1332)) + (_e1281 * _e1335)) - _e1299)) & 2147483647u)) <= ((0.0000009536743f * select(_e1239, _e1348, (_e1348 > _e1239))) * select(_e1358, _e1359, _e1363))) && !((bitcast<f32>((bitcast<u32>(_e1304) & 2147483647u)) <= ((0.0000038146973f * select(_e1385, _e1386, _e1390)) * select(_e1399, _e1400, _e1404)))));
+                                                            let _e1410 = (_e1299 / _e1304);
+                                                            if (_e1180 && !(_e1409)) {
+                                                                let _e1413 = (_e1335 / _e631);
+                                                                let _e1421 = (((_e1273 * (_e1329 - (_e503 * _e1413))) + (_e1278 * (_e1332 - (_e567 * _e1413)))) / _e1304);
+                                                                phi_2534_ = select(select(_e1413, (_e1413 + _e1421), (bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u)) <= _e1239)), _e1410, _e1409);
+                                                            } else {
+                                                                phi_2534_ = _e1410;
+                                                            }
+                                                            let _e1430 = phi_2534_;
+                                                            let _e1432 = select(_e1143, _e1430, (_e1430 < _e1143));
+                                                            let _e1434 = select(_e1135, _e1432, (_e1432 > _e1135));
+                                                            let _e1435 = (1f / _e1087);
+                                                            phi_2554_ = type_40(_e1434, (_e1081 * _e1435), (_e1085 * _e1435), ((_e1180 && (_e1434 >= _e737)) && (_e1434 <= _e826.member)));
+                                                            phi_2555_ = type_40();
                                                         } else {
-                                                            let _e1103 = select(_e1056, _e1047, (_e1047 < _e1056));
-                                                            if (select(_e1065, _e1103, (_e1103 < _e1065)) > 0f) {
-                                                                phi_1930_ = true;
-                                                            } else {
-                                                                let _e1108 = select(_e1056, _e1047, (_e1047 > _e1056));
-                                                                phi_1930_ = (select(_e1065, _e1108, (_e1108 > _e1065)) < 0f);
-                                                            }
-                                                            let _e1113 = phi_1930_;
-                                                            if _e1113 {
-                                                                phi_2635_ = type_22();
-                                                                phi_2636_ = true;
-                                                                phi_2637_ = false;
-                                                            } else {
-                                                                let _e1115 = select(_e1059, _e1050, (_e1050 < _e1059));
-                                                                if (select(_e1068, _e1115, (_e1115 < _e1068)) > 0f) {
-                                                                    phi_1959_ = true;
-                                                                } else {
-                                                                    let _e1120 = select(_e1059, _e1050, (_e1050 > _e1059));
-                                                                    phi_1959_ = (select(_e1068, _e1120, (_e1120 > _e1068)) < 0f);
-                                                                }
-                                                                let _e1125 = phi_1959_;
-                                                                if _e1125 {
-                                                                    phi_2633_ = type_22();
-                                                                    phi_2634_ = false;
-                                                                } else {
-                                                                    let _e1127 = select(_e964, _e904, (_e904 < _e964));
-                                                                    let _e1131 = select(_e964, _e904, (_e904 > _e964));
-                                                                    let _e1135 = select(_e979, _e926, (_e926 < _e979));
-                                                                    let _e1139 = select(_e979, _e926, (_e926 > _e979));
-                                                                    let _e1143 = select(_e994, _e948, (_e948 < _e994));
-                                                                    let _e1147 = select(_e994, _e948, (_e948 > _e994));
-                                                                    let _e1152 = ((select(_e1010, _e1127, (_e1127 < _e1010)) - _e503) * _e508);
-                                                                    let _e1153 = ((select(_e1010, _e1131, (_e1131 > _e1010)) - _e504) * _e508);
-                                                                    let _e1156 = ((select(_e1025, _e1135, (_e1135 < _e1025)) - _e569) * _e574);
-                                                                    let _e1157 = ((select(_e1025, _e1139, (_e1139 > _e1025)) - _e570) * _e574);
-                                                                    let _e1160 = ((select(_e1040, _e1143, (_e1143 < _e1040)) - _e635) * _e640);
-                                                                    let _e1161 = ((select(_e1040, _e1147, (_e1147 > _e1040)) - _e636) * _e640);
-                                                                    let _e1163 = select(_e1161, _e1160, (_e1160 < _e1161));
-                                                                    let _e1165 = select(_e1161, _e1160, (_e1160 > _e1161));
-                                                                    let _e1167 = select(_e1153, _e1152, (_e1152 < _e1153));
-                                                                    let _e1169 = select(_e1157, _e1156, (_e1156 < _e1157));
-                                                                    let _e1171 = select(_e1169, _e1167, (_e1167 > _e1169));
-                                                                    let _e1173 = select(_e1163, _e1171, (_e1171 > _e1163));
-                                                                    let _e1175 = select(_e1153, _e1152, (_e1152 > _e1153));
-                                                                    let _e1177 = select(_e1157, _e1156, (_e1156 > _e1157));
-                                                                    let _e1179 = select(_e1177, _e1175, (_e1175 < _e1177));
-                                                                    let _e1181 = select(_e1165, _e1179, (_e1179 < _e1165));
-                                                                    let _e1182 = -(_e1163);
-                                                                    let _e1188 = select(_e751, _e1173, (_e1173 > _e751));
-                                                                    if (_e1188 > (_e1181 + (select(_e1182, _e1165, (_e1165 > _e1182)) * 0.0000019073523f))) {
-                                                                        phi_2628_ = type_22();
-                                                                        phi_2629_ = true;
-                                                                    } else {
-                                                                        let _e1190 = (_e1188 > _e840.member);
-                                                                        if _e1190 {
-                                                                            phi_2627_ = type_22();
-                                                                        } else {
-                                                                            let _e1191 = vec3<f32>(_e904, _e926, _e948);
-                                                                            let _e1192 = vec3<f32>(_e964, _e979, _e994);
-                                                                            let _e1193 = vec3<f32>(_e1010, _e1025, _e1040);
-                                                                            let _e1194 = (_e964 - _e904);
-                                                                            let _e1195 = (_e979 - _e926);
-                                                                            let _e1196 = (_e994 - _e948);
-                                                                            let _e1197 = vec3<f32>(_e1194, _e1195, _e1196);
-                                                                            let _e1198 = (_e1010 - _e964);
-                                                                            let _e1199 = (_e1025 - _e979);
-                                                                            let _e1200 = (_e1040 - _e994);
-                                                                            let _e1201 = vec3<f32>(_e1198, _e1199, _e1200);
-                                                                            let _e1202 = (_e904 - _e1010);
-                                                                            let _e1203 = (_e926 - _e1025);
-                                                                            let _e1204 = (_e948 - _e1040);
-                                                                            let _e1205 = vec3<f32>(_e1202, _e1203, _e1204);
-                                                                            let _e1208 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
-                                                                            let _e1211 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
-                                                                            let _e1213 = select(_e1211, _e1208, (_e1208 > _e1211));
-                                                                            let _e1216 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
-                                                                            let _e1218 = select(_e1216, _e1213, (_e1213 > _e1216));
-                                                                            let _e1221 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
-                                                                            let _e1224 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
-                                                                            let _e1226 = select(_e1224, _e1221, (_e1221 > _e1224));
-                                                                            let _e1229 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
-                                                                            let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
-                                                                            let _e1234 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
-                                                                            let _e1237 = bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u));
-                                                                            let _e1239 = select(_e1237, _e1234, (_e1234 > _e1237));
-                                                                            let _e1242 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
-                                                                            let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
-                                                                            let _e1246 = select(_e1231, _e1218, (_e1218 > _e1231));
-                                                                            let _e1248 = select(_e1244, _e1246, (_e1246 > _e1244));
-                                                                            if (_e1218 == _e1248) {
-                                                                                phi_2354_ = _e1059;
-                                                                                phi_2355_ = _e1056;
-                                                                                phi_2356_ = _e1050;
-                                                                                phi_2357_ = _e1047;
-                                                                                phi_2358_ = _e1191;
-                                                                                phi_2359_ = _e1205;
-                                                                                phi_2360_ = _e1201;
-                                                                                phi_2361_ = _e1197;
-                                                                            } else {
-                                                                                let _e1250 = (_e1231 == _e1248);
-                                                                                let _e1255 = vec3(_e1250);
-                                                                                phi_2354_ = select(_e1050, _e1068, _e1250);
-                                                                                phi_2355_ = select(_e1047, _e1065, _e1250);
-                                                                                phi_2356_ = select(_e1068, _e1059, _e1250);
-                                                                                phi_2357_ = select(_e1065, _e1056, _e1250);
-                                                                                phi_2358_ = select(_e1193, _e1192, _e1255);
-                                                                                phi_2359_ = select(_e1201, _e1197, _e1255);
-                                                                                phi_2360_ = select(_e1197, _e1205, _e1255);
-                                                                                phi_2361_ = select(_e1205, _e1201, _e1255);
-                                                                            }
-                                                                            let _e1261 = phi_2354_;
-                                                                            let _e1263 = phi_2355_;
-                                                                            let _e1265 = phi_2356_;
-                                                                            let _e1267 = phi_2357_;
-                                                                            let _e1269 = phi_2358_;
-                                                                            let _e1271 = phi_2359_;
-                                                                            let _e1273 = phi_2360_;
-                                                                            let _e1275 = phi_2361_;
-                                                                            let _e1282 = ((_e1273.y * _e1271.z) - (_e1271.y * _e1273.z));
-                                                                            let _e1287 = ((_e1273.z * _e1271.x) - (_e1271.z * _e1273.x));
-                                                                            let _e1290 = ((_e1273.x * _e1271.y) - (_e1271.x * _e1273.y));
-                                                                            if (_e1090 >= _e1094) {
-                                                                                phi_2398_ = select(true, false, (_e1090 >= _e1098));
-                                                                            } else {
-                                                                                phi_2398_ = true;
-                                                                            }
-                                                                            let _e1295 = phi_2398_;
-                                                                            if _e1295 {
-                                                                                phi_2407_ = select(_e1193, _e1192, vec3((_e1094 >= _e1098)));
-                                                                            } else {
-                                                                                phi_2407_ = _e1191;
-                                                                            }
-                                                                            let _e1300 = phi_2407_;
-                                                                            let _e1311 = (((_e1282 * (_e1300.x - _e465)) + (_e1287 * (_e1300.y - _e532))) + (_e1290 * (_e1300.z - _e598)));
-                                                                            let _e1316 = (((_e1282 * _e505) + (_e1287 * _e571)) + (_e1290 * _e637));
-                                                                            let _e1317 = (_e1263 - _e1267);
-                                                                            let _e1318 = (_e1261 - _e1265);
-                                                                            let _e1326 = (-(((_e1267 * _e1317) + (_e1265 * _e1318))) / ((_e1317 * _e1317) + (_e1318 * _e1318)));
-                                                                            let _e1328 = select(1f, _e1326, (_e1326 < 1f));
-                                                                            let _e1330 = select(0f, _e1328, (_e1328 > 0f));
-                                                                            let _e1343 = ((_e1269.x + (_e1275.x * _e1330)) - _e465);
-                                                                            let _e1344 = ((_e1269.y + (_e1275.y * _e1330)) - _e532);
-                                                                            let _e1345 = ((_e1269.z + (_e1275.z * _e1330)) - _e598);
-                                                                            let _e1346 = (_e1345 / _e637);
-                                                                            let _e1358 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
-                                                                            let _e1361 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
-                                                                            let _e1363 = select(_e1361, _e1358, (_e1358 > _e1361));
-                                                                            let _e1366 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
-                                                                            let _e1368 = select(_e1366, _e1363, (_e1363 > _e1366));
-                                                                            let _e1374 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
-                                                                            let _e1377 = bitcast<f32>((bitcast<u32>(_e1287) & 2147483647u));
-                                                                            let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
-                                                                            let _e1382 = bitcast<f32>((bitcast<u32>(_e1290) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1282 * _e1343) + (_e1287 * _e1344)) + (_e1290 * _e1345)) - _e1311)) & 2147483647u)) <= ((0.0000009536743f * select(_e1248, _e1368, (_e1368 > _e1248))) * select(_e1382, _e1379, (_e1379 > _e1382)))) {
-                                                                                let _e1392 = bitcast<f32>((bitcast<u32>(_e1273.x) & 2147483647u));
-                                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1273.y) & 2147483647u));
-                                                                                let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
-                                                                                let _e1400 = bitcast<f32>((bitcast<u32>(_e1273.z) & 2147483647u));
-                                                                                let _e1406 = bitcast<f32>((bitcast<u32>(_e1271.x) & 2147483647u));
-                                                                                let _e1409 = bitcast<f32>((bitcast<u32>(_e1271.y) & 2147483647u));
-                                                                                let _e1411 = select(_e1409, _e1406, (_e1406 > _e1409));
-                                                                                let _e1414 = bitcast<f32>((bitcast<u32>(_e1271.z) & 2147483647u));
-                                                                                let _e1418 = (bitcast<f32>((bitcast<u32>(_e1316) & 2147483647u)) > ((0.0000038146973f * select(_e1400, _e1397, (_e1397 > _e1400))) * select(_e1414, _e1411, (_e1411 > _e1414))));
-                                                                                if _e1418 {
-                                                                                    phi_2572_ = (_e1311 / _e1316);
-                                                                                } else {
-                                                                                    phi_2572_ = f32();
-                                                                                }
-                                                                                let _e1421 = phi_2572_;
-                                                                                phi_2574_ = _e1421;
-                                                                                phi_2575_ = select(true, false, _e1418);
-                                                                            } else {
-                                                                                phi_2574_ = f32();
-                                                                                phi_2575_ = true;
-                                                                            }
-                                                                            let _e1424 = phi_2574_;
-                                                                            let _e1426 = phi_2575_;
-                                                                            if _e1426 {
-                                                                                let _e1434 = (((_e1282 * (_e1343 - (_e505 * _e1346))) + (_e1287 * (_e1344 - (_e571 * _e1346)))) / _e1316);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u)) <= _e1248) {
-                                                                                    phi_2595_ = (_e1346 + _e1434);
-                                                                                } else {
-                                                                                    phi_2595_ = _e1346;
-                                                                                }
-                                                                                let _e1441 = phi_2595_;
-                                                                                phi_2596_ = _e1441;
-                                                                            } else {
-                                                                                phi_2596_ = _e1424;
-                                                                            }
-                                                                            let _e1443 = phi_2596_;
-                                                                            let _e1445 = select(_e1181, _e1443, (_e1443 < _e1181));
-                                                                            let _e1447 = select(_e1173, _e1445, (_e1445 > _e1173));
-                                                                            if (_e1447 >= _e751) {
-                                                                                let _e1449 = (_e1447 <= _e840.member);
-                                                                                if _e1449 {
-                                                                                    let _e1450 = (1f / _e1100);
-                                                                                    phi_2619_ = type_22(_e1447, (_e1094 * _e1450), (_e1098 * _e1450), _e868);
-                                                                                } else {
-                                                                                    phi_2619_ = type_22();
-                                                                                }
-                                                                                let _e1455 = phi_2619_;
-                                                                                phi_2621_ = _e1455;
-                                                                                phi_2622_ = select(true, false, _e1449);
-                                                                            } else {
-                                                                                phi_2621_ = type_22();
-                                                                                phi_2622_ = true;
-                                                                            }
-                                                                            let _e1458 = phi_2621_;
-                                                                            let _e1460 = phi_2622_;
-                                                                            if _e1460 {
-                                                                                phi_2626_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                            } else {
-                                                                                phi_2626_ = _e1458;
-                                                                            }
-                                                                            let _e1462 = phi_2626_;
-                                                                            phi_2627_ = _e1462;
-                                                                        }
-                                                                        let _e1464 = phi_2627_;
-                                                                        phi_2628_ = _e1464;
-                                                                        phi_2629_ = _e1190;
-                                                                    }
-                                                                    let _e1466 = phi_2628_;
-                                                                    let _e1468 = phi_2629_;
-                                                                    phi_2633_ = _e1466;
-                                                                    phi_2634_ = _e1468;
-                                                                }
-                                                                let _e1470 = phi_2633_;
-                                                                let _e1472 = phi_2634_;
-                                                                phi_2635_ = _e1470;
-                                                                phi_2636_ = _e1125;
-                                                                phi_2637_ = _e1472;
-                                                            }
-                                                            let _e1474 = phi_2635_;
-                                                            let _e1476 = phi_2636_;
-                                                            let _e1478 = phi_2637_;
-                                                            phi_2638_ = _e1474;
-                                                            phi_2639_ = _e1476;
-                                                            phi_2640_ = _e1478;
+                                                            phi_2554_ = type_40();
+                                                            phi_2555_ = type_40(0f, 0f, 0f, _e1180);
                                                         }
-                                                        let _e1480 = phi_2638_;
-                                                        let _e1482 = phi_2639_;
-                                                        let _e1484 = phi_2640_;
-                                                        phi_2648_ = _e1480;
-                                                        phi_2649_ = select(_e1484, true, _e1482);
+                                                        let _e1444 = phi_2554_;
+                                                        let _e1446 = phi_2555_;
+                                                        phi_2558_ = _e1444;
+                                                        phi_2559_ = _e1446;
+                                                        phi_2560_ = select(true, false, _e1180);
                                                     } else {
-                                                        phi_2648_ = type_22();
-                                                        phi_2649_ = true;
+                                                        phi_2558_ = type_40();
+                                                        phi_2559_ = type_40(0f, 0f, 0f, _e1071);
+                                                        phi_2560_ = true;
                                                     }
-                                                    let _e1487 = phi_2648_;
-                                                    let _e1489 = phi_2649_;
-                                                    if _e1489 {
-                                                        phi_2653_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1449 = phi_2558_;
+                                                    let _e1451 = phi_2559_;
+                                                    let _e1453 = phi_2560_;
+                                                    if _e1453 {
+                                                        phi_2564_ = _e1451;
                                                     } else {
-                                                        phi_2653_ = _e1487;
+                                                        phi_2564_ = _e1449;
                                                     }
-                                                    let _e1491 = phi_2653_;
-                                                    if (_e1491.member_3 != 4294967295u) {
-                                                        if (_e868 == _e153) {
-                                                            phi_2976_ = false;
+                                                    let _e1455 = phi_2564_;
+                                                    if _e1455.member_3 {
+                                                        phi_2573_ = type_22(_e1455.member, _e1455.member_1, _e1455.member_2, _e854);
+                                                    } else {
+                                                        phi_2573_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    }
+                                                    let _e1462 = phi_2573_;
+                                                    if (_e1462.member_3 != 4294967295u) {
+                                                        if (_e854 == _e154) {
+                                                            phi_2896_ = false;
                                                         } else {
-                                                            let _e1495 = (_e868 < arrayLength((&global_5.member)));
-                                                            if _e1495 {
-                                                                if _e1495 {
+                                                            let _e1466 = (_e854 < arrayLength((&global_5.member)));
+                                                            if _e1466 {
+                                                                if _e1466 {
                                                                 } else {
-                                                                    phi_4106_ = true;
+                                                                    phi_4206_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1497 = global_5.member[_e868];
-                                                                phi_2676_ = _e1497;
+                                                                let _e1468 = global_5.member[_e854];
+                                                                phi_2596_ = _e1468;
                                                             } else {
-                                                                phi_2676_ = 4294967295u;
+                                                                phi_2596_ = 4294967295u;
                                                             }
-                                                            let _e1499 = phi_2676_;
-                                                            let _e1500 = (_e1499 < arrayLength((&global_6.member)));
-                                                            if _e1500 {
-                                                                if _e1500 {
+                                                            let _e1470 = phi_2596_;
+                                                            let _e1471 = (_e1470 < arrayLength((&global_6.member)));
+                                                            if _e1471 {
+                                                                if _e1471 {
                                                                 } else {
-                                                                    phi_4106_ = true;
+                                                                    phi_4206_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1502 = global_6.member[_e1499];
-                                                                phi_2690_ = _e1502;
+                                                                let _e1473 = global_6.member[_e1470];
+                                                                phi_2610_ = _e1473;
                                                             } else {
-                                                                phi_2690_ = 0i;
+                                                                phi_2610_ = 0i;
                                                             }
-                                                            let _e1504 = phi_2690_;
-                                                            let _e1505 = (_e1504 == 0i);
-                                                            if _e1505 {
-                                                                phi_2975_ = true;
+                                                            let _e1475 = phi_2610_;
+                                                            let _e1476 = (_e1475 == 0i);
+                                                            if _e1476 {
+                                                                phi_2895_ = true;
                                                             } else {
-                                                                if _e442 {
-                                                                    phi_2709_ = vec3<f32>(_e904, _e926, _e948);
+                                                                if _e443 {
+                                                                    phi_2629_ = vec3<f32>(_e890, _e912, _e934);
                                                                 } else {
-                                                                    if (_e418 == 1u) {
-                                                                        phi_2708_ = vec3<f32>(_e948, _e904, _e926);
+                                                                    if (_e419 == 1u) {
+                                                                        phi_2628_ = vec3<f32>(_e934, _e890, _e912);
                                                                     } else {
-                                                                        phi_2708_ = vec3<f32>(_e926, _e948, _e904);
+                                                                        phi_2628_ = vec3<f32>(_e912, _e934, _e890);
                                                                     }
-                                                                    let _e1510 = phi_2708_;
-                                                                    phi_2709_ = _e1510;
+                                                                    let _e1481 = phi_2628_;
+                                                                    phi_2629_ = _e1481;
                                                                 }
-                                                                let _e1513 = phi_2709_;
-                                                                if _e442 {
-                                                                    phi_2724_ = vec3<f32>(_e964, _e979, _e994);
+                                                                let _e1484 = phi_2629_;
+                                                                if _e443 {
+                                                                    phi_2644_ = vec3<f32>(_e950, _e965, _e980);
                                                                 } else {
-                                                                    if (_e418 == 1u) {
-                                                                        phi_2723_ = vec3<f32>(_e994, _e964, _e979);
+                                                                    if (_e419 == 1u) {
+                                                                        phi_2643_ = vec3<f32>(_e980, _e950, _e965);
                                                                     } else {
-                                                                        phi_2723_ = vec3<f32>(_e979, _e994, _e964);
+                                                                        phi_2643_ = vec3<f32>(_e965, _e980, _e950);
                                                                     }
-                                                                    let _e1518 = phi_2723_;
-                                                                    phi_2724_ = _e1518;
+                                                                    let _e1489 = phi_2643_;
+                                                                    phi_2644_ = _e1489;
                                                                 }
-                                                                let _e1521 = phi_2724_;
-                                                                if _e442 {
-                                                                    phi_2739_ = vec3<f32>(_e1010, _e1025, _e1040);
+                                                                let _e1492 = phi_2644_;
+                                                                if _e443 {
+                                                                    phi_2659_ = vec3<f32>(_e996, _e1011, _e1026);
                                                                 } else {
-                                                                    if (_e418 == 1u) {
-                                                                        phi_2738_ = vec3<f32>(_e1040, _e1010, _e1025);
+                                                                    if (_e419 == 1u) {
+                                                                        phi_2658_ = vec3<f32>(_e1026, _e996, _e1011);
                                                                     } else {
-                                                                        phi_2738_ = vec3<f32>(_e1025, _e1040, _e1010);
+                                                                        phi_2658_ = vec3<f32>(_e1011, _e1026, _e996);
                                                                     }
-                                                                    let _e1526 = phi_2738_;
-                                                                    phi_2739_ = _e1526;
+                                                                    let _e1497 = phi_2658_;
+                                                                    phi_2659_ = _e1497;
                                                                 }
-                                                                let _e1529 = phi_2739_;
-                                                                let _e1532 = (_e1521.x - _e1513.x);
-                                                                let _e1535 = (_e1521.y - _e1513.y);
-                                                                let _e1538 = (_e1521.z - _e1513.z);
-                                                                let _e1540 = (_e1529.x - _e1513.x);
-                                                                let _e1542 = (_e1529.y - _e1513.y);
-                                                                let _e1544 = (_e1529.z - _e1513.z);
-                                                                if (_e285.member_1 == 1u) {
-                                                                    phi_2775_ = (vec3<f32>(_e285.member[0], _e285.member[1], _e285.member[2]) - _e1513);
+                                                                let _e1500 = phi_2659_;
+                                                                let _e1503 = (_e1492.x - _e1484.x);
+                                                                let _e1506 = (_e1492.y - _e1484.y);
+                                                                let _e1509 = (_e1492.z - _e1484.z);
+                                                                let _e1511 = (_e1500.x - _e1484.x);
+                                                                let _e1513 = (_e1500.y - _e1484.y);
+                                                                let _e1515 = (_e1500.z - _e1484.z);
+                                                                if (_e286.member_1 == 1u) {
+                                                                    phi_2695_ = (vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]) - _e1484);
                                                                 } else {
-                                                                    phi_2775_ = vec3<f32>(_e285.member[0], _e285.member[1], _e285.member[2]);
+                                                                    phi_2695_ = vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]);
                                                                 }
-                                                                let _e1559 = phi_2775_;
-                                                                let _e1565 = bitcast<f32>((bitcast<u32>((_e1532 * _e1542)) ^ _e285.member_3[0]));
-                                                                let _e1569 = bitcast<f32>((bitcast<u32>((_e1535 * _e1540)) ^ _e285.member_3[0]));
-                                                                let _e1573 = bitcast<f32>((bitcast<u32>((_e1535 * _e1544)) ^ _e285.member_3[0]));
-                                                                let _e1577 = bitcast<f32>((bitcast<u32>((_e1538 * _e1542)) ^ _e285.member_3[0]));
-                                                                let _e1581 = bitcast<f32>((bitcast<u32>((_e1538 * _e1540)) ^ _e285.member_3[0]));
-                                                                let _e1585 = bitcast<f32>((bitcast<u32>((_e1532 * _e1544)) ^ _e285.member_3[0]));
-                                                                let _e1586 = (_e1573 - _e1577);
-                                                                let _e1587 = (_e1581 - _e1585);
-                                                                let _e1588 = (_e1565 - _e1569);
-                                                                let _e1612 = (bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)));
-                                                                let _e1619 = (bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u)));
-                                                                let _e1626 = (bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u)));
-                                                                if (_e285.member_2 == 0f) {
-                                                                    phi_2957_ = 0f;
+                                                                let _e1530 = phi_2695_;
+                                                                let _e1536 = bitcast<f32>((bitcast<u32>((_e1503 * _e1513)) ^ _e286.member_3[0]));
+                                                                let _e1540 = bitcast<f32>((bitcast<u32>((_e1506 * _e1511)) ^ _e286.member_3[0]));
+                                                                let _e1544 = bitcast<f32>((bitcast<u32>((_e1506 * _e1515)) ^ _e286.member_3[0]));
+                                                                let _e1548 = bitcast<f32>((bitcast<u32>((_e1509 * _e1513)) ^ _e286.member_3[0]));
+                                                                let _e1552 = bitcast<f32>((bitcast<u32>((_e1509 * _e1511)) ^ _e286.member_3[0]));
+                                                                let _e1556 = bitcast<f32>((bitcast<u32>((_e1503 * _e1515)) ^ _e286.member_3[0]));
+                                                                let _e1557 = (_e1544 - _e1548);
+                                                                let _e1558 = (_e1552 - _e1556);
+                                                                let _e1559 = (_e1536 - _e1540);
+                                                                let _e1583 = (bitcast<f32>((bitcast<u32>(_e1544) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1548) & 2147483647u)));
+                                                                let _e1590 = (bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u)));
+                                                                let _e1597 = (bitcast<f32>((bitcast<u32>(_e1536) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1540) & 2147483647u)));
+                                                                if (_e286.member_2 == 0f) {
+                                                                    phi_2877_ = 0f;
                                                                 } else {
-                                                                    let _e1656 = bitcast<f32>((bitcast<u32>(_e1586) & 2147483647u));
-                                                                    let _e1659 = bitcast<f32>((bitcast<u32>(_e1587) & 2147483647u));
-                                                                    let _e1662 = bitcast<f32>((bitcast<u32>(_e1588) & 2147483647u));
-                                                                    let _e1664 = select(_e1662, _e1659, (_e1659 > _e1662));
-                                                                    let _e1668 = select(_e1662, _e1659, (_e1659 < _e1662));
-                                                                    let _e1672 = select(_e1659, _e1656, (_e1656 < _e1659));
-                                                                    let _e1674 = select(_e1659, _e1656, (_e1656 > _e1659));
-                                                                    let _e1676 = select(_e1662, _e1674, (_e1674 < _e1662));
-                                                                    phi_2957_ = bitcast<f32>((bitcast<u32>((_e285.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1664, _e1656, (_e1656 > _e1664)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1676, _e1672, (_e1672 > _e1676)))) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1668, _e1656, (_e1656 < _e1668)))) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1612 + _e1619) + _e1626))) ^ _e285.member_3[0]))) * 1.0000005f)) ^ _e285.member_3[0])))) ^ _e285.member_3[0]));
+                                                                    let _e1627 = bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u));
+                                                                    let _e1630 = bitcast<f32>((bitcast<u32>(_e1558) & 2147483647u));
+                                                                    let _e1633 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
+                                                                    let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
+                                                                    let _e1639 = select(_e1633, _e1630, (_e1630 < _e1633));
+                                                                    let _e1643 = select(_e1630, _e1627, (_e1627 < _e1630));
+                                                                    let _e1645 = select(_e1630, _e1627, (_e1627 > _e1630));
+                                                                    let _e1647 = select(_e1633, _e1645, (_e1645 < _e1633));
+                                                                    phi_2877_ = bitcast<f32>((bitcast<u32>((_e286.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1635, _e1627, (_e1627 > _e1635)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1647, _e1643, (_e1643 > _e1647)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1639, _e1627, (_e1627 < _e1639)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1583 + _e1590) + _e1597))) ^ _e286.member_3[0]))) * 1.0000005f)) ^ _e286.member_3[0])))) ^ _e286.member_3[0]));
                                                                 }
-                                                                let _e1703 = phi_2957_;
-                                                                phi_2975_ = (_e1505 || !(((((bitcast<f32>((bitcast<u32>((_e1559.x * _e1586)) ^ _e285.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1559.y * _e1587)) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1559.z * _e1588)) ^ _e285.member_3[0]))) * f32(-(_e1504))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1559.x) & 2147483647u)) * _e1612)) ^ _e285.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1559.y) & 2147483647u)) * _e1619)) ^ _e285.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1559.z) & 2147483647u)) * _e1626)) ^ _e285.member_3[0]))))) ^ _e285.member_3[0])) + _e1703) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1674 = phi_2877_;
+                                                                phi_2895_ = (_e1476 || !(((((bitcast<f32>((bitcast<u32>((_e1530.x * _e1557)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1530.y * _e1558)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1530.z * _e1559)) ^ _e286.member_3[0]))) * f32(-(_e1475))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1530.x) & 2147483647u)) * _e1583)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1530.y) & 2147483647u)) * _e1590)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1530.z) & 2147483647u)) * _e1597)) ^ _e286.member_3[0]))))) ^ _e286.member_3[0])) + _e1674) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1717 = phi_2975_;
-                                                            phi_2976_ = _e1717;
+                                                            let _e1688 = phi_2895_;
+                                                            phi_2896_ = _e1688;
                                                         }
-                                                        let _e1719 = phi_2976_;
-                                                        if _e1719 {
-                                                            phi_2981_ = type_40(_e840.member, true);
+                                                        let _e1690 = phi_2896_;
+                                                        if _e1690 {
+                                                            phi_2901_ = type_41(-340282350000000000000000000000000000000f, true);
                                                         } else {
-                                                            phi_2981_ = _e840;
+                                                            phi_2901_ = _e826;
                                                         }
-                                                        let _e1724 = phi_2981_;
-                                                        phi_2982_ = _e1724;
+                                                        let _e1692 = phi_2901_;
+                                                        phi_2902_ = _e1692;
                                                     } else {
-                                                        phi_2982_ = _e840;
+                                                        phi_2902_ = _e826;
                                                     }
-                                                    let _e1726 = phi_2982_;
-                                                    phi_1426_ = _e1726;
+                                                    let _e1694 = phi_2902_;
+                                                    phi_1446_ = _e1694;
                                                 } else {
-                                                    phi_1426_ = type_40();
+                                                    phi_1446_ = type_41();
                                                 }
-                                                let _e1728 = phi_1426_;
+                                                let _e1696 = phi_1446_;
                                                 continue;
                                                 continuing {
-                                                    phi_1425_ = _e1728;
-                                                    phi_1428_ = _e855;
-                                                    phi_4106_ = _e783;
-                                                    break if !(_e861);
+                                                    phi_1445_ = _e1696;
+                                                    phi_1448_ = _e841;
+                                                    phi_4206_ = _e769;
+                                                    break if !(_e847);
                                                 }
                                             }
-                                            let _e1731 = phi_4106_;
-                                            phi_4316_ = _e1731;
-                                            if _e1731 {
+                                            let _e1699 = phi_4206_;
+                                            phi_4421_ = _e1699;
+                                            if _e1699 {
                                                 break;
                                             }
-                                            phi_4375_ = _e1731;
-                                            let _e2293 = local_11;
-                                            phi_2983_ = _e2293;
+                                            phi_4480_ = _e1699;
+                                            let _e2248 = local_11;
+                                            phi_2903_ = _e2248;
                                         } else {
-                                            phi_4375_ = _e783;
-                                            phi_2983_ = _e785;
+                                            phi_4480_ = _e769;
+                                            phi_2903_ = _e771;
                                         }
-                                        let _e1733 = phi_4375_;
-                                        let _e1735 = phi_2983_;
-                                        if _e832 {
-                                            phi_3990_ = bool();
-                                            phi_3991_ = u32();
-                                            phi_3992_ = type_62();
+                                        let _e1701 = phi_4480_;
+                                        let _e1703 = phi_2903_;
+                                        if _e818 {
+                                            phi_3910_ = bool();
+                                            phi_3911_ = u32();
+                                            phi_3912_ = type_63();
                                         } else {
-                                            let _e1736 = (_e828.member_1 < _e93);
-                                            if _e1736 {
-                                                if _e1736 {
+                                            let _e1704 = (_e814.member_1 < _e94);
+                                            if _e1704 {
+                                                if _e1704 {
                                                 } else {
-                                                    phi_4316_ = true;
+                                                    phi_4421_ = true;
                                                     break;
                                                 }
-                                                let _e1738 = global_9.member[_e828.member_1];
-                                                phi_3004_ = _e1738;
+                                                let _e1706 = global_9.member[_e814.member_1];
+                                                phi_2924_ = _e1706;
                                             } else {
-                                                phi_3004_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2924_ = type_50(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e1740 = phi_3004_;
-                                            let _e1755 = ((10u * _e418) & 31u);
-                                            let _e1758 = ((_e1740.member[0] >> bitcast<u32>(_e1755)) & 1023u);
-                                            let _e1766 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[0] - _e828.member.member[0]) * 0.0009775171f)) ^ _e136));
-                                            let _e1771 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1758)) - 8388608f) * _e1766)) ^ _e136)));
-                                            let _e1775 = select(select(_e828.member.member_1[0], _e1771, (_e1771 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1758 == 1023u));
-                                            let _e1777 = ((10u * _e417) & 31u);
-                                            let _e1780 = ((_e1740.member[0] >> bitcast<u32>(_e1777)) & 1023u);
-                                            let _e1788 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[1] - _e828.member.member[1]) * 0.0009775171f)) ^ _e136));
-                                            let _e1793 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1780)) - 8388608f) * _e1788)) ^ _e136)));
-                                            let _e1797 = select(select(_e828.member.member_1[1], _e1793, (_e1793 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1780 == 1023u));
-                                            let _e1799 = ((10u * _e419) & 31u);
-                                            let _e1802 = ((_e1740.member[0] >> bitcast<u32>(_e1799)) & 1023u);
-                                            let _e1810 = bitcast<f32>((bitcast<u32>(((_e828.member.member_1[2] - _e828.member.member[2]) * 0.0009775171f)) ^ _e136));
-                                            let _e1815 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1802)) - 8388608f) * _e1810)) ^ _e136)));
-                                            let _e1819 = select(select(_e828.member.member_1[2], _e1815, (_e1815 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1802 == 1023u));
-                                            let _e1822 = ((_e1740.member[1] >> bitcast<u32>(_e1755)) & 1023u);
-                                            let _e1830 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1822)) - 8388608f) * _e1766)) ^ _e136)));
-                                            let _e1834 = select(select(_e828.member.member_1[0], _e1830, (_e1830 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1822 == 1023u));
-                                            let _e1837 = ((_e1740.member[1] >> bitcast<u32>(_e1777)) & 1023u);
-                                            let _e1845 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1837)) - 8388608f) * _e1788)) ^ _e136)));
-                                            let _e1849 = select(select(_e828.member.member_1[1], _e1845, (_e1845 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1837 == 1023u));
-                                            let _e1852 = ((_e1740.member[1] >> bitcast<u32>(_e1799)) & 1023u);
-                                            let _e1860 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1852)) - 8388608f) * _e1810)) ^ _e136)));
-                                            let _e1864 = select(select(_e828.member.member_1[2], _e1860, (_e1860 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1852 == 1023u));
-                                            let _e1870 = ((_e1740.member_1[0] >> bitcast<u32>(_e1755)) & 1023u);
-                                            let _e1878 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1870)) - 8388608f) * _e1766)) ^ _e136)));
-                                            let _e1882 = select(select(_e828.member.member_1[0], _e1878, (_e1878 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1870 == 1023u));
-                                            let _e1885 = ((_e1740.member_1[0] >> bitcast<u32>(_e1777)) & 1023u);
-                                            let _e1893 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1885)) - 8388608f) * _e1788)) ^ _e136)));
-                                            let _e1897 = select(select(_e828.member.member_1[1], _e1893, (_e1893 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1885 == 1023u));
-                                            let _e1900 = ((_e1740.member_1[0] >> bitcast<u32>(_e1799)) & 1023u);
-                                            let _e1908 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1900)) - 8388608f) * _e1810)) ^ _e136)));
-                                            let _e1912 = select(select(_e828.member.member_1[2], _e1908, (_e1908 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1900 == 1023u));
-                                            let _e1915 = ((_e1740.member_1[1] >> bitcast<u32>(_e1755)) & 1023u);
-                                            let _e1923 = (_e828.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1915)) - 8388608f) * _e1766)) ^ _e136)));
-                                            let _e1927 = select(select(_e828.member.member_1[0], _e1923, (_e1923 < _e828.member.member_1[0])), _e828.member.member_1[0], (_e1915 == 1023u));
-                                            let _e1930 = ((_e1740.member_1[1] >> bitcast<u32>(_e1777)) & 1023u);
-                                            let _e1938 = (_e828.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1930)) - 8388608f) * _e1788)) ^ _e136)));
-                                            let _e1942 = select(select(_e828.member.member_1[1], _e1938, (_e1938 < _e828.member.member_1[1])), _e828.member.member_1[1], (_e1930 == 1023u));
-                                            let _e1945 = ((_e1740.member_1[1] >> bitcast<u32>(_e1799)) & 1023u);
-                                            let _e1953 = (_e828.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1945)) - 8388608f) * _e1810)) ^ _e136)));
-                                            let _e1957 = select(select(_e828.member.member_1[2], _e1953, (_e1953 < _e828.member.member_1[2])), _e828.member.member_1[2], (_e1945 == 1023u));
-                                            let _e1962 = type_62(type_54(array<f32, 3>(_e1775, _e1797, _e1819), array<f32, 3>(_e1834, _e1849, _e1864)), _e1740.member_2);
-                                            let _e1967 = type_62(type_54(array<f32, 3>(_e1882, _e1897, _e1912), array<f32, 3>(_e1927, _e1942, _e1957)), _e1740.member_3);
-                                            let _e1973 = ((_e1775 - _e503) * _e508);
-                                            let _e1974 = ((_e1882 - _e503) * _e508);
-                                            let _e1975 = ((_e1834 - _e504) * _e508);
-                                            let _e1976 = ((_e1927 - _e504) * _e508);
-                                            let _e1981 = ((_e1797 - _e569) * _e574);
-                                            let _e1982 = ((_e1897 - _e569) * _e574);
-                                            let _e1983 = ((_e1849 - _e570) * _e574);
-                                            let _e1984 = ((_e1942 - _e570) * _e574);
-                                            let _e1989 = ((_e1819 - _e635) * _e640);
-                                            let _e1990 = ((_e1912 - _e635) * _e640);
-                                            let _e1991 = ((_e1864 - _e636) * _e640);
-                                            let _e1992 = ((_e1957 - _e636) * _e640);
-                                            let _e1994 = select(_e1991, _e1989, (_e1989 < _e1991));
-                                            let _e1996 = select(_e1992, _e1990, (_e1990 < _e1992));
-                                            let _e1998 = select(_e1991, _e1989, (_e1989 > _e1991));
-                                            let _e2000 = select(_e1992, _e1990, (_e1990 > _e1992));
-                                            let _e2002 = select(_e1975, _e1973, (_e1973 < _e1975));
-                                            let _e2004 = select(_e1976, _e1974, (_e1974 < _e1976));
-                                            let _e2006 = select(_e1983, _e1981, (_e1981 < _e1983));
-                                            let _e2008 = select(_e1984, _e1982, (_e1982 < _e1984));
-                                            let _e2010 = select(_e2006, _e2002, (_e2002 > _e2006));
-                                            let _e2012 = select(_e2008, _e2004, (_e2004 > _e2008));
-                                            let _e2014 = select(_e1994, _e2010, (_e2010 > _e1994));
-                                            let _e2016 = select(_e1996, _e2012, (_e2012 > _e1996));
-                                            let _e2018 = select(_e1975, _e1973, (_e1973 > _e1975));
-                                            let _e2020 = select(_e1976, _e1974, (_e1974 > _e1976));
-                                            let _e2022 = select(_e1983, _e1981, (_e1981 > _e1983));
-                                            let _e2024 = select(_e1984, _e1982, (_e1982 > _e1984));
-                                            let _e2026 = select(_e2022, _e2018, (_e2018 < _e2022));
-                                            let _e2028 = select(_e2024, _e2020, (_e2020 < _e2024));
-                                            let _e2033 = -(_e1994);
-                                            let _e2034 = -(_e1996);
-                                            let _e2041 = (select(_e1998, _e2026, (_e2026 < _e1998)) + (select(_e2033, _e1998, (_e1998 > _e2033)) * 0.0000019073523f));
-                                            let _e2042 = (select(_e2000, _e2028, (_e2028 < _e2000)) + (select(_e2034, _e2000, (_e2000 > _e2034)) * 0.0000019073523f));
-                                            let _e2044 = select(_e751, _e2014, (_e2014 > _e751));
-                                            let _e2046 = select(_e751, _e2016, (_e2016 > _e751));
-                                            let _e2051 = (_e2044 <= select(_e1735.member, _e2041, (_e2041 < _e1735.member)));
-                                            let _e2052 = (_e2046 <= select(_e1735.member, _e2042, (_e2042 < _e1735.member)));
-                                            let _e2053 = (_e2044 <= _e2046);
-                                            if _e2051 {
-                                                if _e2052 {
-                                                    if _e2053 {
-                                                        phi_3890_ = _e1967;
+                                            let _e1708 = phi_2924_;
+                                            let _e1723 = ((10u * _e419) & 31u);
+                                            let _e1726 = ((_e1708.member[0] >> bitcast<u32>(_e1723)) & 1023u);
+                                            let _e1734 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[0] - _e814.member.member[0]) * 0.0009775171f)) ^ _e137));
+                                            let _e1739 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1726)) - 8388608f) * _e1734)) ^ _e137)));
+                                            let _e1743 = select(select(_e814.member.member_1[0], _e1739, (_e1739 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e1726 == 1023u));
+                                            let _e1745 = ((10u * _e418) & 31u);
+                                            let _e1748 = ((_e1708.member[0] >> bitcast<u32>(_e1745)) & 1023u);
+                                            let _e1756 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[1] - _e814.member.member[1]) * 0.0009775171f)) ^ _e137));
+                                            let _e1761 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1748)) - 8388608f) * _e1756)) ^ _e137)));
+                                            let _e1765 = select(select(_e814.member.member_1[1], _e1761, (_e1761 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e1748 == 1023u));
+                                            let _e1767 = ((10u * _e420) & 31u);
+                                            let _e1770 = ((_e1708.member[0] >> bitcast<u32>(_e1767)) & 1023u);
+                                            let _e1778 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[2] - _e814.member.member[2]) * 0.0009775171f)) ^ _e137));
+                                            let _e1783 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1770)) - 8388608f) * _e1778)) ^ _e137)));
+                                            let _e1787 = select(select(_e814.member.member_1[2], _e1783, (_e1783 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1770 == 1023u));
+                                            let _e1790 = ((_e1708.member[1] >> bitcast<u32>(_e1723)) & 1023u);
+                                            let _e1798 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1790)) - 8388608f) * _e1734)) ^ _e137)));
+                                            let _e1802 = select(select(_e814.member.member_1[0], _e1798, (_e1798 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e1790 == 1023u));
+                                            let _e1805 = ((_e1708.member[1] >> bitcast<u32>(_e1745)) & 1023u);
+                                            let _e1813 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1805)) - 8388608f) * _e1756)) ^ _e137)));
+                                            let _e1817 = select(select(_e814.member.member_1[1], _e1813, (_e1813 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e1805 == 1023u));
+                                            let _e1820 = ((_e1708.member[1] >> bitcast<u32>(_e1767)) & 1023u);
+                                            let _e1828 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1820)) - 8388608f) * _e1778)) ^ _e137)));
+                                            let _e1832 = select(select(_e814.member.member_1[2], _e1828, (_e1828 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1820 == 1023u));
+                                            let _e1838 = ((_e1708.member_1[0] >> bitcast<u32>(_e1723)) & 1023u);
+                                            let _e1846 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1838)) - 8388608f) * _e1734)) ^ _e137)));
+                                            let _e1850 = select(select(_e814.member.member_1[0], _e1846, (_e1846 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e1838 == 1023u));
+                                            let _e1853 = ((_e1708.member_1[0] >> bitcast<u32>(_e1745)) & 1023u);
+                                            let _e1861 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1853)) - 8388608f) * _e1756)) ^ _e137)));
+                                            let _e1865 = select(select(_e814.member.member_1[1], _e1861, (_e1861 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e1853 == 1023u));
+                                            let _e1868 = ((_e1708.member_1[0] >> bitcast<u32>(_e1767)) & 1023u);
+                                            let _e1876 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1868)) - 8388608f) * _e1778)) ^ _e137)));
+                                            let _e1880 = select(select(_e814.member.member_1[2], _e1876, (_e1876 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1868 == 1023u));
+                                            let _e1883 = ((_e1708.member_1[1] >> bitcast<u32>(_e1723)) & 1023u);
+                                            let _e1891 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1883)) - 8388608f) * _e1734)) ^ _e137)));
+                                            let _e1895 = select(select(_e814.member.member_1[0], _e1891, (_e1891 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e1883 == 1023u));
+                                            let _e1898 = ((_e1708.member_1[1] >> bitcast<u32>(_e1745)) & 1023u);
+                                            let _e1906 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1898)) - 8388608f) * _e1756)) ^ _e137)));
+                                            let _e1910 = select(select(_e814.member.member_1[1], _e1906, (_e1906 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e1898 == 1023u));
+                                            let _e1913 = ((_e1708.member_1[1] >> bitcast<u32>(_e1767)) & 1023u);
+                                            let _e1921 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1913)) - 8388608f) * _e1778)) ^ _e137)));
+                                            let _e1925 = select(select(_e814.member.member_1[2], _e1921, (_e1921 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1913 == 1023u));
+                                            let _e1930 = type_63(type_55(array<f32, 3>(_e1743, _e1765, _e1787), array<f32, 3>(_e1802, _e1817, _e1832)), _e1708.member_2);
+                                            let _e1935 = type_63(type_55(array<f32, 3>(_e1850, _e1865, _e1880), array<f32, 3>(_e1895, _e1910, _e1925)), _e1708.member_3);
+                                            let _e1941 = ((_e1743 - _e504) * _e507);
+                                            let _e1942 = ((_e1850 - _e504) * _e507);
+                                            let _e1943 = ((_e1802 - _e505) * _e507);
+                                            let _e1944 = ((_e1895 - _e505) * _e507);
+                                            let _e1949 = ((_e1765 - _e568) * _e571);
+                                            let _e1950 = ((_e1865 - _e568) * _e571);
+                                            let _e1951 = ((_e1817 - _e569) * _e571);
+                                            let _e1952 = ((_e1910 - _e569) * _e571);
+                                            let _e1957 = ((_e1787 - _e632) * _e635);
+                                            let _e1958 = ((_e1880 - _e632) * _e635);
+                                            let _e1959 = ((_e1832 - _e633) * _e635);
+                                            let _e1960 = ((_e1925 - _e633) * _e635);
+                                            let _e1962 = select(_e1959, _e1957, (_e1957 < _e1959));
+                                            let _e1964 = select(_e1960, _e1958, (_e1958 < _e1960));
+                                            let _e1966 = select(_e1959, _e1957, (_e1957 > _e1959));
+                                            let _e1968 = select(_e1960, _e1958, (_e1958 > _e1960));
+                                            let _e1970 = select(_e1943, _e1941, (_e1941 < _e1943));
+                                            let _e1972 = select(_e1944, _e1942, (_e1942 < _e1944));
+                                            let _e1974 = select(_e1951, _e1949, (_e1949 < _e1951));
+                                            let _e1976 = select(_e1952, _e1950, (_e1950 < _e1952));
+                                            let _e1978 = select(_e1974, _e1970, (_e1970 > _e1974));
+                                            let _e1980 = select(_e1976, _e1972, (_e1972 > _e1976));
+                                            let _e1982 = select(_e1962, _e1978, (_e1978 > _e1962));
+                                            let _e1984 = select(_e1964, _e1980, (_e1980 > _e1964));
+                                            let _e1986 = select(_e1943, _e1941, (_e1941 > _e1943));
+                                            let _e1988 = select(_e1944, _e1942, (_e1942 > _e1944));
+                                            let _e1990 = select(_e1951, _e1949, (_e1949 > _e1951));
+                                            let _e1992 = select(_e1952, _e1950, (_e1950 > _e1952));
+                                            let _e1994 = select(_e1990, _e1986, (_e1986 < _e1990));
+                                            let _e1996 = select(_e1992, _e1988, (_e1988 < _e1992));
+                                            let _e2001 = -(_e1962);
+                                            let _e2002 = -(_e1964);
+                                            let _e2009 = (select(_e1966, _e1994, (_e1994 < _e1966)) + (select(_e2001, _e1966, (_e1966 > _e2001)) * 0.0000019073523f));
+                                            let _e2010 = (select(_e1968, _e1996, (_e1996 < _e1968)) + (select(_e2002, _e1968, (_e1968 > _e2002)) * 0.0000019073523f));
+                                            let _e2012 = select(_e737, _e1982, (_e1982 > _e737));
+                                            let _e2014 = select(_e737, _e1984, (_e1984 > _e737));
+                                            let _e2019 = (_e2012 <= select(_e1703.member, _e2009, (_e2009 < _e1703.member)));
+                                            let _e2020 = (_e2014 <= select(_e1703.member, _e2010, (_e2010 < _e1703.member)));
+                                            let _e2021 = (_e2012 <= _e2014);
+                                            if _e2019 {
+                                                if _e2020 {
+                                                    if _e2021 {
+                                                        phi_3810_ = _e1935;
                                                     } else {
-                                                        phi_3890_ = _e1962;
+                                                        phi_3810_ = _e1930;
                                                     }
-                                                    let _e2055 = phi_3890_;
-                                                    let _e2062 = (_e826 % 128u);
-                                                    let _e2063 = (_e2062 < 128u);
-                                                    if _e2063 {
+                                                    let _e2023 = phi_3810_;
+                                                    let _e2030 = (_e812 % 128u);
+                                                    let _e2031 = (_e2030 < 128u);
+                                                    if _e2031 {
                                                     } else {
-                                                        phi_4316_ = true;
+                                                        phi_4421_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e2062] = _e2055.member_1;
-                                                    if _e2063 {
+                                                    local_6[_e2030] = _e2023.member_1;
+                                                    if _e2031 {
                                                     } else {
-                                                        phi_4316_ = true;
+                                                        phi_4421_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e2062] = _e2055.member.member[0];
-                                                    if _e2063 {
+                                                    local_5[_e2030] = _e2023.member.member[0];
+                                                    if _e2031 {
                                                     } else {
-                                                        phi_4316_ = true;
+                                                        phi_4421_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e2062] = _e2055.member.member[1];
-                                                    if _e2063 {
+                                                    local_4[_e2030] = _e2023.member.member[1];
+                                                    if _e2031 {
                                                     } else {
-                                                        phi_4316_ = true;
+                                                        phi_4421_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e2062] = _e2055.member.member[2];
-                                                    if _e2063 {
+                                                    local_3[_e2030] = _e2023.member.member[2];
+                                                    if _e2031 {
                                                     } else {
-                                                        phi_4316_ = true;
+                                                        phi_4421_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e2062] = _e2055.member.member_1[0];
-                                                    if _e2063 {
+                                                    local_2[_e2030] = _e2023.member.member_1[0];
+                                                    if _e2031 {
                                                     } else {
-                                                        phi_4316_ = true;
+                                                        phi_4421_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e2062] = _e2055.member.member_1[1];
-                                                    if _e2063 {
+                                                    local_1[_e2030] = _e2023.member.member_1[1];
+                                                    if _e2031 {
                                                     } else {
-                                                        phi_4316_ = true;
+                                                        phi_4421_ = true;
                                                         break;
                                                     }
-                                                    local[_e2062] = _e2055.member.member_1[2];
-                                                    if _e2063 {
+                                                    local[_e2030] = _e2023.member.member_1[2];
+                                                    if _e2031 {
                                                     } else {
-                                                        phi_4316_ = true;
+                                                        phi_4421_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e2062] = select(_e2044, _e2046, _e2053);
-                                                    if _e2053 {
-                                                        phi_3966_ = _e1962;
+                                                    local_7[_e2030] = select(_e2012, _e2014, _e2021);
+                                                    if _e2021 {
+                                                        phi_3886_ = _e1930;
                                                     } else {
-                                                        phi_3966_ = _e1967;
+                                                        phi_3886_ = _e1935;
                                                     }
-                                                    let _e2080 = phi_3966_;
-                                                    phi_3967_ = (_e826 + 1u);
-                                                    phi_3968_ = _e2080;
+                                                    let _e2048 = phi_3886_;
+                                                    phi_3887_ = (_e812 + 1u);
+                                                    phi_3888_ = _e2048;
                                                 } else {
-                                                    phi_3967_ = u32();
-                                                    phi_3968_ = type_62();
+                                                    phi_3887_ = u32();
+                                                    phi_3888_ = type_63();
                                                 }
-                                                let _e2082 = phi_3967_;
-                                                let _e2084 = phi_3968_;
-                                                phi_3970_ = _e2082;
-                                                phi_3971_ = _e2084;
-                                                phi_3972_ = select(true, false, _e2052);
+                                                let _e2050 = phi_3887_;
+                                                let _e2052 = phi_3888_;
+                                                phi_3890_ = _e2050;
+                                                phi_3891_ = _e2052;
+                                                phi_3892_ = select(true, false, _e2020);
                                             } else {
-                                                phi_3970_ = u32();
-                                                phi_3971_ = type_62();
-                                                phi_3972_ = true;
+                                                phi_3890_ = u32();
+                                                phi_3891_ = type_63();
+                                                phi_3892_ = true;
                                             }
-                                            let _e2087 = phi_3970_;
-                                            let _e2089 = phi_3971_;
-                                            let _e2091 = phi_3972_;
-                                            if _e2091 {
-                                                if _e2051 {
-                                                    phi_3979_ = _e1962;
+                                            let _e2055 = phi_3890_;
+                                            let _e2057 = phi_3891_;
+                                            let _e2059 = phi_3892_;
+                                            if _e2059 {
+                                                if _e2019 {
+                                                    phi_3899_ = _e1930;
                                                 } else {
-                                                    phi_3979_ = _e1967;
+                                                    phi_3899_ = _e1935;
                                                 }
-                                                let _e2093 = phi_3979_;
-                                                phi_3984_ = select(_e2052, true, _e2051);
-                                                phi_3986_ = _e2093;
+                                                let _e2061 = phi_3899_;
+                                                phi_3904_ = select(_e2020, true, _e2019);
+                                                phi_3906_ = _e2061;
                                             } else {
-                                                phi_3984_ = _e824;
-                                                phi_3986_ = _e2089;
+                                                phi_3904_ = _e810;
+                                                phi_3906_ = _e2057;
                                             }
-                                            let _e2096 = phi_3984_;
-                                            let _e2098 = phi_3986_;
-                                            phi_3990_ = _e2096;
-                                            phi_3991_ = select(_e2087, _e826, _e2091);
-                                            phi_3992_ = _e2098;
+                                            let _e2064 = phi_3904_;
+                                            let _e2066 = phi_3906_;
+                                            phi_3910_ = _e2064;
+                                            phi_3911_ = select(_e2055, _e812, _e2059);
+                                            phi_3912_ = _e2066;
                                         }
-                                        let _e2101 = phi_3990_;
-                                        let _e2103 = phi_3991_;
-                                        let _e2105 = phi_3992_;
-                                        if _e832 {
-                                            phi_4002_ = select(_e826, 0u, _e1735.member_1);
-                                            phi_4003_ = _e828;
+                                        let _e2069 = phi_3910_;
+                                        let _e2071 = phi_3911_;
+                                        let _e2073 = phi_3912_;
+                                        if _e818 {
+                                            phi_3922_ = select(_e812, 0u, _e1703.member_1);
+                                            phi_3923_ = _e814;
                                         } else {
-                                            phi_4002_ = _e2103;
-                                            phi_4003_ = _e2105;
+                                            phi_3922_ = _e2071;
+                                            phi_3923_ = _e2073;
                                         }
-                                        let _e2109 = phi_4002_;
-                                        let _e2111 = phi_4003_;
-                                        phi_4319_ = _e1733;
-                                        phi_4004_ = _e1735;
-                                        phi_4005_ = (_e787 - 1u);
-                                        phi_4006_ = select(_e2101, false, _e832);
-                                        phi_4007_ = _e2109;
-                                        phi_4008_ = _e2111;
+                                        let _e2077 = phi_3922_;
+                                        let _e2079 = phi_3923_;
+                                        phi_4424_ = _e1701;
+                                        phi_3924_ = _e1703;
+                                        phi_3925_ = (_e773 - 1u);
+                                        phi_3926_ = select(_e2069, false, _e818);
+                                        phi_3927_ = _e2077;
+                                        phi_3928_ = _e2079;
                                     } else {
-                                        phi_4319_ = _e783;
-                                        phi_4004_ = _e785;
-                                        phi_4005_ = _e787;
-                                        phi_4006_ = _e824;
-                                        phi_4007_ = _e826;
-                                        phi_4008_ = _e828;
+                                        phi_4424_ = _e769;
+                                        phi_3924_ = _e771;
+                                        phi_3925_ = _e773;
+                                        phi_3926_ = _e810;
+                                        phi_3927_ = _e812;
+                                        phi_3928_ = _e814;
                                     }
-                                    let _e2114 = phi_4319_;
-                                    let _e2116 = phi_4004_;
-                                    let _e2118 = phi_4005_;
-                                    let _e2120 = phi_4006_;
-                                    let _e2122 = phi_4007_;
-                                    let _e2124 = phi_4008_;
-                                    phi_4318_ = _e2114;
-                                    phi_4009_ = _e2116;
-                                    phi_4010_ = _e2118;
-                                    phi_4011_ = _e2120;
-                                    phi_4012_ = _e2122;
-                                    phi_4013_ = _e2124;
+                                    let _e2082 = phi_4424_;
+                                    let _e2084 = phi_3924_;
+                                    let _e2086 = phi_3925_;
+                                    let _e2088 = phi_3926_;
+                                    let _e2090 = phi_3927_;
+                                    let _e2092 = phi_3928_;
+                                    phi_4423_ = _e2082;
+                                    phi_3929_ = _e2084;
+                                    phi_3930_ = _e2086;
+                                    phi_3931_ = _e2088;
+                                    phi_3932_ = _e2090;
+                                    phi_3933_ = _e2092;
                                 } else {
-                                    phi_4318_ = _e783;
-                                    phi_4009_ = type_40();
-                                    phi_4010_ = u32();
-                                    phi_4011_ = bool();
-                                    phi_4012_ = u32();
-                                    phi_4013_ = type_62();
+                                    phi_4423_ = _e769;
+                                    phi_3929_ = type_41();
+                                    phi_3930_ = u32();
+                                    phi_3931_ = bool();
+                                    phi_3932_ = u32();
+                                    phi_3933_ = type_63();
                                 }
-                                let _e2126 = phi_4318_;
-                                let _e2128 = phi_4009_;
-                                let _e2130 = phi_4010_;
-                                let _e2132 = phi_4011_;
-                                let _e2134 = phi_4012_;
-                                let _e2136 = phi_4013_;
-                                phi_4317_ = _e2126;
-                                phi_1299_ = _e2128;
-                                phi_1302_ = _e2130;
-                                phi_1304_ = _e2132;
-                                phi_1306_ = _e2134;
-                                phi_1308_ = _e2136;
-                                phi_4014_ = _e797;
+                                let _e2094 = phi_4423_;
+                                let _e2096 = phi_3929_;
+                                let _e2098 = phi_3930_;
+                                let _e2100 = phi_3931_;
+                                let _e2102 = phi_3932_;
+                                let _e2104 = phi_3933_;
+                                phi_4422_ = _e2094;
+                                phi_1319_ = _e2096;
+                                phi_1322_ = _e2098;
+                                phi_1324_ = _e2100;
+                                phi_1326_ = _e2102;
+                                phi_1328_ = _e2104;
+                                phi_3934_ = _e783;
                             } else {
-                                phi_4317_ = _e783;
-                                phi_1299_ = type_40();
-                                phi_1302_ = u32();
-                                phi_1304_ = bool();
-                                phi_1306_ = u32();
-                                phi_1308_ = type_62();
-                                phi_4014_ = false;
+                                phi_4422_ = _e769;
+                                phi_1319_ = type_41();
+                                phi_1322_ = u32();
+                                phi_1324_ = bool();
+                                phi_1326_ = u32();
+                                phi_1328_ = type_63();
+                                phi_3934_ = false;
                             }
-                            let _e2138 = phi_4317_;
-                            let _e2140 = phi_1299_;
-                            let _e2142 = phi_1302_;
-                            let _e2144 = phi_1304_;
-                            let _e2146 = phi_1306_;
-                            let _e2148 = phi_1308_;
-                            let _e2150 = phi_4014_;
+                            let _e2106 = phi_4422_;
+                            let _e2108 = phi_1319_;
+                            let _e2110 = phi_1322_;
+                            let _e2112 = phi_1324_;
+                            let _e2114 = phi_1326_;
+                            let _e2116 = phi_1328_;
+                            let _e2118 = phi_3934_;
                             continue;
                             continuing {
-                                phi_4112_ = _e2138;
-                                phi_1298_ = _e2140;
-                                phi_1301_ = _e2142;
-                                phi_1303_ = _e2144;
-                                phi_1305_ = _e2146;
-                                phi_1307_ = _e2148;
-                                phi_4316_ = _e2138;
-                                break if !(_e2150);
+                                phi_4212_ = _e2106;
+                                phi_1318_ = _e2108;
+                                phi_1321_ = _e2110;
+                                phi_1323_ = _e2112;
+                                phi_1325_ = _e2114;
+                                phi_1327_ = _e2116;
+                                phi_4421_ = _e2106;
+                                break if !(_e2118);
                             }
                         }
-                        let _e2153 = phi_4316_;
-                        if _e2153 {
+                        let _e2121 = phi_4421_;
+                        if _e2121 {
                             break;
                         }
-                        let _e2155 = local_10;
-                        if _e2155.member_1 {
+                        let _e2123 = local_10;
+                        if _e2123.member_1 {
                         } else {
-                            if _e286 {
+                            if _e287 {
                             } else {
                                 break;
                             }
-                            let _e2159 = global_2.member[_e140];
-                            if _e147 {
+                            let _e2127 = global_2.member[_e141];
+                            if _e148 {
                             } else {
                                 break;
                             }
-                            let _e2163 = global_8.member[_e140].member_1;
-                            if _e286 {
+                            let _e2131 = global_8.member[_e141].member_1;
+                            if _e287 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e140] = type_24(_e2159.member, _e2159.member_1, _e2159.member_2, array<f32, 3>((_e2159.member_3[0] + (_e2163[0] * _e2159.member_1[0])), (_e2159.member_3[1] + (_e2163[1] * _e2159.member_1[1])), (_e2159.member_3[2] + (_e2163[2] * _e2159.member_1[2]))), _e2159.member_4);
+                            global_2.member[_e141] = type_24(_e2127.member, _e2127.member_1, _e2127.member_2, array<f32, 3>((_e2127.member_3[0] + (_e2131[0] * _e2127.member_1[0])), (_e2127.member_3[1] + (_e2131[1] * _e2127.member_1[1])), (_e2127.member_3[2] + (_e2131[2] * _e2127.member_1[2]))), _e2127.member_4);
                         }
                     }
                 }

@@ -74,29 +74,36 @@ struct type_45 {
 
 struct type_51 {
     member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_52 {
+    member: f32,
     member_1: bool,
 }
 
-struct type_53 {
+struct type_54 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_56 {
+struct type_57 {
     member: array<i32>,
 }
 
-struct type_63 {
+struct type_64 {
     member: type_39,
     member_1: u32,
 }
 
-struct type_64 {
+struct type_65 {
     member: array<vec4<f32>, 3>,
-    member_1: type_63,
-    member_2: type_63,
+    member_1: type_64,
+    member_2: type_64,
 }
 
-struct type_69 {
+struct type_70 {
     member: array<atomic<u32>>,
 }
 
@@ -106,9 +113,9 @@ var<uniform> global_1: type_16;
 @group(0) @binding(8) 
 var<storage, read_write> global_2: type_34;
 @group(0) @binding(1) 
-var<uniform> global_3: type_53;
+var<uniform> global_3: type_54;
 @group(0) @binding(2) 
-var<uniform> global_4: type_53;
+var<uniform> global_4: type_54;
 @group(0) @binding(3) 
 var<storage> global_5: type_13;
 @group(0) @binding(4) 
@@ -116,9 +123,9 @@ var<storage> global_6: type_24;
 @group(0) @binding(5) 
 var<storage> global_7: type_4;
 @group(0) @binding(6) 
-var<storage> global_8: type_56;
+var<storage> global_8: type_57;
 @group(0) @binding(9) 
-var<storage, read_write> global_9: type_69;
+var<storage, read_write> global_9: type_70;
 @group(0) @binding(7) 
 var<storage> global_10: type_42;
 
@@ -133,534 +140,491 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_336_: u32;
-    var phi_380_: i32;
-    var phi_520_: type_45;
-    var phi_670_: i32;
-    var phi_671_: i32;
-    var phi_681_: bool;
-    var phi_691_: u32;
-    var phi_692_: u32;
-    var phi_694_: bool;
-    var phi_699_: u32;
-    var phi_732_: i32;
-    var phi_750_: f32;
-    var phi_756_: f32;
-    var phi_796_: f32;
-    var phi_802_: f32;
-    var phi_854_: f32;
-    var phi_866_: f32;
-    var phi_875_: f32;
-    var phi_881_: f32;
-    var phi_921_: f32;
-    var phi_927_: f32;
-    var phi_979_: f32;
-    var phi_991_: f32;
-    var phi_1000_: f32;
-    var phi_1006_: f32;
-    var phi_1046_: f32;
-    var phi_1052_: f32;
-    var phi_1104_: f32;
-    var phi_1116_: f32;
-    var phi_1171_: i32;
-    var phi_1193_: u32;
-    var phi_1194_: u32;
-    var phi_1231_: i32;
-    var phi_1253_: u32;
-    var phi_1254_: u32;
-    var phi_1262_: f32;
-    var phi_1263_: f32;
-    var phi_4377_: bool;
-    var phi_1359_: type_51;
-    var phi_1362_: u32;
-    var phi_1364_: bool;
-    var phi_1366_: u32;
-    var phi_1368_: type_63;
-    var phi_1379_: bool;
-    var phi_1465_: bool;
-    var phi_1466_: u32;
-    var phi_1467_: type_63;
-    var phi_1485_: type_51;
-    var phi_1488_: type_8;
-    var phi_1489_: type_8;
-    var phi_1511_: type_8;
-    var phi_1532_: u32;
-    var phi_1624_: array<array<f32, 3>, 3>;
-    var phi_1776_: bool;
-    var phi_1805_: bool;
-    var phi_2224_: f32;
-    var phi_2225_: f32;
-    var phi_2226_: f32;
-    var phi_2227_: f32;
-    var phi_2228_: vec3<f32>;
-    var phi_2229_: vec3<f32>;
-    var phi_2230_: vec3<f32>;
-    var phi_2231_: vec3<f32>;
-    var phi_2268_: bool;
-    var phi_2277_: vec3<f32>;
-    var phi_2442_: f32;
-    var phi_2444_: f32;
-    var phi_2445_: bool;
-    var phi_2465_: f32;
-    var phi_2466_: f32;
-    var phi_2489_: type_30;
-    var phi_2491_: type_30;
-    var phi_2492_: bool;
-    var phi_2496_: type_30;
-    var phi_2497_: type_30;
-    var phi_2498_: type_30;
-    var phi_2499_: bool;
-    var phi_2503_: type_30;
-    var phi_2504_: bool;
-    var phi_2505_: type_30;
-    var phi_2506_: bool;
-    var phi_2507_: bool;
-    var phi_2508_: type_30;
-    var phi_2509_: bool;
-    var phi_2510_: bool;
-    var phi_2518_: type_30;
-    var phi_2519_: bool;
-    var phi_2523_: type_30;
-    var phi_2546_: u32;
-    var phi_2560_: i32;
-    var phi_2582_: vec3<f32>;
-    var phi_2583_: vec3<f32>;
-    var phi_2601_: vec3<f32>;
-    var phi_2602_: vec3<f32>;
-    var phi_2620_: vec3<f32>;
-    var phi_2621_: vec3<f32>;
-    var phi_2657_: vec3<f32>;
-    var phi_2839_: f32;
-    var phi_2857_: bool;
-    var phi_2858_: bool;
-    var phi_2863_: type_51;
-    var phi_2864_: type_51;
-    var phi_1486_: type_51;
-    var phi_4371_: bool;
-    var phi_4649_: bool;
-    var phi_2865_: type_51;
-    var phi_3592_: u32;
-    var phi_3593_: u32;
-    var phi_3603_: u32;
-    var phi_3605_: u32;
-    var phi_3606_: bool;
-    var phi_3626_: u32;
-    var phi_3627_: u32;
-    var phi_3631_: type_64;
-    var phi_3993_: type_63;
-    var phi_4069_: type_63;
-    var phi_4070_: u32;
-    var phi_4071_: type_63;
-    var phi_4073_: u32;
-    var phi_4074_: type_63;
-    var phi_4075_: bool;
-    var phi_4084_: type_63;
-    var phi_4089_: bool;
-    var phi_4091_: type_63;
-    var phi_4095_: bool;
-    var phi_4096_: u32;
-    var phi_4097_: type_63;
-    var phi_4107_: u32;
-    var phi_4108_: type_63;
-    var phi_4566_: bool;
-    var phi_4109_: type_51;
-    var phi_4110_: u32;
-    var phi_4111_: bool;
-    var phi_4112_: u32;
-    var phi_4113_: type_63;
-    var phi_4565_: bool;
-    var phi_4114_: type_51;
-    var phi_4115_: u32;
-    var phi_4116_: bool;
-    var phi_4117_: u32;
-    var phi_4118_: type_63;
-    var phi_4564_: bool;
-    var phi_1360_: type_51;
-    var phi_1363_: u32;
-    var phi_1365_: bool;
-    var phi_1367_: u32;
-    var phi_1369_: type_63;
-    var phi_4119_: bool;
-    var phi_4563_: bool;
-    var local_10: type_51;
-    var local_11: type_51;
+    var phi_356_: u32;
+    var phi_400_: i32;
+    var phi_540_: type_45;
+    var phi_690_: i32;
+    var phi_691_: i32;
+    var phi_701_: bool;
+    var phi_711_: u32;
+    var phi_712_: u32;
+    var phi_714_: bool;
+    var phi_719_: u32;
+    var phi_752_: i32;
+    var phi_770_: f32;
+    var phi_776_: f32;
+    var phi_816_: f32;
+    var phi_822_: f32;
+    var phi_895_: f32;
+    var phi_901_: f32;
+    var phi_941_: f32;
+    var phi_947_: f32;
+    var phi_1020_: f32;
+    var phi_1026_: f32;
+    var phi_1066_: f32;
+    var phi_1072_: f32;
+    var phi_1191_: i32;
+    var phi_1213_: u32;
+    var phi_1214_: u32;
+    var phi_1251_: i32;
+    var phi_1273_: u32;
+    var phi_1274_: u32;
+    var phi_1282_: f32;
+    var phi_1283_: f32;
+    var phi_4474_: bool;
+    var phi_1379_: type_52;
+    var phi_1382_: u32;
+    var phi_1384_: bool;
+    var phi_1386_: u32;
+    var phi_1388_: type_64;
+    var phi_1399_: bool;
+    var phi_1485_: bool;
+    var phi_1486_: u32;
+    var phi_1487_: type_64;
+    var phi_1505_: type_52;
+    var phi_1508_: type_8;
+    var phi_1509_: type_8;
+    var phi_1531_: type_8;
+    var phi_1552_: u32;
+    var phi_1644_: array<array<f32, 3>, 3>;
+    var phi_4109_: bool;
+    var phi_4124_: bool;
+    var phi_4139_: bool;
+    var phi_4154_: bool;
+    var phi_4169_: bool;
+    var phi_4184_: bool;
+    var phi_2186_: f32;
+    var phi_2187_: f32;
+    var phi_2188_: f32;
+    var phi_2189_: f32;
+    var phi_2190_: vec3<f32>;
+    var phi_2191_: vec3<f32>;
+    var phi_2192_: vec3<f32>;
+    var phi_2193_: vec3<f32>;
+    var phi_4199_: bool;
+    var phi_4214_: bool;
+    var phi_4229_: bool;
+    var phi_4244_: bool;
+    var phi_4259_: bool;
+    var phi_4274_: bool;
+    var phi_2401_: f32;
+    var phi_2421_: type_51;
+    var phi_2422_: type_51;
+    var phi_2425_: type_51;
+    var phi_2426_: type_51;
+    var phi_2427_: bool;
+    var phi_2431_: type_51;
+    var phi_2440_: type_30;
+    var phi_2463_: u32;
+    var phi_2477_: i32;
+    var phi_2499_: vec3<f32>;
+    var phi_2500_: vec3<f32>;
+    var phi_2518_: vec3<f32>;
+    var phi_2519_: vec3<f32>;
+    var phi_2537_: vec3<f32>;
+    var phi_2538_: vec3<f32>;
+    var phi_2574_: vec3<f32>;
+    var phi_2756_: f32;
+    var phi_2774_: bool;
+    var phi_2775_: bool;
+    var phi_2780_: type_52;
+    var phi_2781_: type_52;
+    var phi_1506_: type_52;
+    var phi_4468_: bool;
+    var phi_4751_: bool;
+    var phi_2782_: type_52;
+    var phi_3509_: u32;
+    var phi_3510_: u32;
+    var phi_3520_: u32;
+    var phi_3522_: u32;
+    var phi_3523_: bool;
+    var phi_3543_: u32;
+    var phi_3544_: u32;
+    var phi_3548_: type_65;
+    var phi_3910_: type_64;
+    var phi_3986_: type_64;
+    var phi_3987_: u32;
+    var phi_3988_: type_64;
+    var phi_3990_: u32;
+    var phi_3991_: type_64;
+    var phi_3992_: bool;
+    var phi_4001_: type_64;
+    var phi_4006_: bool;
+    var phi_4008_: type_64;
+    var phi_4012_: bool;
+    var phi_4013_: u32;
+    var phi_4014_: type_64;
+    var phi_4024_: u32;
+    var phi_4025_: type_64;
+    var phi_4668_: bool;
+    var phi_4026_: type_52;
+    var phi_4027_: u32;
+    var phi_4028_: bool;
+    var phi_4029_: u32;
+    var phi_4030_: type_64;
+    var phi_4667_: bool;
+    var phi_4031_: type_52;
+    var phi_4032_: u32;
+    var phi_4033_: bool;
+    var phi_4034_: u32;
+    var phi_4035_: type_64;
+    var phi_4666_: bool;
+    var phi_1380_: type_52;
+    var phi_1383_: u32;
+    var phi_1385_: bool;
+    var phi_1387_: u32;
+    var phi_1389_: type_64;
+    var phi_4036_: bool;
+    var phi_4665_: bool;
+    var local_10: type_52;
+    var local_11: type_52;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e99 = global;
-            let _e101 = arrayLength((&global_5.member));
-            let _e103 = arrayLength((&global_6.member));
-            let _e115 = arrayLength((&global_9.member));
-            let _e119 = global_4.member[0u][0u];
-            let _e123 = global_4.member[0u][1u];
-            let _e127 = global_4.member[0u][2u];
-            let _e131 = global_4.member[0u][3u];
-            let _e135 = global_4.member[1u][0u];
-            let _e139 = global_4.member[1u][1u];
-            let _e143 = global_4.member[1u][2u];
-            let _e147 = (_e99.x + (_e99.y * 2097152u));
-            let _e159 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e131) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            local = array<i32, 3>(bitcast<i32>(_e135), bitcast<i32>(_e139), bitcast<i32>(_e143));
-            let _e162 = (_e147 < arrayLength((&global_10.member)));
-            if _e162 {
-                if _e162 {
+            let _e100 = global;
+            let _e102 = arrayLength((&global_5.member));
+            let _e104 = arrayLength((&global_6.member));
+            let _e116 = arrayLength((&global_9.member));
+            let _e120 = global_4.member[0u][0u];
+            let _e124 = global_4.member[0u][1u];
+            let _e128 = global_4.member[0u][2u];
+            let _e132 = global_4.member[0u][3u];
+            let _e136 = global_4.member[1u][0u];
+            let _e140 = global_4.member[1u][1u];
+            let _e144 = global_4.member[1u][2u];
+            let _e148 = (_e100.x + (_e100.y * 2097152u));
+            let _e160 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e132) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
+            local = array<i32, 3>(bitcast<i32>(_e136), bitcast<i32>(_e140), bitcast<i32>(_e144));
+            let _e163 = (_e148 < arrayLength((&global_10.member)));
+            if _e163 {
+                if _e163 {
                 } else {
                     break;
                 }
-                let _e166 = global_10.member[_e147].member_2;
-                phi_336_ = _e166;
+                let _e167 = global_10.member[_e148].member_2;
+                phi_356_ = _e167;
             } else {
-                phi_336_ = 4294967295u;
+                phi_356_ = 4294967295u;
             }
-            let _e168 = phi_336_;
-            let _e171 = global_1.member[0u];
-            let _e175 = global_3.member[0u][0u];
-            let _e179 = global_3.member[0u][1u];
-            let _e183 = global_3.member[0u][2u];
-            let _e187 = global_3.member[0u][3u];
-            let _e191 = global_3.member[1u][0u];
-            let _e195 = global_3.member[1u][1u];
-            let _e199 = global_3.member[1u][2u];
-            let _e203 = global_3.member[1u][3u];
-            let _e204 = bitcast<f32>(_e175);
-            let _e205 = bitcast<f32>(_e179);
-            let _e206 = bitcast<f32>(_e183);
-            let _e208 = bitcast<f32>(_e191);
-            let _e209 = array<u32, 3>(_e195, _e199, _e203);
-            let _e211 = bitcast<i32>(_e171);
-            if (_e211 < -126i) {
-                phi_380_ = -126i;
+            let _e169 = phi_356_;
+            let _e172 = global_1.member[0u];
+            let _e176 = global_3.member[0u][0u];
+            let _e180 = global_3.member[0u][1u];
+            let _e184 = global_3.member[0u][2u];
+            let _e188 = global_3.member[0u][3u];
+            let _e192 = global_3.member[1u][0u];
+            let _e196 = global_3.member[1u][1u];
+            let _e200 = global_3.member[1u][2u];
+            let _e204 = global_3.member[1u][3u];
+            let _e205 = bitcast<f32>(_e176);
+            let _e206 = bitcast<f32>(_e180);
+            let _e207 = bitcast<f32>(_e184);
+            let _e209 = bitcast<f32>(_e192);
+            let _e210 = array<u32, 3>(_e196, _e200, _e204);
+            let _e212 = bitcast<i32>(_e172);
+            if (_e212 < -126i) {
+                phi_400_ = -126i;
             } else {
-                phi_380_ = select(_e211, 127i, (_e211 > 127i));
+                phi_400_ = select(_e212, 127i, (_e212 > 127i));
             }
-            let _e216 = phi_380_;
-            let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
-            let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
-            if (_e187 == 0u) {
-                phi_520_ = type_45(array<f32, 3>(_e204, _e205, _e206), _e187, _e208, _e209);
+            let _e217 = phi_400_;
+            let _e222 = bitcast<f32>((bitcast<u32>((_e217 + 127i)) << bitcast<u32>(23i)));
+            let _e228 = bitcast<f32>((bitcast<u32>(((_e212 - _e217) + 127i)) << bitcast<u32>(23i)));
+            if (_e188 == 0u) {
+                phi_540_ = type_45(array<f32, 3>(_e205, _e206, _e207), _e188, _e209, _e210);
             } else {
-                let _e229 = bitcast<u32>(_e204);
-                let _e231 = ((_e229 & 2139095040u) != 0u);
-                let _e246 = bitcast<u32>(_e205);
-                let _e248 = ((_e246 & 2139095040u) != 0u);
-                let _e263 = bitcast<u32>(_e206);
-                let _e265 = ((_e263 & 2139095040u) != 0u);
-                let _e281 = bitcast<u32>(_e208);
-                let _e283 = ((_e281 & 2139095040u) != 0u);
-                phi_520_ = type_45(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e229 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e229 & 2147483648u))), _e204, _e231) * _e221) * select(0.00000011920929f, 1f, _e231)) * _e227), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e246 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e246 & 2147483648u))), _e205, _e248) * _e221) * select(0.00000011920929f, 1f, _e248)) * _e227), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e263 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e263 & 2147483648u))), _e206, _e265) * _e221) * select(0.00000011920929f, 1f, _e265)) * _e227)), _e187, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e281 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e281 & 2147483648u))), _e208, _e283) * _e221) * select(0.00000011920929f, 1f, _e283)) * _e227), _e209);
+                let _e230 = bitcast<u32>(_e205);
+                let _e232 = ((_e230 & 2139095040u) != 0u);
+                let _e247 = bitcast<u32>(_e206);
+                let _e249 = ((_e247 & 2139095040u) != 0u);
+                let _e264 = bitcast<u32>(_e207);
+                let _e266 = ((_e264 & 2139095040u) != 0u);
+                let _e282 = bitcast<u32>(_e209);
+                let _e284 = ((_e282 & 2139095040u) != 0u);
+                phi_540_ = type_45(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e230 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e230 & 2147483648u))), _e205, _e232) * _e222) * select(0.00000011920929f, 1f, _e232)) * _e228), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e247 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e247 & 2147483648u))), _e206, _e249) * _e222) * select(0.00000011920929f, 1f, _e249)) * _e228), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e264 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e264 & 2147483648u))), _e207, _e266) * _e222) * select(0.00000011920929f, 1f, _e266)) * _e228)), _e188, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e282 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e282 & 2147483648u))), _e209, _e284) * _e222) * select(0.00000011920929f, 1f, _e284)) * _e228), _e210);
             }
-            let _e300 = phi_520_;
-            if _e162 {
-                let _e301 = (_e147 < arrayLength((&global_2.member)));
-                if _e301 {
-                    if _e162 {
+            let _e301 = phi_540_;
+            if _e163 {
+                let _e302 = (_e148 < arrayLength((&global_2.member)));
+                if _e302 {
+                    if _e163 {
                     } else {
                         break;
                     }
-                    let _e306 = global_10.member[_e147].member.member_1;
-                    let _e311 = global_10.member[_e147].member.member_3;
-                    if (_e306 <= _e311) {
-                        let _e313 = (1u < _e115);
-                        if _e313 {
-                            if (0u < _e115) {
+                    let _e307 = global_10.member[_e148].member.member_1;
+                    let _e312 = global_10.member[_e148].member.member_3;
+                    if (_e307 <= _e312) {
+                        let _e314 = (1u < _e116);
+                        if _e314 {
+                            if (0u < _e116) {
                             } else {
                                 break;
                             }
-                            let _e317 = atomicAdd((&global_9.member[0u]), 1u);
-                            if ((_e317 + 1u) < _e317) {
-                                if _e313 {
+                            let _e318 = atomicAdd((&global_9.member[0u]), 1u);
+                            if ((_e318 + 1u) < _e318) {
+                                if _e314 {
                                 } else {
                                     break;
                                 }
-                                let _e322 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e323 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
-                        if _e162 {
+                        if _e163 {
                         } else {
                             break;
                         }
-                        let _e332 = global_10.member[_e147].member.member_2[0u];
-                        let _e334 = (bitcast<u32>(_e332) & 2147483647u);
-                        let _e340 = global_10.member[_e147].member.member_2[1u];
-                        let _e342 = (bitcast<u32>(_e340) & 2147483647u);
-                        let _e348 = global_10.member[_e147].member.member_2[2u];
-                        let _e350 = (bitcast<u32>(_e348) & 2147483647u);
-                        let _e356 = global_10.member[_e147].member.member[0u];
-                        let _e358 = (bitcast<u32>(_e356) & 2147483647u);
-                        let _e364 = global_10.member[_e147].member.member[1u];
-                        let _e366 = (bitcast<u32>(_e364) & 2147483647u);
-                        let _e372 = global_10.member[_e147].member.member[2u];
-                        let _e374 = (bitcast<u32>(_e372) & 2147483647u);
-                        let _e376 = select(_e342, _e334, (_e342 < _e334));
-                        let _e378 = select(_e350, _e376, (_e350 < _e376));
-                        let _e380 = select(_e358, _e378, (_e358 < _e378));
-                        let _e382 = select(_e366, _e380, (_e366 < _e380));
-                        let _e384 = select(_e374, _e382, (_e374 < _e382));
-                        let _e385 = bitcast<u32>(_e306);
-                        let _e386 = (_e385 & 2147483647u);
-                        let _e390 = bitcast<u32>(_e311);
-                        let _e391 = (_e390 & 2147483647u);
-                        let _e395 = (((select(_e386, _e384, (_e386 < _e384)) < 2139095040u) && (_e391 <= 2139095040u)) && (_e378 > 0u));
-                        if _e395 {
-                            let _e398 = (bitcast<u32>(bitcast<f32>(_e378)) & 2147483647u);
-                            if (_e398 >= 8388608u) {
-                                phi_670_ = (bitcast<i32>((_e398 >> bitcast<u32>(23i))) - 127i);
+                        let _e333 = global_10.member[_e148].member.member_2[0u];
+                        let _e335 = (bitcast<u32>(_e333) & 2147483647u);
+                        let _e341 = global_10.member[_e148].member.member_2[1u];
+                        let _e343 = (bitcast<u32>(_e341) & 2147483647u);
+                        let _e349 = global_10.member[_e148].member.member_2[2u];
+                        let _e351 = (bitcast<u32>(_e349) & 2147483647u);
+                        let _e357 = global_10.member[_e148].member.member[0u];
+                        let _e359 = (bitcast<u32>(_e357) & 2147483647u);
+                        let _e365 = global_10.member[_e148].member.member[1u];
+                        let _e367 = (bitcast<u32>(_e365) & 2147483647u);
+                        let _e373 = global_10.member[_e148].member.member[2u];
+                        let _e375 = (bitcast<u32>(_e373) & 2147483647u);
+                        let _e377 = select(_e343, _e335, (_e343 < _e335));
+                        let _e379 = select(_e351, _e377, (_e351 < _e377));
+                        let _e381 = select(_e359, _e379, (_e359 < _e379));
+                        let _e383 = select(_e367, _e381, (_e367 < _e381));
+                        let _e385 = select(_e375, _e383, (_e375 < _e383));
+                        let _e386 = bitcast<u32>(_e307);
+                        let _e387 = (_e386 & 2147483647u);
+                        let _e391 = bitcast<u32>(_e312);
+                        let _e392 = (_e391 & 2147483647u);
+                        let _e396 = (((select(_e387, _e385, (_e387 < _e385)) < 2139095040u) && (_e392 <= 2139095040u)) && (_e379 > 0u));
+                        if _e396 {
+                            let _e399 = (bitcast<u32>(bitcast<f32>(_e379)) & 2147483647u);
+                            if (_e399 >= 8388608u) {
+                                phi_690_ = (bitcast<i32>((_e399 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_670_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e398)), 32u, (_e398 == 0u))));
+                                phi_690_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e399)), 32u, (_e399 == 0u))));
                             }
-                            let _e412 = phi_670_;
-                            phi_671_ = _e412;
+                            let _e413 = phi_690_;
+                            phi_691_ = _e413;
                         } else {
-                            phi_671_ = 0i;
+                            phi_691_ = 0i;
                         }
-                        let _e414 = phi_671_;
-                        let _e415 = (_e334 == _e378);
-                        if _e415 {
-                            phi_681_ = true;
+                        let _e415 = phi_691_;
+                        let _e416 = (_e335 == _e379);
+                        if _e416 {
+                            phi_701_ = true;
                         } else {
-                            phi_681_ = (_e342 == _e378);
+                            phi_701_ = (_e343 == _e379);
                         }
-                        let _e418 = phi_681_;
-                        let _e419 = select(1u, 0u, _e415);
-                        if _e418 {
-                            let _e420 = (_e419 + 1u);
-                            phi_691_ = _e420;
-                            phi_692_ = _e420;
-                            phi_694_ = select(true, false, (_e420 == 2u));
+                        let _e419 = phi_701_;
+                        let _e420 = select(1u, 0u, _e416);
+                        if _e419 {
+                            let _e421 = (_e420 + 1u);
+                            phi_711_ = _e421;
+                            phi_712_ = _e421;
+                            phi_714_ = select(true, false, (_e421 == 2u));
                         } else {
-                            phi_691_ = u32();
-                            phi_692_ = 0u;
-                            phi_694_ = true;
+                            phi_711_ = u32();
+                            phi_712_ = 0u;
+                            phi_714_ = true;
                         }
-                        let _e424 = phi_691_;
-                        let _e426 = phi_692_;
-                        let _e428 = phi_694_;
-                        if _e428 {
-                            phi_699_ = (_e426 + 1u);
+                        let _e425 = phi_711_;
+                        let _e427 = phi_712_;
+                        let _e429 = phi_714_;
+                        if _e429 {
+                            phi_719_ = (_e427 + 1u);
                         } else {
-                            phi_699_ = 0u;
+                            phi_719_ = 0u;
                         }
-                        let _e432 = phi_699_;
-                        let _e433 = select(_e424, _e426, _e428);
-                        let _e434 = select(_e419, select(2u, _e419, _e418), _e428);
-                        let _e435 = -(_e414);
-                        if (_e435 < -126i) {
-                            phi_732_ = -126i;
+                        let _e433 = phi_719_;
+                        let _e434 = select(_e425, _e427, _e429);
+                        let _e435 = select(_e420, select(2u, _e420, _e419), _e429);
+                        let _e436 = -(_e415);
+                        if (_e436 < -126i) {
+                            phi_752_ = -126i;
                         } else {
-                            phi_732_ = select(_e435, 127i, (_e435 > 127i));
+                            phi_752_ = select(_e436, 127i, (_e436 > 127i));
                         }
-                        let _e440 = phi_732_;
-                        let _e445 = bitcast<f32>((bitcast<u32>((_e440 + 127i)) << bitcast<u32>(23i)));
-                        let _e451 = bitcast<f32>((bitcast<u32>(((_e435 - _e440) + 127i)) << bitcast<u32>(23i)));
-                        let _e456 = global_10.member[_e147].member.member;
-                        let _e457 = (_e433 == 0u);
-                        if _e457 {
-                            phi_750_ = _e456[0];
+                        let _e441 = phi_752_;
+                        let _e446 = bitcast<f32>((bitcast<u32>((_e441 + 127i)) << bitcast<u32>(23i)));
+                        let _e452 = bitcast<f32>((bitcast<u32>(((_e436 - _e441) + 127i)) << bitcast<u32>(23i)));
+                        let _e457 = global_10.member[_e148].member.member;
+                        let _e458 = (_e434 == 0u);
+                        if _e458 {
+                            phi_770_ = _e457[0];
                         } else {
-                            phi_750_ = _e456[1];
+                            phi_770_ = _e457[1];
                         }
-                        let _e461 = phi_750_;
-                        let _e462 = (_e433 == 2u);
-                        if _e462 {
-                            phi_756_ = _e456[2];
+                        let _e462 = phi_770_;
+                        let _e463 = (_e434 == 2u);
+                        if _e463 {
+                            phi_776_ = _e457[2];
                         } else {
-                            phi_756_ = _e461;
+                            phi_776_ = _e462;
                         }
-                        let _e465 = phi_756_;
-                        let _e466 = bitcast<u32>(_e465);
-                        let _e468 = ((_e466 & 2139095040u) != 0u);
-                        let _e480 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e466 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e466 & 2147483648u))), _e465, _e468) * select(0.00000011920929f, 1f, _e468));
-                        let _e481 = global_10.member[_e147].member.member_2;
-                        if _e457 {
-                            phi_796_ = _e481[0];
+                        let _e466 = phi_776_;
+                        let _e467 = bitcast<u32>(_e466);
+                        let _e469 = ((_e467 & 2139095040u) != 0u);
+                        let _e481 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * select(0.00000011920929f, 1f, _e469));
+                        let _e482 = global_10.member[_e148].member.member_2;
+                        if _e458 {
+                            phi_816_ = _e482[0];
                         } else {
-                            phi_796_ = _e481[1];
+                            phi_816_ = _e482[1];
                         }
-                        let _e485 = phi_796_;
-                        if _e462 {
-                            phi_802_ = _e481[2];
+                        let _e486 = phi_816_;
+                        if _e463 {
+                            phi_822_ = _e482[2];
                         } else {
-                            phi_802_ = _e485;
+                            phi_822_ = _e486;
                         }
-                        let _e488 = phi_802_;
-                        let _e489 = bitcast<u32>(_e488);
-                        let _e491 = ((_e489 & 2139095040u) != 0u);
-                        let _e505 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e489 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e489 & 2147483648u))), _e488, _e491) * _e445) * select(0.00000011920929f, 1f, _e491)) * _e451);
-                        let _e509 = (bitcast<f32>((bitcast<u32>(_e505) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e509 {
-                            let _e513 = (bitcast<f32>((bitcast<u32>(_e480) & 2147483647u)) * 0.00000011920929f);
-                            phi_854_ = select(0.00000000000011368684f, _e513, (_e513 > 0.00000000000011368684f));
+                        let _e489 = phi_822_;
+                        let _e490 = bitcast<u32>(_e489);
+                        let _e492 = ((_e490 & 2139095040u) != 0u);
+                        let _e506 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e490 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e490 & 2147483648u))), _e489, _e492) * _e446) * select(0.00000011920929f, 1f, _e492)) * _e452);
+                        let _e510 = (bitcast<f32>((bitcast<u32>(_e506) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e513 = bitcast<f32>((bitcast<u32>(_e481) & 2147483647u));
+                        let _e514 = (_e513 * 0.00000011920929f);
+                        let _e517 = select(select(0.00000000000011368684f, _e514, (_e514 > 0.00000000000011368684f)), 0f, _e510);
+                        let _e518 = select(0f, _e506, _e510);
+                        let _e519 = (_e481 + _e517);
+                        let _e520 = (_e481 - _e517);
+                        let _e522 = select(38685626000000000000000000f, (1f / _e506), _e510);
+                        let _e523 = (_e433 == 0u);
+                        if _e523 {
+                            phi_895_ = _e457[0];
                         } else {
-                            phi_854_ = 0f;
+                            phi_895_ = _e457[1];
                         }
-                        let _e517 = phi_854_;
-                        let _e518 = (_e480 + _e517);
-                        let _e519 = (_e480 - _e517);
-                        let _e520 = select(_e505, 0f, _e509);
-                        if _e509 {
-                            phi_866_ = 38685626000000000000000000f;
+                        let _e527 = phi_895_;
+                        let _e528 = (_e433 == 2u);
+                        if _e528 {
+                            phi_901_ = _e457[2];
                         } else {
-                            phi_866_ = (1f / _e505);
+                            phi_901_ = _e527;
                         }
-                        let _e523 = phi_866_;
-                        let _e524 = (_e432 == 0u);
-                        if _e524 {
-                            phi_875_ = _e456[0];
+                        let _e531 = phi_901_;
+                        let _e532 = bitcast<u32>(_e531);
+                        let _e534 = ((_e532 & 2139095040u) != 0u);
+                        let _e546 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e532 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e532 & 2147483648u))), _e531, _e534) * select(0.00000011920929f, 1f, _e534));
+                        if _e523 {
+                            phi_941_ = _e482[0];
                         } else {
-                            phi_875_ = _e456[1];
+                            phi_941_ = _e482[1];
                         }
-                        let _e528 = phi_875_;
-                        let _e529 = (_e432 == 2u);
-                        if _e529 {
-                            phi_881_ = _e456[2];
+                        let _e550 = phi_941_;
+                        if _e528 {
+                            phi_947_ = _e482[2];
                         } else {
-                            phi_881_ = _e528;
+                            phi_947_ = _e550;
                         }
-                        let _e532 = phi_881_;
-                        let _e533 = bitcast<u32>(_e532);
-                        let _e535 = ((_e533 & 2139095040u) != 0u);
-                        let _e547 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e533 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e533 & 2147483648u))), _e532, _e535) * select(0.00000011920929f, 1f, _e535));
-                        if _e524 {
-                            phi_921_ = _e481[0];
+                        let _e553 = phi_947_;
+                        let _e554 = bitcast<u32>(_e553);
+                        let _e556 = ((_e554 & 2139095040u) != 0u);
+                        let _e570 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e554 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e554 & 2147483648u))), _e553, _e556) * _e446) * select(0.00000011920929f, 1f, _e556)) * _e452);
+                        let _e574 = (bitcast<f32>((bitcast<u32>(_e570) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e577 = bitcast<f32>((bitcast<u32>(_e546) & 2147483647u));
+                        let _e578 = (_e577 * 0.00000011920929f);
+                        let _e581 = select(select(0.00000000000011368684f, _e578, (_e578 > 0.00000000000011368684f)), 0f, _e574);
+                        let _e582 = select(0f, _e570, _e574);
+                        let _e583 = (_e546 + _e581);
+                        let _e584 = (_e546 - _e581);
+                        let _e586 = select(38685626000000000000000000f, (1f / _e570), _e574);
+                        let _e587 = (_e435 == 0u);
+                        if _e587 {
+                            phi_1020_ = _e457[0];
                         } else {
-                            phi_921_ = _e481[1];
+                            phi_1020_ = _e457[1];
                         }
-                        let _e551 = phi_921_;
-                        if _e529 {
-                            phi_927_ = _e481[2];
+                        let _e591 = phi_1020_;
+                        let _e592 = (_e435 == 2u);
+                        if _e592 {
+                            phi_1026_ = _e457[2];
                         } else {
-                            phi_927_ = _e551;
+                            phi_1026_ = _e591;
                         }
-                        let _e554 = phi_927_;
-                        let _e555 = bitcast<u32>(_e554);
-                        let _e557 = ((_e555 & 2139095040u) != 0u);
-                        let _e571 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e555 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e555 & 2147483648u))), _e554, _e557) * _e445) * select(0.00000011920929f, 1f, _e557)) * _e451);
-                        let _e575 = (bitcast<f32>((bitcast<u32>(_e571) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e575 {
-                            let _e579 = (bitcast<f32>((bitcast<u32>(_e547) & 2147483647u)) * 0.00000011920929f);
-                            phi_979_ = select(0.00000000000011368684f, _e579, (_e579 > 0.00000000000011368684f));
+                        let _e595 = phi_1026_;
+                        let _e596 = bitcast<u32>(_e595);
+                        let _e598 = ((_e596 & 2139095040u) != 0u);
+                        let _e610 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e596 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e596 & 2147483648u))), _e595, _e598) * select(0.00000011920929f, 1f, _e598));
+                        if _e587 {
+                            phi_1066_ = _e482[0];
                         } else {
-                            phi_979_ = 0f;
+                            phi_1066_ = _e482[1];
                         }
-                        let _e583 = phi_979_;
-                        let _e584 = (_e547 + _e583);
-                        let _e585 = (_e547 - _e583);
-                        let _e586 = select(_e571, 0f, _e575);
-                        if _e575 {
-                            phi_991_ = 38685626000000000000000000f;
+                        let _e614 = phi_1066_;
+                        if _e592 {
+                            phi_1072_ = _e482[2];
                         } else {
-                            phi_991_ = (1f / _e571);
+                            phi_1072_ = _e614;
                         }
-                        let _e589 = phi_991_;
-                        let _e590 = (_e434 == 0u);
-                        if _e590 {
-                            phi_1000_ = _e456[0];
-                        } else {
-                            phi_1000_ = _e456[1];
-                        }
-                        let _e594 = phi_1000_;
-                        let _e595 = (_e434 == 2u);
-                        if _e595 {
-                            phi_1006_ = _e456[2];
-                        } else {
-                            phi_1006_ = _e594;
-                        }
-                        let _e598 = phi_1006_;
-                        let _e599 = bitcast<u32>(_e598);
-                        let _e601 = ((_e599 & 2139095040u) != 0u);
-                        let _e613 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e599 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e599 & 2147483648u))), _e598, _e601) * select(0.00000011920929f, 1f, _e601));
-                        if _e590 {
-                            phi_1046_ = _e481[0];
-                        } else {
-                            phi_1046_ = _e481[1];
-                        }
-                        let _e617 = phi_1046_;
-                        if _e595 {
-                            phi_1052_ = _e481[2];
-                        } else {
-                            phi_1052_ = _e617;
-                        }
-                        let _e620 = phi_1052_;
-                        let _e621 = bitcast<u32>(_e620);
-                        let _e623 = ((_e621 & 2139095040u) != 0u);
-                        let _e637 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e621 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e621 & 2147483648u))), _e620, _e623) * _e445) * select(0.00000011920929f, 1f, _e623)) * _e451);
-                        let _e641 = (bitcast<f32>((bitcast<u32>(_e637) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e641 {
-                            let _e645 = (bitcast<f32>((bitcast<u32>(_e613) & 2147483647u)) * 0.00000011920929f);
-                            phi_1104_ = select(0.00000000000011368684f, _e645, (_e645 > 0.00000000000011368684f));
-                        } else {
-                            phi_1104_ = 0f;
-                        }
-                        let _e649 = phi_1104_;
-                        let _e650 = (_e613 + _e649);
-                        let _e651 = (_e613 - _e649);
-                        let _e652 = select(_e637, 0f, _e641);
-                        if _e641 {
-                            phi_1116_ = 38685626000000000000000000f;
-                        } else {
-                            phi_1116_ = (1f / _e637);
-                        }
-                        let _e655 = phi_1116_;
-                        let _e658 = bitcast<f32>((bitcast<u32>(_e480) & 2147483647u));
-                        let _e661 = bitcast<f32>((bitcast<u32>(_e547) & 2147483647u));
-                        let _e663 = select(_e661, _e658, (_e658 > _e661));
-                        let _e666 = bitcast<f32>((bitcast<u32>(_e613) & 2147483647u));
-                        if (_e395 && (select(_e666, _e663, (_e663 > _e666)) <= 1099511600000f)) {
-                            let _e678 = ((_e386 & 8388607u) | (select(0u, 1u, ((_e386 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e681 = bitcast<i32>((_e386 >> bitcast<u32>(23i)));
-                            let _e685 = (_e678 == 0u);
-                            let _e688 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e678)), 32u, _e685)) - 8i);
-                            if (_e681 == 255i) {
-                                phi_1171_ = 255i;
+                        let _e617 = phi_1072_;
+                        let _e618 = bitcast<u32>(_e617);
+                        let _e620 = ((_e618 & 2139095040u) != 0u);
+                        let _e634 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e618 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e618 & 2147483648u))), _e617, _e620) * _e446) * select(0.00000011920929f, 1f, _e620)) * _e452);
+                        let _e638 = (bitcast<f32>((bitcast<u32>(_e634) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e641 = bitcast<f32>((bitcast<u32>(_e610) & 2147483647u));
+                        let _e642 = (_e641 * 0.00000011920929f);
+                        let _e645 = select(select(0.00000000000011368684f, _e642, (_e642 > 0.00000000000011368684f)), 0f, _e638);
+                        let _e646 = select(0f, _e634, _e638);
+                        let _e647 = (_e610 + _e645);
+                        let _e648 = (_e610 - _e645);
+                        let _e650 = select(38685626000000000000000000f, (1f / _e634), _e638);
+                        let _e652 = select(_e577, _e513, (_e513 > _e577));
+                        if (_e396 && (select(_e641, _e652, (_e652 > _e641)) <= 1099511600000f)) {
+                            let _e664 = ((_e387 & 8388607u) | (select(0u, 1u, ((_e387 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e667 = bitcast<i32>((_e387 >> bitcast<u32>(23i)));
+                            let _e671 = (_e664 == 0u);
+                            let _e674 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e664)), 32u, _e671)) - 8i);
+                            if (_e667 == 255i) {
+                                phi_1191_ = 255i;
                             } else {
-                                phi_1171_ = (((_e681 + select(0i, 1i, (_e681 == 0i))) - _e688) + _e414);
+                                phi_1191_ = (((_e667 + select(0i, 1i, (_e667 == 0i))) - _e674) + _e415);
                             }
-                            let _e696 = phi_1171_;
-                            let _e706 = (_e696 <= 0i);
-                            if _e706 {
-                                phi_1194_ = u32();
+                            let _e682 = phi_1191_;
+                            let _e692 = (_e682 <= 0i);
+                            if _e692 {
+                                phi_1214_ = u32();
                             } else {
-                                if _e685 {
-                                    phi_1193_ = u32();
+                                if _e671 {
+                                    phi_1213_ = u32();
                                 } else {
-                                    phi_1193_ = select(((bitcast<u32>(_e696) << bitcast<u32>(23i)) | ((_e678 << bitcast<u32>(((_e688 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e696 >= 255i));
+                                    phi_1213_ = select(((bitcast<u32>(_e682) << bitcast<u32>(23i)) | ((_e664 << bitcast<u32>(((_e674 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e682 >= 255i));
                                 }
-                                let _e710 = phi_1193_;
-                                phi_1194_ = _e710;
+                                let _e696 = phi_1213_;
+                                phi_1214_ = _e696;
                             }
-                            let _e712 = phi_1194_;
-                            let _e724 = ((_e391 & 8388607u) | (select(0u, 1u, ((_e391 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e727 = bitcast<i32>((_e391 >> bitcast<u32>(23i)));
-                            let _e731 = (_e724 == 0u);
-                            let _e734 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e724)), 32u, _e731)) - 8i);
-                            if (_e727 == 255i) {
-                                phi_1231_ = 255i;
+                            let _e698 = phi_1214_;
+                            let _e710 = ((_e392 & 8388607u) | (select(0u, 1u, ((_e392 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e713 = bitcast<i32>((_e392 >> bitcast<u32>(23i)));
+                            let _e717 = (_e710 == 0u);
+                            let _e720 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e710)), 32u, _e717)) - 8i);
+                            if (_e713 == 255i) {
+                                phi_1251_ = 255i;
                             } else {
-                                phi_1231_ = (((_e727 + select(0i, 1i, (_e727 == 0i))) - _e734) + _e414);
+                                phi_1251_ = (((_e713 + select(0i, 1i, (_e713 == 0i))) - _e720) + _e415);
                             }
-                            let _e742 = phi_1231_;
-                            let _e752 = (_e742 <= 0i);
-                            if _e752 {
-                                phi_1254_ = u32();
+                            let _e728 = phi_1251_;
+                            let _e738 = (_e728 <= 0i);
+                            if _e738 {
+                                phi_1274_ = u32();
                             } else {
-                                if _e731 {
-                                    phi_1253_ = u32();
+                                if _e717 {
+                                    phi_1273_ = u32();
                                 } else {
-                                    phi_1253_ = select(((bitcast<u32>(_e742) << bitcast<u32>(23i)) | ((_e724 << bitcast<u32>(((_e734 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e742 >= 255i));
+                                    phi_1273_ = select(((bitcast<u32>(_e728) << bitcast<u32>(23i)) | ((_e710 << bitcast<u32>(((_e720 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e728 >= 255i));
                                 }
-                                let _e756 = phi_1253_;
-                                phi_1254_ = _e756;
+                                let _e742 = phi_1273_;
+                                phi_1274_ = _e742;
                             }
-                            let _e758 = phi_1254_;
-                            phi_1262_ = bitcast<f32>(((_e390 & 2147483648u) | select(_e758, 0u, select(_e731, true, _e752))));
-                            phi_1263_ = bitcast<f32>(((_e385 & 2147483648u) | select(_e712, 0u, select(_e685, true, _e706))));
+                            let _e744 = phi_1274_;
+                            phi_1282_ = bitcast<f32>(((_e391 & 2147483648u) | select(_e744, 0u, select(_e717, true, _e738))));
+                            phi_1283_ = bitcast<f32>(((_e386 & 2147483648u) | select(_e698, 0u, select(_e671, true, _e692))));
                         } else {
-                            phi_1262_ = 0f;
-                            phi_1263_ = 1f;
+                            phi_1282_ = 0f;
+                            phi_1283_ = 1f;
                         }
-                        let _e764 = phi_1262_;
-                        let _e766 = phi_1263_;
+                        let _e750 = phi_1282_;
+                        let _e752 = phi_1283_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -669,1041 +633,1018 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e770 = (_e433 % 3u);
-                        let _e771 = (_e770 < 3u);
-                        if _e771 {
+                        let _e756 = (_e434 % 3u);
+                        let _e757 = (_e756 < 3u);
+                        if _e757 {
                         } else {
                             break;
                         }
-                        let _e773 = local_1[_e770];
-                        let _e776 = (_e432 % 3u);
-                        let _e777 = (_e776 < 3u);
-                        if _e777 {
+                        let _e759 = local_1[_e756];
+                        let _e762 = (_e433 % 3u);
+                        let _e763 = (_e762 < 3u);
+                        if _e763 {
                         } else {
                             break;
                         }
-                        let _e779 = local_1[_e776];
-                        let _e782 = (_e434 % 3u);
-                        let _e783 = (_e782 < 3u);
-                        if _e783 {
+                        let _e765 = local_1[_e762];
+                        let _e768 = (_e435 % 3u);
+                        let _e769 = (_e768 < 3u);
+                        if _e769 {
                         } else {
                             break;
                         }
-                        let _e785 = local_1[_e782];
-                        if _e771 {
+                        let _e771 = local_1[_e768];
+                        if _e757 {
                         } else {
                             break;
                         }
-                        let _e790 = local[_e770];
-                        if _e777 {
+                        let _e776 = local[_e756];
+                        if _e763 {
                         } else {
                             break;
                         }
-                        let _e794 = local[_e776];
-                        if _e783 {
+                        let _e780 = local[_e762];
+                        if _e769 {
                         } else {
                             break;
                         }
-                        let _e798 = local[_e782];
-                        phi_4377_ = false;
-                        phi_1359_ = type_51(_e764, false);
-                        phi_1362_ = ((3u * _e101) + 1u);
-                        phi_1364_ = (_e766 <= _e764);
-                        phi_1366_ = 0u;
-                        phi_1368_ = type_63(type_39(vec4<f32>((f32(_e773) * _e159), (f32(_e779) * _e159), (f32(_e785) * _e159), 0f), vec4<f32>((f32(_e790) * _e159), (f32(_e794) * _e159), (f32(_e798) * _e159), 0f)), select(0u, 2147483648u, (_e101 == 0u)));
+                        let _e784 = local[_e768];
+                        phi_4474_ = false;
+                        phi_1379_ = type_52(_e750, false);
+                        phi_1382_ = ((3u * _e102) + 1u);
+                        phi_1384_ = (_e752 <= _e750);
+                        phi_1386_ = 0u;
+                        phi_1388_ = type_64(type_39(vec4<f32>((f32(_e759) * _e160), (f32(_e765) * _e160), (f32(_e771) * _e160), 0f), vec4<f32>((f32(_e776) * _e160), (f32(_e780) * _e160), (f32(_e784) * _e160), 0f)), select(0u, 2147483648u, (_e102 == 0u)));
                         loop {
-                            let _e808 = phi_4377_;
-                            let _e810 = phi_1359_;
-                            let _e812 = phi_1362_;
-                            let _e814 = phi_1364_;
-                            let _e816 = phi_1366_;
-                            let _e818 = phi_1368_;
-                            local_10 = _e810;
-                            if _e814 {
-                                phi_1379_ = true;
+                            let _e794 = phi_4474_;
+                            let _e796 = phi_1379_;
+                            let _e798 = phi_1382_;
+                            let _e800 = phi_1384_;
+                            let _e802 = phi_1386_;
+                            let _e804 = phi_1388_;
+                            local_10 = _e796;
+                            if _e800 {
+                                phi_1399_ = true;
                             } else {
-                                phi_1379_ = (_e816 > 0u);
+                                phi_1399_ = (_e802 > 0u);
                             }
-                            let _e821 = phi_1379_;
-                            if _e821 {
-                                let _e822 = (_e812 > 0u);
-                                if _e822 {
-                                    if _e814 {
-                                        phi_1465_ = _e814;
-                                        phi_1466_ = _e816;
-                                        phi_1467_ = _e818;
+                            let _e807 = phi_1399_;
+                            if _e807 {
+                                let _e808 = (_e798 > 0u);
+                                if _e808 {
+                                    if _e800 {
+                                        phi_1485_ = _e800;
+                                        phi_1486_ = _e802;
+                                        phi_1487_ = _e804;
                                     } else {
-                                        let _e823 = (_e816 - 1u);
-                                        let _e824 = (_e823 % 128u);
-                                        let _e825 = (_e824 < 128u);
-                                        if _e825 {
+                                        let _e809 = (_e802 - 1u);
+                                        let _e810 = (_e809 % 128u);
+                                        let _e811 = (_e810 < 128u);
+                                        if _e811 {
                                         } else {
-                                            phi_4563_ = true;
+                                            phi_4665_ = true;
                                             break;
                                         }
-                                        let _e827 = local_7[_e824];
-                                        if _e825 {
+                                        let _e813 = local_7[_e810];
+                                        if _e811 {
                                         } else {
-                                            phi_4563_ = true;
+                                            phi_4665_ = true;
                                             break;
                                         }
-                                        let _e829 = local_6[_e824];
-                                        if _e825 {
+                                        let _e815 = local_6[_e810];
+                                        if _e811 {
                                         } else {
-                                            phi_4563_ = true;
+                                            phi_4665_ = true;
                                             break;
                                         }
-                                        let _e831 = local_5[_e824];
-                                        if _e825 {
+                                        let _e817 = local_5[_e810];
+                                        if _e811 {
                                         } else {
-                                            phi_4563_ = true;
+                                            phi_4665_ = true;
                                             break;
                                         }
-                                        let _e833 = local_4[_e824];
-                                        if _e825 {
+                                        let _e819 = local_4[_e810];
+                                        if _e811 {
                                         } else {
-                                            phi_4563_ = true;
+                                            phi_4665_ = true;
                                             break;
                                         }
-                                        let _e835 = local_3[_e824];
-                                        if _e825 {
+                                        let _e821 = local_3[_e810];
+                                        if _e811 {
                                         } else {
-                                            phi_4563_ = true;
+                                            phi_4665_ = true;
                                             break;
                                         }
-                                        let _e837 = local_2[_e824];
-                                        if _e825 {
+                                        let _e823 = local_2[_e810];
+                                        if _e811 {
                                         } else {
-                                            phi_4563_ = true;
+                                            phi_4665_ = true;
                                             break;
                                         }
-                                        let _e842 = local_8[_e824];
-                                        if _e825 {
+                                        let _e828 = local_8[_e810];
+                                        if _e811 {
                                         } else {
-                                            phi_4563_ = true;
+                                            phi_4665_ = true;
                                             break;
                                         }
-                                        let _e845 = local_9[_e824];
-                                        phi_1465_ = (_e845 <= _e810.member);
-                                        phi_1466_ = _e823;
-                                        phi_1467_ = type_63(type_39(vec4<f32>(_e827, _e829, _e831, 0f), vec4<f32>(_e833, _e835, _e837, 0f)), _e842);
+                                        let _e831 = local_9[_e810];
+                                        phi_1485_ = (_e831 <= _e796.member);
+                                        phi_1486_ = _e809;
+                                        phi_1487_ = type_64(type_39(vec4<f32>(_e813, _e815, _e817, 0f), vec4<f32>(_e819, _e821, _e823, 0f)), _e828);
                                     }
-                                    let _e849 = phi_1465_;
-                                    let _e851 = phi_1466_;
-                                    let _e853 = phi_1467_;
-                                    if _e849 {
-                                        let _e857 = ((_e853.member_1 & 2147483648u) != 0u);
-                                        if _e857 {
-                                            phi_1485_ = _e810;
-                                            phi_1488_ = type_8(0u, ((_e853.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e835 = phi_1485_;
+                                    let _e837 = phi_1486_;
+                                    let _e839 = phi_1487_;
+                                    if _e835 {
+                                        let _e843 = ((_e839.member_1 & 2147483648u) != 0u);
+                                        if _e843 {
+                                            phi_1505_ = _e796;
+                                            phi_1508_ = type_8(0u, ((_e839.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e864 = phi_1485_;
-                                                let _e866 = phi_1488_;
-                                                local_11 = _e864;
-                                                if (_e866.member < _e866.member_1) {
-                                                    phi_1489_ = type_8((_e866.member + 1u), _e866.member_1);
-                                                    phi_1511_ = type_8(1u, _e866.member);
+                                                let _e850 = phi_1505_;
+                                                let _e852 = phi_1508_;
+                                                local_11 = _e850;
+                                                if (_e852.member < _e852.member_1) {
+                                                    phi_1509_ = type_8((_e852.member + 1u), _e852.member_1);
+                                                    phi_1531_ = type_8(1u, _e852.member);
                                                 } else {
-                                                    phi_1489_ = _e866;
-                                                    phi_1511_ = type_8(0u, type_8().member_1);
+                                                    phi_1509_ = _e852;
+                                                    phi_1531_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e879 = phi_1489_;
-                                                let _e881 = phi_1511_;
-                                                let _e885 = (bitcast<i32>(_e881.member) != 0i);
-                                                if _e885 {
-                                                    let _e886 = ((_e853.member_1 & 268435455u) + _e881.member_1);
-                                                    let _e887 = (_e886 < _e103);
-                                                    if _e887 {
-                                                        if _e887 {
+                                                let _e865 = phi_1509_;
+                                                let _e867 = phi_1531_;
+                                                let _e871 = (bitcast<i32>(_e867.member) != 0i);
+                                                if _e871 {
+                                                    let _e872 = ((_e839.member_1 & 268435455u) + _e867.member_1);
+                                                    let _e873 = (_e872 < _e104);
+                                                    if _e873 {
+                                                        if _e873 {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        let _e891 = global_6.member[_e886].member_1;
-                                                        phi_1532_ = _e891;
+                                                        let _e877 = global_6.member[_e872].member_1;
+                                                        phi_1552_ = _e877;
                                                     } else {
-                                                        phi_1532_ = 4294967295u;
+                                                        phi_1552_ = 4294967295u;
                                                     }
-                                                    let _e893 = phi_1532_;
-                                                    if (_e886 >= _e103) {
-                                                        phi_1624_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e879 = phi_1552_;
+                                                    if (_e872 >= _e104) {
+                                                        phi_1644_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e887 {
+                                                        if _e873 {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        if (_e770 < 9u) {
+                                                        if (_e756 < 9u) {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        let _e900 = global_6.member[_e886].member[_e770];
-                                                        if (_e776 < 9u) {
+                                                        let _e886 = global_6.member[_e872].member[_e756];
+                                                        if (_e762 < 9u) {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        let _e906 = global_6.member[_e886].member[_e776];
-                                                        if (_e782 < 9u) {
+                                                        let _e892 = global_6.member[_e872].member[_e762];
+                                                        if (_e768 < 9u) {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        let _e912 = global_6.member[_e886].member[_e782];
-                                                        let _e914 = (3u + _e770);
+                                                        let _e898 = global_6.member[_e872].member[_e768];
+                                                        let _e900 = (3u + _e756);
+                                                        if (_e900 < 9u) {
+                                                        } else {
+                                                            phi_4468_ = true;
+                                                            break;
+                                                        }
+                                                        let _e906 = global_6.member[_e872].member[_e900];
+                                                        let _e907 = (3u + _e762);
+                                                        if (_e907 < 9u) {
+                                                        } else {
+                                                            phi_4468_ = true;
+                                                            break;
+                                                        }
+                                                        let _e913 = global_6.member[_e872].member[_e907];
+                                                        let _e914 = (3u + _e768);
                                                         if (_e914 < 9u) {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        let _e920 = global_6.member[_e886].member[_e914];
-                                                        let _e921 = (3u + _e776);
-                                                        if (_e921 < 9u) {
+                                                        let _e920 = global_6.member[_e872].member[_e914];
+                                                        let _e922 = (6u + _e756);
+                                                        if (_e922 < 9u) {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        let _e927 = global_6.member[_e886].member[_e921];
-                                                        let _e928 = (3u + _e782);
-                                                        if (_e928 < 9u) {
+                                                        let _e928 = global_6.member[_e872].member[_e922];
+                                                        let _e929 = (6u + _e762);
+                                                        if (_e929 < 9u) {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        let _e934 = global_6.member[_e886].member[_e928];
-                                                        let _e936 = (6u + _e770);
+                                                        let _e935 = global_6.member[_e872].member[_e929];
+                                                        let _e936 = (6u + _e768);
                                                         if (_e936 < 9u) {
                                                         } else {
-                                                            phi_4371_ = true;
+                                                            phi_4468_ = true;
                                                             break;
                                                         }
-                                                        let _e942 = global_6.member[_e886].member[_e936];
-                                                        let _e943 = (6u + _e776);
-                                                        if (_e943 < 9u) {
-                                                        } else {
-                                                            phi_4371_ = true;
-                                                            break;
-                                                        }
-                                                        let _e949 = global_6.member[_e886].member[_e943];
-                                                        let _e950 = (6u + _e782);
-                                                        if (_e950 < 9u) {
-                                                        } else {
-                                                            phi_4371_ = true;
-                                                            break;
-                                                        }
-                                                        let _e956 = global_6.member[_e886].member[_e950];
-                                                        phi_1624_ = array<array<f32, 3>, 3>(array<f32, 3>(_e900, _e906, _e912), array<f32, 3>(_e920, _e927, _e934), array<f32, 3>(_e942, _e949, _e956));
+                                                        let _e942 = global_6.member[_e872].member[_e936];
+                                                        phi_1644_ = array<array<f32, 3>, 3>(array<f32, 3>(_e886, _e892, _e898), array<f32, 3>(_e906, _e913, _e920), array<f32, 3>(_e928, _e935, _e942));
                                                     }
-                                                    let _e960 = phi_1624_;
-                                                    let _e968 = (_e960[0][2] - _e613);
-                                                    let _e971 = (((_e960[0][0] - _e480) * _e652) - (_e968 * _e520));
-                                                    let _e974 = (((_e960[0][1] - _e547) * _e652) - (_e968 * _e586));
-                                                    let _e981 = (_e960[1][2] - _e613);
-                                                    let _e984 = (((_e960[1][0] - _e480) * _e652) - (_e981 * _e520));
-                                                    let _e987 = (((_e960[1][1] - _e547) * _e652) - (_e981 * _e586));
-                                                    let _e994 = (_e960[2][2] - _e613);
-                                                    let _e997 = (((_e960[2][0] - _e480) * _e652) - (_e994 * _e520));
-                                                    let _e1000 = (((_e960[2][1] - _e547) * _e652) - (_e994 * _e586));
-                                                    let _e1001 = (_e997 * _e987);
-                                                    let _e1002 = (_e1000 * _e984);
-                                                    let _e1003 = (_e971 * _e1000);
-                                                    let _e1004 = (_e974 * _e997);
-                                                    let _e1005 = (_e984 * _e974);
-                                                    let _e1006 = (_e987 * _e971);
-                                                    let _e1011 = (((_e1001 >= _e1002) && (_e1003 >= _e1004)) && (_e1005 >= _e1006));
-                                                    if (_e1011 || (((_e1001 <= _e1002) && (_e1003 <= _e1004)) && (_e1005 <= _e1006))) {
-                                                        let _e1018 = select(-1f, 1f, _e1011);
-                                                        let _e1020 = ((_e1001 - _e1002) * _e1018);
-                                                        let _e1022 = select(0f, _e1020, (_e1020 > 0f));
-                                                        let _e1024 = ((_e1003 - _e1004) * _e1018);
-                                                        let _e1026 = select(0f, _e1024, (_e1024 > 0f));
-                                                        let _e1028 = ((_e1005 - _e1006) * _e1018);
-                                                        let _e1030 = select(0f, _e1028, (_e1028 > 0f));
-                                                        let _e1032 = ((_e1022 + _e1026) + _e1030);
-                                                        if (_e1032 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2508_ = type_30();
-                                                            phi_2509_ = true;
-                                                            phi_2510_ = false;
-                                                        } else {
-                                                            let _e1035 = select(_e984, _e971, (_e971 < _e984));
-                                                            if (select(_e997, _e1035, (_e1035 < _e997)) > 0f) {
-                                                                phi_1776_ = true;
+                                                    let _e946 = phi_1644_;
+                                                    let _e962 = (_e946[0][2] - _e610);
+                                                    let _e965 = (((_e946[0][0] - _e481) * _e646) - (_e962 * _e518));
+                                                    let _e968 = (((_e946[0][1] - _e546) * _e646) - (_e962 * _e582));
+                                                    let _e971 = (_e946[1][2] - _e610);
+                                                    let _e974 = (((_e946[1][0] - _e481) * _e646) - (_e971 * _e518));
+                                                    let _e977 = (((_e946[1][1] - _e546) * _e646) - (_e971 * _e582));
+                                                    let _e980 = (_e946[2][2] - _e610);
+                                                    let _e983 = (((_e946[2][0] - _e481) * _e646) - (_e980 * _e518));
+                                                    let _e986 = (((_e946[2][1] - _e546) * _e646) - (_e980 * _e582));
+                                                    let _e987 = (_e983 * _e977);
+                                                    let _e988 = (_e986 * _e974);
+                                                    let _e989 = (_e965 * _e986);
+                                                    let _e990 = (_e968 * _e983);
+                                                    let _e991 = (_e974 * _e968);
+                                                    let _e992 = (_e977 * _e965);
+                                                    let _e997 = (((_e987 >= _e988) && (_e989 >= _e990)) && (_e991 >= _e992));
+                                                    let _e1003 = (_e997 || (((_e987 <= _e988) && (_e989 <= _e990)) && (_e991 <= _e992)));
+                                                    if _e1003 {
+                                                        let _e1005 = select(-1f, 1f, _e997);
+                                                        let _e1007 = ((_e987 - _e988) * _e1005);
+                                                        let _e1009 = select(0f, _e1007, (_e1007 > 0f));
+                                                        let _e1011 = ((_e989 - _e990) * _e1005);
+                                                        let _e1013 = select(0f, _e1011, (_e1011 > 0f));
+                                                        let _e1015 = ((_e991 - _e992) * _e1005);
+                                                        let _e1017 = select(0f, _e1015, (_e1015 > 0f));
+                                                        let _e1019 = ((_e1009 + _e1013) + _e1017);
+                                                        let _e1021 = select(_e946[1][0], _e946[0][0], (_e946[0][0] < _e946[1][0]));
+                                                        let _e1025 = select(_e946[1][0], _e946[0][0], (_e946[0][0] > _e946[1][0]));
+                                                        let _e1029 = select(_e946[1][1], _e946[0][1], (_e946[0][1] < _e946[1][1]));
+                                                        let _e1033 = select(_e946[1][1], _e946[0][1], (_e946[0][1] > _e946[1][1]));
+                                                        let _e1037 = select(_e946[1][2], _e946[0][2], (_e946[0][2] < _e946[1][2]));
+                                                        let _e1041 = select(_e946[1][2], _e946[0][2], (_e946[0][2] > _e946[1][2]));
+                                                        let _e1046 = ((select(_e946[2][0], _e1021, (_e1021 < _e946[2][0])) - _e519) * _e522);
+                                                        let _e1047 = ((select(_e946[2][0], _e1025, (_e1025 > _e946[2][0])) - _e520) * _e522);
+                                                        let _e1050 = ((select(_e946[2][1], _e1029, (_e1029 < _e946[2][1])) - _e583) * _e586);
+                                                        let _e1051 = ((select(_e946[2][1], _e1033, (_e1033 > _e946[2][1])) - _e584) * _e586);
+                                                        let _e1054 = ((select(_e946[2][2], _e1037, (_e1037 < _e946[2][2])) - _e647) * _e650);
+                                                        let _e1055 = ((select(_e946[2][2], _e1041, (_e1041 > _e946[2][2])) - _e648) * _e650);
+                                                        let _e1057 = select(_e1055, _e1054, (_e1054 < _e1055));
+                                                        let _e1059 = select(_e1055, _e1054, (_e1054 > _e1055));
+                                                        let _e1061 = select(_e1047, _e1046, (_e1046 < _e1047));
+                                                        let _e1063 = select(_e1051, _e1050, (_e1050 < _e1051));
+                                                        let _e1065 = select(_e1063, _e1061, (_e1061 > _e1063));
+                                                        let _e1067 = select(_e1057, _e1065, (_e1065 > _e1057));
+                                                        let _e1069 = select(_e1047, _e1046, (_e1046 > _e1047));
+                                                        let _e1071 = select(_e1051, _e1050, (_e1050 > _e1051));
+                                                        let _e1073 = select(_e1071, _e1069, (_e1069 < _e1071));
+                                                        let _e1075 = select(_e1059, _e1073, (_e1073 < _e1059));
+                                                        let _e1076 = -(_e1057);
+                                                        let _e1082 = select(_e752, _e1067, (_e1067 > _e752));
+                                                        let _e1086 = select(_e974, _e965, (_e965 < _e974));
+                                                        let _e1091 = select(_e974, _e965, (_e965 > _e974));
+                                                        let _e1098 = select(_e977, _e968, (_e968 < _e977));
+                                                        let _e1103 = select(_e977, _e968, (_e968 > _e977));
+                                                        let _e1112 = (((((_e1003 && (_e1019 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e983, _e1086, (_e1086 < _e983)) <= 0f) && (select(_e983, _e1091, (_e1091 > _e983)) >= 0f))) && ((select(_e986, _e1098, (_e1098 < _e986)) <= 0f) && (select(_e986, _e1103, (_e1103 > _e986)) >= 0f))) && (_e1082 <= (_e1075 + (select(_e1076, _e1059, (_e1059 > _e1076)) * 0.0000019073523f)))) && (_e1082 <= _e850.member));
+                                                        if _e1112 {
+                                                            let _e1117 = (_e946[1][0] - _e946[0][0]);
+                                                            let _e1118 = (_e946[1][1] - _e946[0][1]);
+                                                            let _e1119 = (_e946[1][2] - _e946[0][2]);
+                                                            let _e1120 = vec3<f32>(_e1117, _e1118, _e1119);
+                                                            let _e1121 = (_e946[2][0] - _e946[1][0]);
+                                                            let _e1122 = (_e946[2][1] - _e946[1][1]);
+                                                            let _e1123 = (_e946[2][2] - _e946[1][2]);
+                                                            let _e1124 = vec3<f32>(_e1121, _e1122, _e1123);
+                                                            let _e1125 = (_e946[0][0] - _e946[2][0]);
+                                                            let _e1126 = (_e946[0][1] - _e946[2][1]);
+                                                            let _e1127 = (_e946[0][2] - _e946[2][2]);
+                                                            let _e1128 = vec3<f32>(_e1125, _e1126, _e1127);
+                                                            let _e1129 = abs(_e1117);
+                                                            let _e1130 = abs(_e1118);
+                                                            if (_e1129 != _e1129) {
+                                                                phi_4109_ = true;
                                                             } else {
-                                                                let _e1040 = select(_e984, _e971, (_e971 > _e984));
-                                                                phi_1776_ = (select(_e997, _e1040, (_e1040 > _e997)) < 0f);
+                                                                phi_4109_ = (_e1130 >= _e1129);
                                                             }
-                                                            let _e1045 = phi_1776_;
-                                                            if _e1045 {
-                                                                phi_2505_ = type_30();
-                                                                phi_2506_ = true;
-                                                                phi_2507_ = false;
+                                                            let _e1134 = phi_4109_;
+                                                            let _e1135 = select(_e1129, _e1130, _e1134);
+                                                            let _e1136 = abs(_e1119);
+                                                            if (_e1135 != _e1135) {
+                                                                phi_4124_ = true;
                                                             } else {
-                                                                let _e1047 = select(_e987, _e974, (_e974 < _e987));
-                                                                if (select(_e1000, _e1047, (_e1047 < _e1000)) > 0f) {
-                                                                    phi_1805_ = true;
-                                                                } else {
-                                                                    let _e1052 = select(_e987, _e974, (_e974 > _e987));
-                                                                    phi_1805_ = (select(_e1000, _e1052, (_e1052 > _e1000)) < 0f);
-                                                                }
-                                                                let _e1057 = phi_1805_;
-                                                                if _e1057 {
-                                                                    phi_2503_ = type_30();
-                                                                    phi_2504_ = false;
-                                                                } else {
-                                                                    let _e1059 = select(_e960[1][0], _e960[0][0], (_e960[0][0] < _e960[1][0]));
-                                                                    let _e1063 = select(_e960[1][0], _e960[0][0], (_e960[0][0] > _e960[1][0]));
-                                                                    let _e1067 = select(_e960[1][1], _e960[0][1], (_e960[0][1] < _e960[1][1]));
-                                                                    let _e1071 = select(_e960[1][1], _e960[0][1], (_e960[0][1] > _e960[1][1]));
-                                                                    let _e1075 = select(_e960[1][2], _e960[0][2], (_e960[0][2] < _e960[1][2]));
-                                                                    let _e1079 = select(_e960[1][2], _e960[0][2], (_e960[0][2] > _e960[1][2]));
-                                                                    let _e1084 = ((select(_e960[2][0], _e1059, (_e1059 < _e960[2][0])) - _e518) * _e523);
-                                                                    let _e1085 = ((select(_e960[2][0], _e1063, (_e1063 > _e960[2][0])) - _e519) * _e523);
-                                                                    let _e1088 = ((select(_e960[2][1], _e1067, (_e1067 < _e960[2][1])) - _e584) * _e589);
-                                                                    let _e1089 = ((select(_e960[2][1], _e1071, (_e1071 > _e960[2][1])) - _e585) * _e589);
-                                                                    let _e1092 = ((select(_e960[2][2], _e1075, (_e1075 < _e960[2][2])) - _e650) * _e655);
-                                                                    let _e1093 = ((select(_e960[2][2], _e1079, (_e1079 > _e960[2][2])) - _e651) * _e655);
-                                                                    let _e1095 = select(_e1093, _e1092, (_e1092 < _e1093));
-                                                                    let _e1097 = select(_e1093, _e1092, (_e1092 > _e1093));
-                                                                    let _e1099 = select(_e1085, _e1084, (_e1084 < _e1085));
-                                                                    let _e1101 = select(_e1089, _e1088, (_e1088 < _e1089));
-                                                                    let _e1103 = select(_e1101, _e1099, (_e1099 > _e1101));
-                                                                    let _e1105 = select(_e1095, _e1103, (_e1103 > _e1095));
-                                                                    let _e1107 = select(_e1085, _e1084, (_e1084 > _e1085));
-                                                                    let _e1109 = select(_e1089, _e1088, (_e1088 > _e1089));
-                                                                    let _e1111 = select(_e1109, _e1107, (_e1107 < _e1109));
-                                                                    let _e1113 = select(_e1097, _e1111, (_e1111 < _e1097));
-                                                                    let _e1114 = -(_e1095);
-                                                                    let _e1120 = select(_e766, _e1105, (_e1105 > _e766));
-                                                                    if (_e1120 > (_e1113 + (select(_e1114, _e1097, (_e1097 > _e1114)) * 0.0000019073523f))) {
-                                                                        phi_2498_ = type_30();
-                                                                        phi_2499_ = true;
-                                                                    } else {
-                                                                        let _e1122 = (_e1120 > _e864.member);
-                                                                        if _e1122 {
-                                                                            phi_2497_ = type_30();
-                                                                        } else {
-                                                                            let _e1123 = vec3<f32>(_e960[0][0], _e960[0][1], _e960[0][2]);
-                                                                            let _e1124 = vec3<f32>(_e960[1][0], _e960[1][1], _e960[1][2]);
-                                                                            let _e1125 = vec3<f32>(_e960[2][0], _e960[2][1], _e960[2][2]);
-                                                                            let _e1126 = (_e960[1][0] - _e960[0][0]);
-                                                                            let _e1127 = (_e960[1][1] - _e960[0][1]);
-                                                                            let _e1128 = (_e960[1][2] - _e960[0][2]);
-                                                                            let _e1129 = vec3<f32>(_e1126, _e1127, _e1128);
-                                                                            let _e1130 = (_e960[2][0] - _e960[1][0]);
-                                                                            let _e1131 = (_e960[2][1] - _e960[1][1]);
-                                                                            let _e1132 = (_e960[2][2] - _e960[1][2]);
-                                                                            let _e1133 = vec3<f32>(_e1130, _e1131, _e1132);
-                                                                            let _e1134 = (_e960[0][0] - _e960[2][0]);
-                                                                            let _e1135 = (_e960[0][1] - _e960[2][1]);
-                                                                            let _e1136 = (_e960[0][2] - _e960[2][2]);
-                                                                            let _e1137 = vec3<f32>(_e1134, _e1135, _e1136);
-                                                                            let _e1140 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
-                                                                            let _e1143 = bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u));
-                                                                            let _e1145 = select(_e1143, _e1140, (_e1140 > _e1143));
-                                                                            let _e1148 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
-                                                                            let _e1150 = select(_e1148, _e1145, (_e1145 > _e1148));
-                                                                            let _e1153 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
-                                                                            let _e1156 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
-                                                                            let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
-                                                                            let _e1161 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
-                                                                            let _e1163 = select(_e1161, _e1158, (_e1158 > _e1161));
-                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
-                                                                            let _e1169 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                            let _e1171 = select(_e1169, _e1166, (_e1166 > _e1169));
-                                                                            let _e1174 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
-                                                                            let _e1176 = select(_e1174, _e1171, (_e1171 > _e1174));
-                                                                            let _e1178 = select(_e1163, _e1150, (_e1150 > _e1163));
-                                                                            let _e1180 = select(_e1176, _e1178, (_e1178 > _e1176));
-                                                                            if (_e1150 == _e1180) {
-                                                                                phi_2224_ = _e987;
-                                                                                phi_2225_ = _e984;
-                                                                                phi_2226_ = _e974;
-                                                                                phi_2227_ = _e971;
-                                                                                phi_2228_ = _e1123;
-                                                                                phi_2229_ = _e1137;
-                                                                                phi_2230_ = _e1133;
-                                                                                phi_2231_ = _e1129;
-                                                                            } else {
-                                                                                let _e1182 = (_e1163 == _e1180);
-                                                                                let _e1187 = vec3(_e1182);
-                                                                                phi_2224_ = select(_e974, _e1000, _e1182);
-                                                                                phi_2225_ = select(_e971, _e997, _e1182);
-                                                                                phi_2226_ = select(_e1000, _e987, _e1182);
-                                                                                phi_2227_ = select(_e997, _e984, _e1182);
-                                                                                phi_2228_ = select(_e1125, _e1124, _e1187);
-                                                                                phi_2229_ = select(_e1133, _e1129, _e1187);
-                                                                                phi_2230_ = select(_e1129, _e1137, _e1187);
-                                                                                phi_2231_ = select(_e1137, _e1133, _e1187);
-                                                                            }
-                                                                            let _e1193 = phi_2224_;
-                                                                            let _e1195 = phi_2225_;
-                                                                            let _e1197 = phi_2226_;
-                                                                            let _e1199 = phi_2227_;
-                                                                            let _e1201 = phi_2228_;
-                                                                            let _e1203 = phi_2229_;
-                                                                            let _e1205 = phi_2230_;
-                                                                            let _e1207 = phi_2231_;
-                                                                            let _e1214 = ((_e1205.y * _e1203.z) - (_e1203.y * _e1205.z));
-                                                                            let _e1219 = ((_e1205.z * _e1203.x) - (_e1203.z * _e1205.x));
-                                                                            let _e1222 = ((_e1205.x * _e1203.y) - (_e1203.x * _e1205.y));
-                                                                            if (_e1022 >= _e1026) {
-                                                                                phi_2268_ = select(true, false, (_e1022 >= _e1030));
-                                                                            } else {
-                                                                                phi_2268_ = true;
-                                                                            }
-                                                                            let _e1227 = phi_2268_;
-                                                                            if _e1227 {
-                                                                                phi_2277_ = select(_e1125, _e1124, vec3((_e1026 >= _e1030)));
-                                                                            } else {
-                                                                                phi_2277_ = _e1123;
-                                                                            }
-                                                                            let _e1232 = phi_2277_;
-                                                                            let _e1243 = (((_e1214 * (_e1232.x - _e480)) + (_e1219 * (_e1232.y - _e547))) + (_e1222 * (_e1232.z - _e613)));
-                                                                            let _e1248 = (((_e1214 * _e520) + (_e1219 * _e586)) + (_e1222 * _e652));
-                                                                            let _e1249 = (_e1195 - _e1199);
-                                                                            let _e1250 = (_e1193 - _e1197);
-                                                                            let _e1258 = (-(((_e1199 * _e1249) + (_e1197 * _e1250))) / ((_e1249 * _e1249) + (_e1250 * _e1250)));
-                                                                            let _e1260 = select(1f, _e1258, (_e1258 < 1f));
-                                                                            let _e1262 = select(0f, _e1260, (_e1260 > 0f));
-                                                                            let _e1275 = ((_e1201.x + (_e1207.x * _e1262)) - _e480);
-                                                                            let _e1276 = ((_e1201.y + (_e1207.y * _e1262)) - _e547);
-                                                                            let _e1277 = ((_e1201.z + (_e1207.z * _e1262)) - _e613);
-                                                                            let _e1278 = (_e1277 / _e652);
-                                                                            let _e1290 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
-                                                                            let _e1293 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
-                                                                            let _e1295 = select(_e1293, _e1290, (_e1290 > _e1293));
-                                                                            let _e1298 = bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u));
-                                                                            let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
-                                                                            let _e1306 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
-                                                                            let _e1309 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                            let _e1311 = select(_e1309, _e1306, (_e1306 > _e1309));
-                                                                            let _e1314 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1214 * _e1275) + (_e1219 * _e1276)) + (_e1222 * _e1277)) - _e1243)) & 2147483647u)) <= ((0.0000009536743f * select(_e1180, _e1300, (_e1300 > _e1180))) * select(_e1314, _e1311, (_e1311 > _e1314)))) {
-                                                                                let _e1324 = bitcast<f32>((bitcast<u32>(_e1205.x) & 2147483647u));
-                                                                                let _e1327 = bitcast<f32>((bitcast<u32>(_e1205.y) & 2147483647u));
-                                                                                let _e1329 = select(_e1327, _e1324, (_e1324 > _e1327));
-                                                                                let _e1332 = bitcast<f32>((bitcast<u32>(_e1205.z) & 2147483647u));
-                                                                                let _e1338 = bitcast<f32>((bitcast<u32>(_e1203.x) & 2147483647u));
-                                                                                let _e1341 = bitcast<f32>((bitcast<u32>(_e1203.y) & 2147483647u));
-                                                                                let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
-                                                                                let _e1346 = bitcast<f32>((bitcast<u32>(_e1203.z) & 2147483647u));
-                                                                                let _e1350 = (bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u)) > ((0.0000038146973f * select(_e1332, _e1329, (_e1329 > _e1332))) * select(_e1346, _e1343, (_e1343 > _e1346))));
-                                                                                if _e1350 {
-                                                                                    phi_2442_ = (_e1243 / _e1248);
-                                                                                } else {
-                                                                                    phi_2442_ = f32();
-                                                                                }
-                                                                                let _e1353 = phi_2442_;
-                                                                                phi_2444_ = _e1353;
-                                                                                phi_2445_ = select(true, false, _e1350);
-                                                                            } else {
-                                                                                phi_2444_ = f32();
-                                                                                phi_2445_ = true;
-                                                                            }
-                                                                            let _e1356 = phi_2444_;
-                                                                            let _e1358 = phi_2445_;
-                                                                            if _e1358 {
-                                                                                let _e1366 = (((_e1214 * (_e1275 - (_e520 * _e1278))) + (_e1219 * (_e1276 - (_e586 * _e1278)))) / _e1248);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1366) & 2147483647u)) <= _e1180) {
-                                                                                    phi_2465_ = (_e1278 + _e1366);
-                                                                                } else {
-                                                                                    phi_2465_ = _e1278;
-                                                                                }
-                                                                                let _e1373 = phi_2465_;
-                                                                                phi_2466_ = _e1373;
-                                                                            } else {
-                                                                                phi_2466_ = _e1356;
-                                                                            }
-                                                                            let _e1375 = phi_2466_;
-                                                                            let _e1377 = select(_e1113, _e1375, (_e1375 < _e1113));
-                                                                            let _e1379 = select(_e1105, _e1377, (_e1377 > _e1105));
-                                                                            if (_e1379 >= _e766) {
-                                                                                let _e1381 = (_e1379 <= _e864.member);
-                                                                                if _e1381 {
-                                                                                    let _e1382 = (1f / _e1032);
-                                                                                    phi_2489_ = type_30(_e1379, (_e1026 * _e1382), (_e1030 * _e1382), _e893);
-                                                                                } else {
-                                                                                    phi_2489_ = type_30();
-                                                                                }
-                                                                                let _e1387 = phi_2489_;
-                                                                                phi_2491_ = _e1387;
-                                                                                phi_2492_ = select(true, false, _e1381);
-                                                                            } else {
-                                                                                phi_2491_ = type_30();
-                                                                                phi_2492_ = true;
-                                                                            }
-                                                                            let _e1390 = phi_2491_;
-                                                                            let _e1392 = phi_2492_;
-                                                                            if _e1392 {
-                                                                                phi_2496_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                            } else {
-                                                                                phi_2496_ = _e1390;
-                                                                            }
-                                                                            let _e1394 = phi_2496_;
-                                                                            phi_2497_ = _e1394;
-                                                                        }
-                                                                        let _e1396 = phi_2497_;
-                                                                        phi_2498_ = _e1396;
-                                                                        phi_2499_ = _e1122;
-                                                                    }
-                                                                    let _e1398 = phi_2498_;
-                                                                    let _e1400 = phi_2499_;
-                                                                    phi_2503_ = _e1398;
-                                                                    phi_2504_ = _e1400;
-                                                                }
-                                                                let _e1402 = phi_2503_;
-                                                                let _e1404 = phi_2504_;
-                                                                phi_2505_ = _e1402;
-                                                                phi_2506_ = _e1057;
-                                                                phi_2507_ = _e1404;
+                                                                phi_4124_ = (_e1136 >= _e1135);
                                                             }
-                                                            let _e1406 = phi_2505_;
-                                                            let _e1408 = phi_2506_;
-                                                            let _e1410 = phi_2507_;
-                                                            phi_2508_ = _e1406;
-                                                            phi_2509_ = _e1408;
-                                                            phi_2510_ = _e1410;
-                                                        }
-                                                        let _e1412 = phi_2508_;
-                                                        let _e1414 = phi_2509_;
-                                                        let _e1416 = phi_2510_;
-                                                        phi_2518_ = _e1412;
-                                                        phi_2519_ = select(_e1416, true, _e1414);
-                                                    } else {
-                                                        phi_2518_ = type_30();
-                                                        phi_2519_ = true;
-                                                    }
-                                                    let _e1419 = phi_2518_;
-                                                    let _e1421 = phi_2519_;
-                                                    if _e1421 {
-                                                        phi_2523_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                    } else {
-                                                        phi_2523_ = _e1419;
-                                                    }
-                                                    let _e1423 = phi_2523_;
-                                                    if (_e1423.member_3 != 4294967295u) {
-                                                        if (_e893 == _e168) {
-                                                            phi_2858_ = false;
+                                                            let _e1140 = phi_4124_;
+                                                            let _e1141 = select(_e1135, _e1136, _e1140);
+                                                            let _e1142 = abs(_e1121);
+                                                            let _e1143 = abs(_e1122);
+                                                            if (_e1142 != _e1142) {
+                                                                phi_4139_ = true;
+                                                            } else {
+                                                                phi_4139_ = (_e1143 >= _e1142);
+                                                            }
+                                                            let _e1147 = phi_4139_;
+                                                            let _e1148 = select(_e1142, _e1143, _e1147);
+                                                            let _e1149 = abs(_e1123);
+                                                            if (_e1148 != _e1148) {
+                                                                phi_4154_ = true;
+                                                            } else {
+                                                                phi_4154_ = (_e1149 >= _e1148);
+                                                            }
+                                                            let _e1153 = phi_4154_;
+                                                            let _e1154 = select(_e1148, _e1149, _e1153);
+                                                            let _e1155 = abs(_e1125);
+                                                            let _e1156 = abs(_e1126);
+                                                            if (_e1155 != _e1155) {
+                                                                phi_4169_ = true;
+                                                            } else {
+                                                                phi_4169_ = (_e1156 >= _e1155);
+                                                            }
+                                                            let _e1160 = phi_4169_;
+                                                            let _e1161 = select(_e1155, _e1156, _e1160);
+                                                            let _e1162 = abs(_e1127);
+                                                            if (_e1161 != _e1161) {
+                                                                phi_4184_ = true;
+                                                            } else {
+                                                                phi_4184_ = (_e1162 >= _e1161);
+                                                            }
+                                                            let _e1166 = phi_4184_;
+                                                            let _e1167 = select(_e1161, _e1162, _e1166);
+                                                            let _e1169 = select(_e1154, _e1141, (_e1141 > _e1154));
+                                                            let _e1171 = select(_e1167, _e1169, (_e1169 > _e1167));
+                                                            if (_e1141 == _e1171) {
+                                                                phi_2186_ = _e977;
+                                                                phi_2187_ = _e974;
+                                                                phi_2188_ = _e968;
+                                                                phi_2189_ = _e965;
+                                                                phi_2190_ = vec3<f32>(_e946[0][0], _e946[0][1], _e946[0][2]);
+                                                                phi_2191_ = _e1128;
+                                                                phi_2192_ = _e1124;
+                                                                phi_2193_ = _e1120;
+                                                            } else {
+                                                                let _e1173 = (_e1154 == _e1171);
+                                                                let _e1178 = vec3(_e1173);
+                                                                phi_2186_ = select(_e968, _e986, _e1173);
+                                                                phi_2187_ = select(_e965, _e983, _e1173);
+                                                                phi_2188_ = select(_e986, _e977, _e1173);
+                                                                phi_2189_ = select(_e983, _e974, _e1173);
+                                                                phi_2190_ = select(vec3<f32>(_e946[2][0], _e946[2][1], _e946[2][2]), vec3<f32>(_e946[1][0], _e946[1][1], _e946[1][2]), _e1178);
+                                                                phi_2191_ = select(_e1124, _e1120, _e1178);
+                                                                phi_2192_ = select(_e1120, _e1128, _e1178);
+                                                                phi_2193_ = select(_e1128, _e1124, _e1178);
+                                                            }
+                                                            let _e1184 = phi_2186_;
+                                                            let _e1186 = phi_2187_;
+                                                            let _e1188 = phi_2188_;
+                                                            let _e1190 = phi_2189_;
+                                                            let _e1192 = phi_2190_;
+                                                            let _e1194 = phi_2191_;
+                                                            let _e1196 = phi_2192_;
+                                                            let _e1198 = phi_2193_;
+                                                            let _e1205 = ((_e1196.y * _e1194.z) - (_e1194.y * _e1196.z));
+                                                            let _e1210 = ((_e1196.z * _e1194.x) - (_e1194.z * _e1196.x));
+                                                            let _e1213 = ((_e1196.x * _e1194.y) - (_e1194.x * _e1196.y));
+                                                            let _e1216 = ((_e1009 >= _e1013) && (_e1009 >= _e1017));
+                                                            let _e1217 = (_e1013 >= _e1017);
+                                                            let _e1231 = (((_e1205 * (select(select(_e946[2][0], _e946[1][0], _e1217), _e946[0][0], _e1216) - _e481)) + (_e1210 * (select(select(_e946[2][1], _e946[1][1], _e1217), _e946[0][1], _e1216) - _e546))) + (_e1213 * (select(select(_e946[2][2], _e946[1][2], _e1217), _e946[0][2], _e1216) - _e610)));
+                                                            let _e1236 = (((_e1205 * _e518) + (_e1210 * _e582)) + (_e1213 * _e646));
+                                                            let _e1237 = (_e1186 - _e1190);
+                                                            let _e1238 = (_e1184 - _e1188);
+                                                            let _e1241 = ((_e1237 * _e1237) + (_e1238 * _e1238));
+                                                            let _e1248 = (-(((_e1190 * _e1237) + (_e1188 * _e1238))) / select(0.000000000000000000000000000000000000011754944f, _e1241, (_e1241 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1250 = select(1f, _e1248, (_e1248 < 1f));
+                                                            let _e1252 = select(0f, _e1250, (_e1250 > 0f));
+                                                            let _e1261 = ((_e1192.x + (_e1198.x * _e1252)) - _e481);
+                                                            let _e1264 = ((_e1192.y + (_e1198.y * _e1252)) - _e546);
+                                                            let _e1267 = ((_e1192.z + (_e1198.z * _e1252)) - _e610);
+                                                            let _e1270 = bitcast<f32>((bitcast<u32>(_e1261) & 2147483647u));
+                                                            let _e1273 = bitcast<f32>((bitcast<u32>(_e1264) & 2147483647u));
+                                                            let _e1275 = select(_e1273, _e1270, (_e1270 > _e1273));
+                                                            let _e1278 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
+                                                            let _e1280 = select(_e1278, _e1275, (_e1275 > _e1278));
+                                                            let _e1284 = abs(_e1205);
+                                                            let _e1285 = abs(_e1210);
+                                                            if (_e1284 != _e1284) {
+                                                                phi_4199_ = true;
+                                                            } else {
+                                                                phi_4199_ = (_e1285 >= _e1284);
+                                                            }
+                                                            let _e1289 = phi_4199_;
+                                                            let _e1290 = select(_e1284, _e1285, _e1289);
+                                                            let _e1291 = abs(_e1213);
+                                                            if (_e1290 != _e1290) {
+                                                                phi_4214_ = true;
+                                                            } else {
+                                                                phi_4214_ = (_e1291 >= _e1290);
+                                                            }
+                                                            let _e1295 = phi_4214_;
+                                                            let _e1311 = abs(_e1196.x);
+                                                            let _e1312 = abs(_e1196.y);
+                                                            if (_e1311 != _e1311) {
+                                                                phi_4229_ = true;
+                                                            } else {
+                                                                phi_4229_ = (_e1312 >= _e1311);
+                                                            }
+                                                            let _e1316 = phi_4229_;
+                                                            let _e1317 = select(_e1311, _e1312, _e1316);
+                                                            let _e1318 = abs(_e1196.z);
+                                                            if (_e1317 != _e1317) {
+                                                                phi_4244_ = true;
+                                                            } else {
+                                                                phi_4244_ = (_e1318 >= _e1317);
+                                                            }
+                                                            let _e1322 = phi_4244_;
+                                                            let _e1325 = abs(_e1194.x);
+                                                            let _e1326 = abs(_e1194.y);
+                                                            if (_e1325 != _e1325) {
+                                                                phi_4259_ = true;
+                                                            } else {
+                                                                phi_4259_ = (_e1326 >= _e1325);
+                                                            }
+                                                            let _e1330 = phi_4259_;
+                                                            let _e1331 = select(_e1325, _e1326, _e1330);
+                                                            let _e1332 = abs(_e1194.z);
+                                                            if (_e1331 != _e1331) {
+                                                                phi_4274_ = true;
+                                                            } else {
+                                                                phi_4274_ = (_e1332 >= _e1331);
+                                                            }
+                                                            let _e1336 = phi_4274_;
+                                                            let _e1341 = ((bitcast<f32>((bitcast<u32>(((((_e1205 * _e1261) + (_e1210 * _e1264)) + (_e1213 * _e1267)) - _e1231)) & 2147483647u)) <= ((0.0000009536743f * select(_e1171, _e1280, (_e1280 > _e1171))) * select(_e1290, _e1291, _e1295))) && !((bitcast<f32>((bitcast<u32>(_e1236) & 2147483647u)) <= ((0.0000038146973f * select(_e1317, _e1318, _e1322)) * select(_e1331, _e1332, _e1336)))));
+                                                            let _e1342 = (_e1231 / _e1236);
+                                                            if (_e1112 && !(_e1341)) {
+                                                                let _e1345 = (_e1267 / _e646);
+                                                                let _e1353 = (((_e1205 * (_e1261 - (_e518 * _e1345))) + (_e1210 * (_e1264 - (_e582 * _e1345)))) / _e1236);
+                                                                phi_2401_ = select(select(_e1345, (_e1345 + _e1353), (bitcast<f32>((bitcast<u32>(_e1353) & 2147483647u)) <= _e1171)), _e1342, _e1341);
+                                                            } else {
+                                                                phi_2401_ = _e1342;
+                                                            }
+                                                            let _e1362 = phi_2401_;
+                                                            let _e1364 = select(_e1075, _e1362, (_e1362 < _e1075));
+                                                            let _e1366 = select(_e1067, _e1364, (_e1364 > _e1067));
+                                                            let _e1367 = (1f / _e1019);
+                                                            phi_2421_ = type_51(_e1366, (_e1013 * _e1367), (_e1017 * _e1367), ((_e1112 && (_e1366 >= _e752)) && (_e1366 <= _e850.member)));
+                                                            phi_2422_ = type_51();
                                                         } else {
-                                                            let _e1427 = (_e893 < arrayLength((&global_7.member)));
-                                                            if _e1427 {
-                                                                if _e1427 {
+                                                            phi_2421_ = type_51();
+                                                            phi_2422_ = type_51(0f, 0f, 0f, _e1112);
+                                                        }
+                                                        let _e1376 = phi_2421_;
+                                                        let _e1378 = phi_2422_;
+                                                        phi_2425_ = _e1376;
+                                                        phi_2426_ = _e1378;
+                                                        phi_2427_ = select(true, false, _e1112);
+                                                    } else {
+                                                        phi_2425_ = type_51();
+                                                        phi_2426_ = type_51(0f, 0f, 0f, _e1003);
+                                                        phi_2427_ = true;
+                                                    }
+                                                    let _e1381 = phi_2425_;
+                                                    let _e1383 = phi_2426_;
+                                                    let _e1385 = phi_2427_;
+                                                    if _e1385 {
+                                                        phi_2431_ = _e1383;
+                                                    } else {
+                                                        phi_2431_ = _e1381;
+                                                    }
+                                                    let _e1387 = phi_2431_;
+                                                    if _e1387.member_3 {
+                                                        phi_2440_ = type_30(_e1387.member, _e1387.member_1, _e1387.member_2, _e879);
+                                                    } else {
+                                                        phi_2440_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    }
+                                                    let _e1394 = phi_2440_;
+                                                    if (_e1394.member_3 != 4294967295u) {
+                                                        if (_e879 == _e169) {
+                                                            phi_2775_ = false;
+                                                        } else {
+                                                            let _e1398 = (_e879 < arrayLength((&global_7.member)));
+                                                            if _e1398 {
+                                                                if _e1398 {
                                                                 } else {
-                                                                    phi_4371_ = true;
+                                                                    phi_4468_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1429 = global_7.member[_e893];
-                                                                phi_2546_ = _e1429;
+                                                                let _e1400 = global_7.member[_e879];
+                                                                phi_2463_ = _e1400;
                                                             } else {
-                                                                phi_2546_ = 4294967295u;
+                                                                phi_2463_ = 4294967295u;
                                                             }
-                                                            let _e1431 = phi_2546_;
-                                                            let _e1432 = (_e1431 < arrayLength((&global_8.member)));
-                                                            if _e1432 {
-                                                                if _e1432 {
+                                                            let _e1402 = phi_2463_;
+                                                            let _e1403 = (_e1402 < arrayLength((&global_8.member)));
+                                                            if _e1403 {
+                                                                if _e1403 {
                                                                 } else {
-                                                                    phi_4371_ = true;
+                                                                    phi_4468_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1434 = global_8.member[_e1431];
-                                                                phi_2560_ = _e1434;
+                                                                let _e1405 = global_8.member[_e1402];
+                                                                phi_2477_ = _e1405;
                                                             } else {
-                                                                phi_2560_ = 0i;
+                                                                phi_2477_ = 0i;
                                                             }
-                                                            let _e1436 = phi_2560_;
-                                                            let _e1437 = (_e1436 == 0i);
-                                                            if _e1437 {
-                                                                phi_2857_ = true;
+                                                            let _e1407 = phi_2477_;
+                                                            let _e1408 = (_e1407 == 0i);
+                                                            if _e1408 {
+                                                                phi_2774_ = true;
                                                             } else {
-                                                                if _e457 {
-                                                                    phi_2583_ = vec3<f32>(_e960[0][0], _e960[0][1], _e960[0][2]);
+                                                                if _e458 {
+                                                                    phi_2500_ = vec3<f32>(_e946[0][0], _e946[0][1], _e946[0][2]);
                                                                 } else {
-                                                                    if (_e433 == 1u) {
-                                                                        phi_2582_ = vec3<f32>(_e960[0][2], _e960[0][0], _e960[0][1]);
+                                                                    if (_e434 == 1u) {
+                                                                        phi_2499_ = vec3<f32>(_e946[0][2], _e946[0][0], _e946[0][1]);
                                                                     } else {
-                                                                        phi_2582_ = vec3<f32>(_e960[0][1], _e960[0][2], _e960[0][0]);
+                                                                        phi_2499_ = vec3<f32>(_e946[0][1], _e946[0][2], _e946[0][0]);
                                                                     }
-                                                                    let _e1442 = phi_2582_;
-                                                                    phi_2583_ = _e1442;
+                                                                    let _e1413 = phi_2499_;
+                                                                    phi_2500_ = _e1413;
                                                                 }
-                                                                let _e1445 = phi_2583_;
-                                                                if _e457 {
-                                                                    phi_2602_ = vec3<f32>(_e960[1][0], _e960[1][1], _e960[1][2]);
+                                                                let _e1416 = phi_2500_;
+                                                                if _e458 {
+                                                                    phi_2519_ = vec3<f32>(_e946[1][0], _e946[1][1], _e946[1][2]);
                                                                 } else {
-                                                                    if (_e433 == 1u) {
-                                                                        phi_2601_ = vec3<f32>(_e960[1][2], _e960[1][0], _e960[1][1]);
+                                                                    if (_e434 == 1u) {
+                                                                        phi_2518_ = vec3<f32>(_e946[1][2], _e946[1][0], _e946[1][1]);
                                                                     } else {
-                                                                        phi_2601_ = vec3<f32>(_e960[1][1], _e960[1][2], _e960[1][0]);
+                                                                        phi_2518_ = vec3<f32>(_e946[1][1], _e946[1][2], _e946[1][0]);
                                                                     }
-                                                                    let _e1450 = phi_2601_;
-                                                                    phi_2602_ = _e1450;
+                                                                    let _e1421 = phi_2518_;
+                                                                    phi_2519_ = _e1421;
                                                                 }
-                                                                let _e1453 = phi_2602_;
-                                                                if _e457 {
-                                                                    phi_2621_ = vec3<f32>(_e960[2][0], _e960[2][1], _e960[2][2]);
+                                                                let _e1424 = phi_2519_;
+                                                                if _e458 {
+                                                                    phi_2538_ = vec3<f32>(_e946[2][0], _e946[2][1], _e946[2][2]);
                                                                 } else {
-                                                                    if (_e433 == 1u) {
-                                                                        phi_2620_ = vec3<f32>(_e960[2][2], _e960[2][0], _e960[2][1]);
+                                                                    if (_e434 == 1u) {
+                                                                        phi_2537_ = vec3<f32>(_e946[2][2], _e946[2][0], _e946[2][1]);
                                                                     } else {
-                                                                        phi_2620_ = vec3<f32>(_e960[2][1], _e960[2][2], _e960[2][0]);
+                                                                        phi_2537_ = vec3<f32>(_e946[2][1], _e946[2][2], _e946[2][0]);
                                                                     }
-                                                                    let _e1458 = phi_2620_;
-                                                                    phi_2621_ = _e1458;
+                                                                    let _e1429 = phi_2537_;
+                                                                    phi_2538_ = _e1429;
                                                                 }
-                                                                let _e1461 = phi_2621_;
-                                                                let _e1464 = (_e1453.x - _e1445.x);
-                                                                let _e1467 = (_e1453.y - _e1445.y);
-                                                                let _e1470 = (_e1453.z - _e1445.z);
-                                                                let _e1472 = (_e1461.x - _e1445.x);
-                                                                let _e1474 = (_e1461.y - _e1445.y);
-                                                                let _e1476 = (_e1461.z - _e1445.z);
-                                                                if (_e300.member_1 == 1u) {
-                                                                    phi_2657_ = (vec3<f32>(_e300.member[0], _e300.member[1], _e300.member[2]) - _e1445);
+                                                                let _e1432 = phi_2538_;
+                                                                let _e1435 = (_e1424.x - _e1416.x);
+                                                                let _e1438 = (_e1424.y - _e1416.y);
+                                                                let _e1441 = (_e1424.z - _e1416.z);
+                                                                let _e1443 = (_e1432.x - _e1416.x);
+                                                                let _e1445 = (_e1432.y - _e1416.y);
+                                                                let _e1447 = (_e1432.z - _e1416.z);
+                                                                if (_e301.member_1 == 1u) {
+                                                                    phi_2574_ = (vec3<f32>(_e301.member[0], _e301.member[1], _e301.member[2]) - _e1416);
                                                                 } else {
-                                                                    phi_2657_ = vec3<f32>(_e300.member[0], _e300.member[1], _e300.member[2]);
+                                                                    phi_2574_ = vec3<f32>(_e301.member[0], _e301.member[1], _e301.member[2]);
                                                                 }
-                                                                let _e1491 = phi_2657_;
-                                                                let _e1497 = bitcast<f32>((bitcast<u32>((_e1464 * _e1474)) ^ _e300.member_3[0]));
-                                                                let _e1501 = bitcast<f32>((bitcast<u32>((_e1467 * _e1472)) ^ _e300.member_3[0]));
-                                                                let _e1505 = bitcast<f32>((bitcast<u32>((_e1467 * _e1476)) ^ _e300.member_3[0]));
-                                                                let _e1509 = bitcast<f32>((bitcast<u32>((_e1470 * _e1474)) ^ _e300.member_3[0]));
-                                                                let _e1513 = bitcast<f32>((bitcast<u32>((_e1470 * _e1472)) ^ _e300.member_3[0]));
-                                                                let _e1517 = bitcast<f32>((bitcast<u32>((_e1464 * _e1476)) ^ _e300.member_3[0]));
-                                                                let _e1518 = (_e1505 - _e1509);
-                                                                let _e1519 = (_e1513 - _e1517);
-                                                                let _e1520 = (_e1497 - _e1501);
-                                                                let _e1544 = (bitcast<f32>((bitcast<u32>(_e1505) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1509) & 2147483647u)));
-                                                                let _e1551 = (bitcast<f32>((bitcast<u32>(_e1513) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1517) & 2147483647u)));
-                                                                let _e1558 = (bitcast<f32>((bitcast<u32>(_e1497) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1501) & 2147483647u)));
-                                                                if (_e300.member_2 == 0f) {
-                                                                    phi_2839_ = 0f;
+                                                                let _e1462 = phi_2574_;
+                                                                let _e1468 = bitcast<f32>((bitcast<u32>((_e1435 * _e1445)) ^ _e301.member_3[0]));
+                                                                let _e1472 = bitcast<f32>((bitcast<u32>((_e1438 * _e1443)) ^ _e301.member_3[0]));
+                                                                let _e1476 = bitcast<f32>((bitcast<u32>((_e1438 * _e1447)) ^ _e301.member_3[0]));
+                                                                let _e1480 = bitcast<f32>((bitcast<u32>((_e1441 * _e1445)) ^ _e301.member_3[0]));
+                                                                let _e1484 = bitcast<f32>((bitcast<u32>((_e1441 * _e1443)) ^ _e301.member_3[0]));
+                                                                let _e1488 = bitcast<f32>((bitcast<u32>((_e1435 * _e1447)) ^ _e301.member_3[0]));
+                                                                let _e1489 = (_e1476 - _e1480);
+                                                                let _e1490 = (_e1484 - _e1488);
+                                                                let _e1491 = (_e1468 - _e1472);
+                                                                let _e1515 = (bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u)));
+                                                                let _e1522 = (bitcast<f32>((bitcast<u32>(_e1484) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u)));
+                                                                let _e1529 = (bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1472) & 2147483647u)));
+                                                                if (_e301.member_2 == 0f) {
+                                                                    phi_2756_ = 0f;
                                                                 } else {
-                                                                    let _e1588 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
-                                                                    let _e1591 = bitcast<f32>((bitcast<u32>(_e1519) & 2147483647u));
-                                                                    let _e1594 = bitcast<f32>((bitcast<u32>(_e1520) & 2147483647u));
-                                                                    let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
-                                                                    let _e1600 = select(_e1594, _e1591, (_e1591 < _e1594));
-                                                                    let _e1604 = select(_e1591, _e1588, (_e1588 < _e1591));
-                                                                    let _e1606 = select(_e1591, _e1588, (_e1588 > _e1591));
-                                                                    let _e1608 = select(_e1594, _e1606, (_e1606 < _e1594));
-                                                                    phi_2839_ = bitcast<f32>((bitcast<u32>((_e300.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1596, _e1588, (_e1588 > _e1596)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1608, _e1604, (_e1604 > _e1608)))) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1600, _e1588, (_e1588 < _e1600)))) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1544 + _e1551) + _e1558))) ^ _e300.member_3[0]))) * 1.0000005f)) ^ _e300.member_3[0])))) ^ _e300.member_3[0]));
+                                                                    let _e1559 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
+                                                                    let _e1562 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
+                                                                    let _e1565 = bitcast<f32>((bitcast<u32>(_e1491) & 2147483647u));
+                                                                    let _e1567 = select(_e1565, _e1562, (_e1562 > _e1565));
+                                                                    let _e1571 = select(_e1565, _e1562, (_e1562 < _e1565));
+                                                                    let _e1575 = select(_e1562, _e1559, (_e1559 < _e1562));
+                                                                    let _e1577 = select(_e1562, _e1559, (_e1559 > _e1562));
+                                                                    let _e1579 = select(_e1565, _e1577, (_e1577 < _e1565));
+                                                                    phi_2756_ = bitcast<f32>((bitcast<u32>((_e301.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1567, _e1559, (_e1559 > _e1567)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1579, _e1575, (_e1575 > _e1579)))) ^ _e301.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1571, _e1559, (_e1559 < _e1571)))) ^ _e301.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1515 + _e1522) + _e1529))) ^ _e301.member_3[0]))) * 1.0000005f)) ^ _e301.member_3[0])))) ^ _e301.member_3[0]));
                                                                 }
-                                                                let _e1635 = phi_2839_;
-                                                                phi_2857_ = (_e1437 || !(((((bitcast<f32>((bitcast<u32>((_e1491.x * _e1518)) ^ _e300.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1491.y * _e1519)) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1491.z * _e1520)) ^ _e300.member_3[0]))) * f32(-(_e1436))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1491.x) & 2147483647u)) * _e1544)) ^ _e300.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1491.y) & 2147483647u)) * _e1551)) ^ _e300.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1491.z) & 2147483647u)) * _e1558)) ^ _e300.member_3[0]))))) ^ _e300.member_3[0])) + _e1635) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1606 = phi_2756_;
+                                                                phi_2774_ = (_e1408 || !(((((bitcast<f32>((bitcast<u32>((_e1462.x * _e1489)) ^ _e301.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1462.y * _e1490)) ^ _e301.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1462.z * _e1491)) ^ _e301.member_3[0]))) * f32(-(_e1407))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1462.x) & 2147483647u)) * _e1515)) ^ _e301.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1462.y) & 2147483647u)) * _e1522)) ^ _e301.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1462.z) & 2147483647u)) * _e1529)) ^ _e301.member_3[0]))))) ^ _e301.member_3[0])) + _e1606) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1649 = phi_2857_;
-                                                            phi_2858_ = _e1649;
+                                                            let _e1620 = phi_2774_;
+                                                            phi_2775_ = _e1620;
                                                         }
-                                                        let _e1651 = phi_2858_;
-                                                        if _e1651 {
-                                                            phi_2863_ = type_51(_e864.member, true);
+                                                        let _e1622 = phi_2775_;
+                                                        if _e1622 {
+                                                            phi_2780_ = type_52(-340282350000000000000000000000000000000f, true);
                                                         } else {
-                                                            phi_2863_ = _e864;
+                                                            phi_2780_ = _e850;
                                                         }
-                                                        let _e1656 = phi_2863_;
-                                                        phi_2864_ = _e1656;
+                                                        let _e1624 = phi_2780_;
+                                                        phi_2781_ = _e1624;
                                                     } else {
-                                                        phi_2864_ = _e864;
+                                                        phi_2781_ = _e850;
                                                     }
-                                                    let _e1658 = phi_2864_;
-                                                    phi_1486_ = _e1658;
+                                                    let _e1626 = phi_2781_;
+                                                    phi_1506_ = _e1626;
                                                 } else {
-                                                    phi_1486_ = type_51();
+                                                    phi_1506_ = type_52();
                                                 }
-                                                let _e1660 = phi_1486_;
+                                                let _e1628 = phi_1506_;
                                                 continue;
                                                 continuing {
-                                                    phi_1485_ = _e1660;
-                                                    phi_1488_ = _e879;
-                                                    phi_4371_ = _e808;
-                                                    break if !(_e885);
+                                                    phi_1505_ = _e1628;
+                                                    phi_1508_ = _e865;
+                                                    phi_4468_ = _e794;
+                                                    break if !(_e871);
                                                 }
                                             }
-                                            let _e1663 = phi_4371_;
-                                            phi_4563_ = _e1663;
-                                            if _e1663 {
+                                            let _e1631 = phi_4468_;
+                                            phi_4665_ = _e1631;
+                                            if _e1631 {
                                                 break;
                                             }
-                                            phi_4649_ = _e1663;
-                                            let _e2299 = local_11;
-                                            phi_2865_ = _e2299;
+                                            phi_4751_ = _e1631;
+                                            let _e2254 = local_11;
+                                            phi_2782_ = _e2254;
                                         } else {
-                                            phi_4649_ = _e808;
-                                            phi_2865_ = _e810;
+                                            phi_4751_ = _e794;
+                                            phi_2782_ = _e796;
                                         }
-                                        let _e1665 = phi_4649_;
-                                        let _e1667 = phi_2865_;
-                                        if _e857 {
-                                            phi_4095_ = bool();
-                                            phi_4096_ = u32();
-                                            phi_4097_ = type_63();
+                                        let _e1633 = phi_4751_;
+                                        let _e1635 = phi_2782_;
+                                        if _e843 {
+                                            phi_4012_ = bool();
+                                            phi_4013_ = u32();
+                                            phi_4014_ = type_64();
                                         } else {
-                                            if (_e853.member_1 >= _e101) {
-                                                phi_3631_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e839.member_1 >= _e102) {
+                                                phi_3548_ = type_65(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_64(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_64(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e853.member_1 < _e101) {
+                                                if (_e839.member_1 < _e102) {
                                                 } else {
-                                                    phi_4563_ = true;
+                                                    phi_4665_ = true;
                                                     break;
                                                 }
-                                                let _e1671 = ((1u + _e433) % 4u);
-                                                if (_e1671 < 4u) {
+                                                let _e1639 = ((1u + _e434) % 4u);
+                                                if (_e1639 < 4u) {
                                                 } else {
-                                                    phi_4563_ = true;
+                                                    phi_4665_ = true;
                                                     break;
                                                 }
-                                                let _e1676 = global_5.member[_e853.member_1][_e1671];
-                                                let _e1678 = (_e1676 >> bitcast<u32>(11u));
-                                                let _e1680 = ((1u + _e432) % 4u);
-                                                if (_e1680 < 4u) {
+                                                let _e1644 = global_5.member[_e839.member_1][_e1639];
+                                                let _e1646 = (_e1644 >> bitcast<u32>(11u));
+                                                let _e1648 = ((1u + _e433) % 4u);
+                                                if (_e1648 < 4u) {
                                                 } else {
-                                                    phi_4563_ = true;
+                                                    phi_4665_ = true;
                                                     break;
                                                 }
-                                                let _e1685 = global_5.member[_e853.member_1][_e1680];
-                                                let _e1687 = (_e1685 >> bitcast<u32>(11u));
-                                                let _e1689 = ((1u + _e434) % 4u);
-                                                if (_e1689 < 4u) {
+                                                let _e1653 = global_5.member[_e839.member_1][_e1648];
+                                                let _e1655 = (_e1653 >> bitcast<u32>(11u));
+                                                let _e1657 = ((1u + _e435) % 4u);
+                                                if (_e1657 < 4u) {
                                                 } else {
-                                                    phi_4563_ = true;
+                                                    phi_4665_ = true;
                                                     break;
                                                 }
-                                                let _e1694 = global_5.member[_e853.member_1][_e1689];
-                                                let _e1696 = (_e1694 >> bitcast<u32>(11u));
-                                                let _e1719 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.x - _e853.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e1720 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.y - _e853.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e1721 = (bitcast<f32>((bitcast<u32>((_e853.member.member_1.z - _e853.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e1723 = select(_e159, _e1719, (_e1719 > _e159));
-                                                let _e1725 = select(_e159, _e1720, (_e1720 > _e159));
-                                                let _e1727 = select(_e159, _e1721, (_e1721 > _e159));
-                                                let _e1758 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1676 & 1023u))) - 8388608f) * _e1723));
-                                                let _e1763 = (bitcast<i32>((_e1676 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1766 = bitcast<f32>((_e1758 & bitcast<u32>(_e1763)));
-                                                let _e1767 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1685 & 1023u))) - 8388608f) * _e1725));
-                                                let _e1772 = (bitcast<i32>((_e1685 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1775 = bitcast<f32>((_e1767 & bitcast<u32>(_e1772)));
-                                                let _e1776 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1694 & 1023u))) - 8388608f) * _e1727));
-                                                let _e1781 = (bitcast<i32>((_e1694 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1784 = bitcast<f32>((_e1776 & bitcast<u32>(_e1781)));
-                                                let _e1788 = bitcast<f32>((_e1758 & bitcast<u32>(~(_e1763))));
-                                                let _e1792 = bitcast<f32>((_e1767 & bitcast<u32>(~(_e1772))));
-                                                let _e1796 = bitcast<f32>((_e1776 & bitcast<u32>(~(_e1781))));
-                                                let _e1797 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1678 & 1023u))) - 8388608f) * _e1723));
-                                                let _e1802 = (bitcast<i32>((_e1678 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1805 = bitcast<f32>((_e1797 & bitcast<u32>(_e1802)));
-                                                let _e1806 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1687 & 1023u))) - 8388608f) * _e1725));
-                                                let _e1811 = (bitcast<i32>((_e1687 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1814 = bitcast<f32>((_e1806 & bitcast<u32>(_e1811)));
-                                                let _e1815 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1696 & 1023u))) - 8388608f) * _e1727));
-                                                let _e1820 = (bitcast<i32>((_e1696 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e1823 = bitcast<f32>((_e1815 & bitcast<u32>(_e1820)));
-                                                let _e1827 = bitcast<f32>((_e1797 & bitcast<u32>(~(_e1802))));
-                                                let _e1831 = bitcast<f32>((_e1806 & bitcast<u32>(~(_e1811))));
-                                                let _e1835 = bitcast<f32>((_e1815 & bitcast<u32>(~(_e1820))));
-                                                let _e1865 = global_5.member[_e853.member_1][0u];
-                                                let _e1869 = global_5.member[_e853.member_1][1u];
-                                                let _e1873 = global_5.member[_e853.member_1][2u];
-                                                let _e1877 = global_5.member[_e853.member_1][3u];
-                                                let _e1889 = (((_e1869 >> bitcast<u32>(22i)) | ((_e1873 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1877 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e1890 = (_e1865 & 268435455u);
-                                                let _e1891 = (_e1889 & 268435455u);
-                                                let _e1894 = ((_e1865 >> bitcast<u32>(28u)) & 7u);
-                                                let _e1902 = ((_e1865 >> bitcast<u32>(31i)) | (((_e1889 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e1903 = (_e1894 != 0u);
-                                                if (_e1894 == 0u) {
-                                                    phi_3593_ = _e1890;
+                                                let _e1662 = global_5.member[_e839.member_1][_e1657];
+                                                let _e1664 = (_e1662 >> bitcast<u32>(11u));
+                                                let _e1687 = (bitcast<f32>((bitcast<u32>((_e839.member.member_1.x - _e839.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e1688 = (bitcast<f32>((bitcast<u32>((_e839.member.member_1.y - _e839.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e1689 = (bitcast<f32>((bitcast<u32>((_e839.member.member_1.z - _e839.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e1691 = select(_e160, _e1687, (_e1687 > _e160));
+                                                let _e1693 = select(_e160, _e1688, (_e1688 > _e160));
+                                                let _e1695 = select(_e160, _e1689, (_e1689 > _e160));
+                                                let _e1726 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1644 & 1023u))) - 8388608f) * _e1691));
+                                                let _e1731 = (bitcast<i32>((_e1644 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1734 = bitcast<f32>((_e1726 & bitcast<u32>(_e1731)));
+                                                let _e1735 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1653 & 1023u))) - 8388608f) * _e1693));
+                                                let _e1740 = (bitcast<i32>((_e1653 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1743 = bitcast<f32>((_e1735 & bitcast<u32>(_e1740)));
+                                                let _e1744 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1662 & 1023u))) - 8388608f) * _e1695));
+                                                let _e1749 = (bitcast<i32>((_e1662 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1752 = bitcast<f32>((_e1744 & bitcast<u32>(_e1749)));
+                                                let _e1756 = bitcast<f32>((_e1726 & bitcast<u32>(~(_e1731))));
+                                                let _e1760 = bitcast<f32>((_e1735 & bitcast<u32>(~(_e1740))));
+                                                let _e1764 = bitcast<f32>((_e1744 & bitcast<u32>(~(_e1749))));
+                                                let _e1765 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1646 & 1023u))) - 8388608f) * _e1691));
+                                                let _e1770 = (bitcast<i32>((_e1646 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1773 = bitcast<f32>((_e1765 & bitcast<u32>(_e1770)));
+                                                let _e1774 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1655 & 1023u))) - 8388608f) * _e1693));
+                                                let _e1779 = (bitcast<i32>((_e1655 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1782 = bitcast<f32>((_e1774 & bitcast<u32>(_e1779)));
+                                                let _e1783 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1664 & 1023u))) - 8388608f) * _e1695));
+                                                let _e1788 = (bitcast<i32>((_e1664 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1791 = bitcast<f32>((_e1783 & bitcast<u32>(_e1788)));
+                                                let _e1795 = bitcast<f32>((_e1765 & bitcast<u32>(~(_e1770))));
+                                                let _e1799 = bitcast<f32>((_e1774 & bitcast<u32>(~(_e1779))));
+                                                let _e1803 = bitcast<f32>((_e1783 & bitcast<u32>(~(_e1788))));
+                                                let _e1833 = global_5.member[_e839.member_1][0u];
+                                                let _e1837 = global_5.member[_e839.member_1][1u];
+                                                let _e1841 = global_5.member[_e839.member_1][2u];
+                                                let _e1845 = global_5.member[_e839.member_1][3u];
+                                                let _e1857 = (((_e1837 >> bitcast<u32>(22i)) | ((_e1841 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1845 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1858 = (_e1833 & 268435455u);
+                                                let _e1859 = (_e1857 & 268435455u);
+                                                let _e1862 = ((_e1833 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1870 = ((_e1833 >> bitcast<u32>(31i)) | (((_e1857 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1871 = (_e1862 != 0u);
+                                                if (_e1862 == 0u) {
+                                                    phi_3510_ = _e1858;
                                                 } else {
-                                                    if (_e1894 == 7u) {
-                                                        phi_3592_ = 2147483648u;
+                                                    if (_e1862 == 7u) {
+                                                        phi_3509_ = 2147483648u;
                                                     } else {
-                                                        phi_3592_ = ((2147483648u | (_e1894 << bitcast<u32>(28u))) | (_e1891 & 268435455u));
+                                                        phi_3509_ = ((2147483648u | (_e1862 << bitcast<u32>(28u))) | (_e1859 & 268435455u));
                                                     }
-                                                    let _e1912 = phi_3592_;
-                                                    phi_3593_ = _e1912;
+                                                    let _e1880 = phi_3509_;
+                                                    phi_3510_ = _e1880;
                                                 }
-                                                let _e1914 = phi_3593_;
-                                                if _e1903 {
-                                                    let _e1915 = (_e1894 != 7u);
-                                                    if _e1915 {
-                                                        phi_3603_ = (_e1891 + _e1894);
+                                                let _e1882 = phi_3510_;
+                                                if _e1871 {
+                                                    let _e1883 = (_e1862 != 7u);
+                                                    if _e1883 {
+                                                        phi_3520_ = (_e1859 + _e1862);
                                                     } else {
-                                                        phi_3603_ = u32();
+                                                        phi_3520_ = u32();
                                                     }
-                                                    let _e1918 = phi_3603_;
-                                                    phi_3605_ = _e1918;
-                                                    phi_3606_ = select(true, false, _e1915);
+                                                    let _e1886 = phi_3520_;
+                                                    phi_3522_ = _e1886;
+                                                    phi_3523_ = select(true, false, _e1883);
                                                 } else {
-                                                    phi_3605_ = u32();
-                                                    phi_3606_ = true;
+                                                    phi_3522_ = u32();
+                                                    phi_3523_ = true;
                                                 }
-                                                let _e1921 = phi_3605_;
-                                                let _e1923 = phi_3606_;
-                                                if (_e1902 == 0u) {
-                                                    phi_3627_ = (_e1890 + select(0u, 1u, !(_e1903)));
+                                                let _e1889 = phi_3522_;
+                                                let _e1891 = phi_3523_;
+                                                if (_e1870 == 0u) {
+                                                    phi_3544_ = (_e1858 + select(0u, 1u, !(_e1871)));
                                                 } else {
-                                                    if (_e1902 == 7u) {
-                                                        phi_3626_ = 2147483648u;
+                                                    if (_e1870 == 7u) {
+                                                        phi_3543_ = 2147483648u;
                                                     } else {
-                                                        phi_3626_ = ((2147483648u | (_e1902 << bitcast<u32>(28u))) | (select(_e1921, _e1891, _e1923) & 268435455u));
+                                                        phi_3543_ = ((2147483648u | (_e1870 << bitcast<u32>(28u))) | (select(_e1889, _e1859, _e1891) & 268435455u));
                                                     }
-                                                    let _e1936 = phi_3626_;
-                                                    phi_3627_ = _e1936;
+                                                    let _e1904 = phi_3543_;
+                                                    phi_3544_ = _e1904;
                                                 }
-                                                let _e1938 = phi_3627_;
-                                                phi_3631_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e853.member.member.x + _e1766), (_e853.member.member.x + _e1788), (_e853.member.member_1.x - _e1805), (_e853.member.member_1.x - _e1827)), vec4<f32>((_e853.member.member.y + _e1775), (_e853.member.member.y + _e1792), (_e853.member.member_1.y - _e1814), (_e853.member.member_1.y - _e1831)), vec4<f32>((_e853.member.member.z + _e1784), (_e853.member.member.z + _e1796), (_e853.member.member_1.z - _e1823), (_e853.member.member_1.z - _e1835))), type_63(type_39((_e853.member.member + vec4<f32>(_e1766, _e1775, _e1784, 0f)), (_e853.member.member_1 - vec4<f32>(_e1805, _e1814, _e1823, 0f))), _e1914), type_63(type_39((_e853.member.member + vec4<f32>(_e1788, _e1792, _e1796, 0f)), (_e853.member.member_1 - vec4<f32>(_e1827, _e1831, _e1835, 0f))), _e1938));
+                                                let _e1906 = phi_3544_;
+                                                phi_3548_ = type_65(array<vec4<f32>, 3>(vec4<f32>((_e839.member.member.x + _e1734), (_e839.member.member.x + _e1756), (_e839.member.member_1.x - _e1773), (_e839.member.member_1.x - _e1795)), vec4<f32>((_e839.member.member.y + _e1743), (_e839.member.member.y + _e1760), (_e839.member.member_1.y - _e1782), (_e839.member.member_1.y - _e1799)), vec4<f32>((_e839.member.member.z + _e1752), (_e839.member.member.z + _e1764), (_e839.member.member_1.z - _e1791), (_e839.member.member_1.z - _e1803))), type_64(type_39((_e839.member.member + vec4<f32>(_e1734, _e1743, _e1752, 0f)), (_e839.member.member_1 - vec4<f32>(_e1773, _e1782, _e1791, 0f))), _e1882), type_64(type_39((_e839.member.member + vec4<f32>(_e1756, _e1760, _e1764, 0f)), (_e839.member.member_1 - vec4<f32>(_e1795, _e1799, _e1803, 0f))), _e1906));
                                             }
-                                            let _e1943 = phi_3631_;
-                                            let _e1955 = ((_e1943.member[0].x - _e518) * _e523);
-                                            let _e1956 = ((_e1943.member[0].y - _e518) * _e523);
-                                            let _e1957 = ((_e1943.member[0].z - _e519) * _e523);
-                                            let _e1958 = ((_e1943.member[0].w - _e519) * _e523);
-                                            let _e1968 = ((_e1943.member[1].x - _e584) * _e589);
-                                            let _e1969 = ((_e1943.member[1].y - _e584) * _e589);
-                                            let _e1970 = ((_e1943.member[1].z - _e585) * _e589);
-                                            let _e1971 = ((_e1943.member[1].w - _e585) * _e589);
-                                            let _e1981 = ((_e1943.member[2].x - _e650) * _e655);
-                                            let _e1982 = ((_e1943.member[2].y - _e650) * _e655);
-                                            let _e1983 = ((_e1943.member[2].z - _e651) * _e655);
-                                            let _e1984 = ((_e1943.member[2].w - _e651) * _e655);
-                                            let _e1986 = select(_e1983, _e1981, (_e1981 < _e1983));
-                                            let _e1988 = select(_e1984, _e1982, (_e1982 < _e1984));
-                                            let _e1990 = select(_e1983, _e1981, (_e1981 > _e1983));
-                                            let _e1992 = select(_e1984, _e1982, (_e1982 > _e1984));
-                                            let _e1994 = select(_e1957, _e1955, (_e1955 < _e1957));
-                                            let _e1996 = select(_e1958, _e1956, (_e1956 < _e1958));
-                                            let _e1998 = select(_e1970, _e1968, (_e1968 < _e1970));
-                                            let _e2000 = select(_e1971, _e1969, (_e1969 < _e1971));
-                                            let _e2002 = select(_e1998, _e1994, (_e1994 > _e1998));
-                                            let _e2004 = select(_e2000, _e1996, (_e1996 > _e2000));
-                                            let _e2006 = select(_e1986, _e2002, (_e2002 > _e1986));
-                                            let _e2008 = select(_e1988, _e2004, (_e2004 > _e1988));
-                                            let _e2010 = select(_e1957, _e1955, (_e1955 > _e1957));
-                                            let _e2012 = select(_e1958, _e1956, (_e1956 > _e1958));
-                                            let _e2014 = select(_e1970, _e1968, (_e1968 > _e1970));
-                                            let _e2016 = select(_e1971, _e1969, (_e1969 > _e1971));
-                                            let _e2018 = select(_e2014, _e2010, (_e2010 < _e2014));
-                                            let _e2020 = select(_e2016, _e2012, (_e2012 < _e2016));
-                                            let _e2025 = -(_e1986);
-                                            let _e2026 = -(_e1988);
-                                            let _e2033 = (select(_e1990, _e2018, (_e2018 < _e1990)) + (select(_e2025, _e1990, (_e1990 > _e2025)) * 0.0000019073523f));
-                                            let _e2034 = (select(_e1992, _e2020, (_e2020 < _e1992)) + (select(_e2026, _e1992, (_e1992 > _e2026)) * 0.0000019073523f));
-                                            let _e2036 = select(_e766, _e2006, (_e2006 > _e766));
-                                            let _e2038 = select(_e766, _e2008, (_e2008 > _e766));
-                                            let _e2043 = (_e2036 <= select(_e1667.member, _e2033, (_e2033 < _e1667.member)));
-                                            let _e2044 = (_e2038 <= select(_e1667.member, _e2034, (_e2034 < _e1667.member)));
-                                            let _e2045 = (_e2036 <= _e2038);
-                                            if _e2043 {
-                                                if _e2044 {
-                                                    if _e2045 {
-                                                        phi_3993_ = _e1943.member_2;
+                                            let _e1911 = phi_3548_;
+                                            let _e1923 = ((_e1911.member[0].x - _e519) * _e522);
+                                            let _e1924 = ((_e1911.member[0].y - _e519) * _e522);
+                                            let _e1925 = ((_e1911.member[0].z - _e520) * _e522);
+                                            let _e1926 = ((_e1911.member[0].w - _e520) * _e522);
+                                            let _e1936 = ((_e1911.member[1].x - _e583) * _e586);
+                                            let _e1937 = ((_e1911.member[1].y - _e583) * _e586);
+                                            let _e1938 = ((_e1911.member[1].z - _e584) * _e586);
+                                            let _e1939 = ((_e1911.member[1].w - _e584) * _e586);
+                                            let _e1949 = ((_e1911.member[2].x - _e647) * _e650);
+                                            let _e1950 = ((_e1911.member[2].y - _e647) * _e650);
+                                            let _e1951 = ((_e1911.member[2].z - _e648) * _e650);
+                                            let _e1952 = ((_e1911.member[2].w - _e648) * _e650);
+                                            let _e1954 = select(_e1951, _e1949, (_e1949 < _e1951));
+                                            let _e1956 = select(_e1952, _e1950, (_e1950 < _e1952));
+                                            let _e1958 = select(_e1951, _e1949, (_e1949 > _e1951));
+                                            let _e1960 = select(_e1952, _e1950, (_e1950 > _e1952));
+                                            let _e1962 = select(_e1925, _e1923, (_e1923 < _e1925));
+                                            let _e1964 = select(_e1926, _e1924, (_e1924 < _e1926));
+                                            let _e1966 = select(_e1938, _e1936, (_e1936 < _e1938));
+                                            let _e1968 = select(_e1939, _e1937, (_e1937 < _e1939));
+                                            let _e1970 = select(_e1966, _e1962, (_e1962 > _e1966));
+                                            let _e1972 = select(_e1968, _e1964, (_e1964 > _e1968));
+                                            let _e1974 = select(_e1954, _e1970, (_e1970 > _e1954));
+                                            let _e1976 = select(_e1956, _e1972, (_e1972 > _e1956));
+                                            let _e1978 = select(_e1925, _e1923, (_e1923 > _e1925));
+                                            let _e1980 = select(_e1926, _e1924, (_e1924 > _e1926));
+                                            let _e1982 = select(_e1938, _e1936, (_e1936 > _e1938));
+                                            let _e1984 = select(_e1939, _e1937, (_e1937 > _e1939));
+                                            let _e1986 = select(_e1982, _e1978, (_e1978 < _e1982));
+                                            let _e1988 = select(_e1984, _e1980, (_e1980 < _e1984));
+                                            let _e1993 = -(_e1954);
+                                            let _e1994 = -(_e1956);
+                                            let _e2001 = (select(_e1958, _e1986, (_e1986 < _e1958)) + (select(_e1993, _e1958, (_e1958 > _e1993)) * 0.0000019073523f));
+                                            let _e2002 = (select(_e1960, _e1988, (_e1988 < _e1960)) + (select(_e1994, _e1960, (_e1960 > _e1994)) * 0.0000019073523f));
+                                            let _e2004 = select(_e752, _e1974, (_e1974 > _e752));
+                                            let _e2006 = select(_e752, _e1976, (_e1976 > _e752));
+                                            let _e2011 = (_e2004 <= select(_e1635.member, _e2001, (_e2001 < _e1635.member)));
+                                            let _e2012 = (_e2006 <= select(_e1635.member, _e2002, (_e2002 < _e1635.member)));
+                                            let _e2013 = (_e2004 <= _e2006);
+                                            if _e2011 {
+                                                if _e2012 {
+                                                    if _e2013 {
+                                                        phi_3910_ = _e1911.member_2;
                                                     } else {
-                                                        phi_3993_ = _e1943.member_1;
+                                                        phi_3910_ = _e1911.member_1;
                                                     }
-                                                    let _e2049 = phi_3993_;
-                                                    let _e2070 = (_e851 % 128u);
-                                                    let _e2071 = (_e2070 < 128u);
-                                                    if _e2071 {
+                                                    let _e2017 = phi_3910_;
+                                                    let _e2038 = (_e837 % 128u);
+                                                    let _e2039 = (_e2038 < 128u);
+                                                    if _e2039 {
                                                     } else {
-                                                        phi_4563_ = true;
+                                                        phi_4665_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e2070] = _e2049.member_1;
-                                                    if _e2071 {
+                                                    local_8[_e2038] = _e2017.member_1;
+                                                    if _e2039 {
                                                     } else {
-                                                        phi_4563_ = true;
+                                                        phi_4665_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e2070] = _e2049.member.member.x;
-                                                    if _e2071 {
+                                                    local_7[_e2038] = _e2017.member.member.x;
+                                                    if _e2039 {
                                                     } else {
-                                                        phi_4563_ = true;
+                                                        phi_4665_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e2070] = _e2049.member.member.y;
-                                                    if _e2071 {
+                                                    local_6[_e2038] = _e2017.member.member.y;
+                                                    if _e2039 {
                                                     } else {
-                                                        phi_4563_ = true;
+                                                        phi_4665_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e2070] = _e2049.member.member.z;
-                                                    if _e2071 {
+                                                    local_5[_e2038] = _e2017.member.member.z;
+                                                    if _e2039 {
                                                     } else {
-                                                        phi_4563_ = true;
+                                                        phi_4665_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e2070] = _e2049.member.member_1.x;
-                                                    if _e2071 {
+                                                    local_4[_e2038] = _e2017.member.member_1.x;
+                                                    if _e2039 {
                                                     } else {
-                                                        phi_4563_ = true;
+                                                        phi_4665_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e2070] = _e2049.member.member_1.y;
-                                                    if _e2071 {
+                                                    local_3[_e2038] = _e2017.member.member_1.y;
+                                                    if _e2039 {
                                                     } else {
-                                                        phi_4563_ = true;
+                                                        phi_4665_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e2070] = _e2049.member.member_1.z;
-                                                    if _e2071 {
+                                                    local_2[_e2038] = _e2017.member.member_1.z;
+                                                    if _e2039 {
                                                     } else {
-                                                        phi_4563_ = true;
+                                                        phi_4665_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e2070] = select(_e2036, _e2038, _e2045);
-                                                    if _e2045 {
-                                                        phi_4069_ = _e1943.member_1;
+                                                    local_9[_e2038] = select(_e2004, _e2006, _e2013);
+                                                    if _e2013 {
+                                                        phi_3986_ = _e1911.member_1;
                                                     } else {
-                                                        phi_4069_ = _e1943.member_2;
+                                                        phi_3986_ = _e1911.member_2;
                                                     }
-                                                    let _e2084 = phi_4069_;
-                                                    phi_4070_ = (_e851 + 1u);
-                                                    phi_4071_ = _e2084;
+                                                    let _e2052 = phi_3986_;
+                                                    phi_3987_ = (_e837 + 1u);
+                                                    phi_3988_ = _e2052;
                                                 } else {
-                                                    phi_4070_ = u32();
-                                                    phi_4071_ = type_63();
+                                                    phi_3987_ = u32();
+                                                    phi_3988_ = type_64();
                                                 }
-                                                let _e2086 = phi_4070_;
-                                                let _e2088 = phi_4071_;
-                                                phi_4073_ = _e2086;
-                                                phi_4074_ = _e2088;
-                                                phi_4075_ = select(true, false, _e2044);
+                                                let _e2054 = phi_3987_;
+                                                let _e2056 = phi_3988_;
+                                                phi_3990_ = _e2054;
+                                                phi_3991_ = _e2056;
+                                                phi_3992_ = select(true, false, _e2012);
                                             } else {
-                                                phi_4073_ = u32();
-                                                phi_4074_ = type_63();
-                                                phi_4075_ = true;
+                                                phi_3990_ = u32();
+                                                phi_3991_ = type_64();
+                                                phi_3992_ = true;
                                             }
-                                            let _e2091 = phi_4073_;
-                                            let _e2093 = phi_4074_;
-                                            let _e2095 = phi_4075_;
-                                            if _e2095 {
-                                                if _e2043 {
-                                                    phi_4084_ = _e1943.member_1;
+                                            let _e2059 = phi_3990_;
+                                            let _e2061 = phi_3991_;
+                                            let _e2063 = phi_3992_;
+                                            if _e2063 {
+                                                if _e2011 {
+                                                    phi_4001_ = _e1911.member_1;
                                                 } else {
-                                                    phi_4084_ = _e1943.member_2;
+                                                    phi_4001_ = _e1911.member_2;
                                                 }
-                                                let _e2099 = phi_4084_;
-                                                phi_4089_ = select(_e2044, true, _e2043);
-                                                phi_4091_ = _e2099;
+                                                let _e2067 = phi_4001_;
+                                                phi_4006_ = select(_e2012, true, _e2011);
+                                                phi_4008_ = _e2067;
                                             } else {
-                                                phi_4089_ = _e849;
-                                                phi_4091_ = _e2093;
+                                                phi_4006_ = _e835;
+                                                phi_4008_ = _e2061;
                                             }
-                                            let _e2102 = phi_4089_;
-                                            let _e2104 = phi_4091_;
-                                            phi_4095_ = _e2102;
-                                            phi_4096_ = select(_e2091, _e851, _e2095);
-                                            phi_4097_ = _e2104;
+                                            let _e2070 = phi_4006_;
+                                            let _e2072 = phi_4008_;
+                                            phi_4012_ = _e2070;
+                                            phi_4013_ = select(_e2059, _e837, _e2063);
+                                            phi_4014_ = _e2072;
                                         }
-                                        let _e2107 = phi_4095_;
-                                        let _e2109 = phi_4096_;
-                                        let _e2111 = phi_4097_;
-                                        if _e857 {
-                                            phi_4107_ = select(_e851, 0u, _e1667.member_1);
-                                            phi_4108_ = _e853;
+                                        let _e2075 = phi_4012_;
+                                        let _e2077 = phi_4013_;
+                                        let _e2079 = phi_4014_;
+                                        if _e843 {
+                                            phi_4024_ = select(_e837, 0u, _e1635.member_1);
+                                            phi_4025_ = _e839;
                                         } else {
-                                            phi_4107_ = _e2109;
-                                            phi_4108_ = _e2111;
+                                            phi_4024_ = _e2077;
+                                            phi_4025_ = _e2079;
                                         }
-                                        let _e2115 = phi_4107_;
-                                        let _e2117 = phi_4108_;
-                                        phi_4566_ = _e1665;
-                                        phi_4109_ = _e1667;
-                                        phi_4110_ = (_e812 - 1u);
-                                        phi_4111_ = select(_e2107, false, _e857);
-                                        phi_4112_ = _e2115;
-                                        phi_4113_ = _e2117;
+                                        let _e2083 = phi_4024_;
+                                        let _e2085 = phi_4025_;
+                                        phi_4668_ = _e1633;
+                                        phi_4026_ = _e1635;
+                                        phi_4027_ = (_e798 - 1u);
+                                        phi_4028_ = select(_e2075, false, _e843);
+                                        phi_4029_ = _e2083;
+                                        phi_4030_ = _e2085;
                                     } else {
-                                        phi_4566_ = _e808;
-                                        phi_4109_ = _e810;
-                                        phi_4110_ = _e812;
-                                        phi_4111_ = _e849;
-                                        phi_4112_ = _e851;
-                                        phi_4113_ = _e853;
+                                        phi_4668_ = _e794;
+                                        phi_4026_ = _e796;
+                                        phi_4027_ = _e798;
+                                        phi_4028_ = _e835;
+                                        phi_4029_ = _e837;
+                                        phi_4030_ = _e839;
                                     }
-                                    let _e2120 = phi_4566_;
-                                    let _e2122 = phi_4109_;
-                                    let _e2124 = phi_4110_;
-                                    let _e2126 = phi_4111_;
-                                    let _e2128 = phi_4112_;
-                                    let _e2130 = phi_4113_;
-                                    phi_4565_ = _e2120;
-                                    phi_4114_ = _e2122;
-                                    phi_4115_ = _e2124;
-                                    phi_4116_ = _e2126;
-                                    phi_4117_ = _e2128;
-                                    phi_4118_ = _e2130;
+                                    let _e2088 = phi_4668_;
+                                    let _e2090 = phi_4026_;
+                                    let _e2092 = phi_4027_;
+                                    let _e2094 = phi_4028_;
+                                    let _e2096 = phi_4029_;
+                                    let _e2098 = phi_4030_;
+                                    phi_4667_ = _e2088;
+                                    phi_4031_ = _e2090;
+                                    phi_4032_ = _e2092;
+                                    phi_4033_ = _e2094;
+                                    phi_4034_ = _e2096;
+                                    phi_4035_ = _e2098;
                                 } else {
-                                    phi_4565_ = _e808;
-                                    phi_4114_ = type_51();
-                                    phi_4115_ = u32();
-                                    phi_4116_ = bool();
-                                    phi_4117_ = u32();
-                                    phi_4118_ = type_63();
+                                    phi_4667_ = _e794;
+                                    phi_4031_ = type_52();
+                                    phi_4032_ = u32();
+                                    phi_4033_ = bool();
+                                    phi_4034_ = u32();
+                                    phi_4035_ = type_64();
                                 }
-                                let _e2132 = phi_4565_;
-                                let _e2134 = phi_4114_;
-                                let _e2136 = phi_4115_;
-                                let _e2138 = phi_4116_;
-                                let _e2140 = phi_4117_;
-                                let _e2142 = phi_4118_;
-                                phi_4564_ = _e2132;
-                                phi_1360_ = _e2134;
-                                phi_1363_ = _e2136;
-                                phi_1365_ = _e2138;
-                                phi_1367_ = _e2140;
-                                phi_1369_ = _e2142;
-                                phi_4119_ = _e822;
+                                let _e2100 = phi_4667_;
+                                let _e2102 = phi_4031_;
+                                let _e2104 = phi_4032_;
+                                let _e2106 = phi_4033_;
+                                let _e2108 = phi_4034_;
+                                let _e2110 = phi_4035_;
+                                phi_4666_ = _e2100;
+                                phi_1380_ = _e2102;
+                                phi_1383_ = _e2104;
+                                phi_1385_ = _e2106;
+                                phi_1387_ = _e2108;
+                                phi_1389_ = _e2110;
+                                phi_4036_ = _e808;
                             } else {
-                                phi_4564_ = _e808;
-                                phi_1360_ = type_51();
-                                phi_1363_ = u32();
-                                phi_1365_ = bool();
-                                phi_1367_ = u32();
-                                phi_1369_ = type_63();
-                                phi_4119_ = false;
+                                phi_4666_ = _e794;
+                                phi_1380_ = type_52();
+                                phi_1383_ = u32();
+                                phi_1385_ = bool();
+                                phi_1387_ = u32();
+                                phi_1389_ = type_64();
+                                phi_4036_ = false;
                             }
-                            let _e2144 = phi_4564_;
-                            let _e2146 = phi_1360_;
-                            let _e2148 = phi_1363_;
-                            let _e2150 = phi_1365_;
-                            let _e2152 = phi_1367_;
-                            let _e2154 = phi_1369_;
-                            let _e2156 = phi_4119_;
+                            let _e2112 = phi_4666_;
+                            let _e2114 = phi_1380_;
+                            let _e2116 = phi_1383_;
+                            let _e2118 = phi_1385_;
+                            let _e2120 = phi_1387_;
+                            let _e2122 = phi_1389_;
+                            let _e2124 = phi_4036_;
                             continue;
                             continuing {
-                                phi_4377_ = _e2144;
-                                phi_1359_ = _e2146;
-                                phi_1362_ = _e2148;
-                                phi_1364_ = _e2150;
-                                phi_1366_ = _e2152;
-                                phi_1368_ = _e2154;
-                                phi_4563_ = _e2144;
-                                break if !(_e2156);
+                                phi_4474_ = _e2112;
+                                phi_1379_ = _e2114;
+                                phi_1382_ = _e2116;
+                                phi_1384_ = _e2118;
+                                phi_1386_ = _e2120;
+                                phi_1388_ = _e2122;
+                                phi_4665_ = _e2112;
+                                break if !(_e2124);
                             }
                         }
-                        let _e2159 = phi_4563_;
-                        if _e2159 {
+                        let _e2127 = phi_4665_;
+                        if _e2127 {
                             break;
                         }
-                        let _e2161 = local_10;
-                        if _e2161.member_1 {
+                        let _e2129 = local_10;
+                        if _e2129.member_1 {
                         } else {
-                            if _e301 {
+                            if _e302 {
                             } else {
                                 break;
                             }
-                            let _e2165 = global_2.member[_e147];
-                            if _e162 {
+                            let _e2133 = global_2.member[_e148];
+                            if _e163 {
                             } else {
                                 break;
                             }
-                            let _e2169 = global_10.member[_e147].member_1;
-                            if _e301 {
+                            let _e2137 = global_10.member[_e148].member_1;
+                            if _e302 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e147] = type_32(_e2165.member, _e2165.member_1, _e2165.member_2, array<f32, 3>((_e2165.member_3[0] + (_e2169[0] * _e2165.member_1[0])), (_e2165.member_3[1] + (_e2169[1] * _e2165.member_1[1])), (_e2165.member_3[2] + (_e2169[2] * _e2165.member_1[2]))), _e2165.member_4);
+                            global_2.member[_e148] = type_32(_e2133.member, _e2133.member_1, _e2133.member_2, array<f32, 3>((_e2133.member_3[0] + (_e2137[0] * _e2133.member_1[0])), (_e2133.member_3[1] + (_e2137[1] * _e2133.member_1[1])), (_e2133.member_3[2] + (_e2137[2] * _e2133.member_1[2]))), _e2133.member_4);
                         }
                     }
                 }

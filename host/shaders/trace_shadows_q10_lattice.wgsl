@@ -65,29 +65,36 @@ struct type_40 {
 
 struct type_46 {
     member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_47 {
+    member: f32,
     member_1: bool,
 }
 
-struct type_48 {
+struct type_49 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_51 {
+struct type_52 {
     member: array<i32>,
 }
 
-struct type_58 {
+struct type_59 {
     member: type_34,
     member_1: u32,
 }
 
-struct type_59 {
+struct type_60 {
     member: array<vec4<f32>, 3>,
-    member_1: type_58,
-    member_2: type_58,
+    member_1: type_59,
+    member_2: type_59,
 }
 
-struct type_64 {
+struct type_65 {
     member: array<atomic<u32>>,
 }
 
@@ -97,17 +104,17 @@ var<uniform> global_1: type_16;
 @group(0) @binding(8) 
 var<storage, read_write> global_2: type_29;
 @group(0) @binding(1) 
-var<uniform> global_3: type_48;
+var<uniform> global_3: type_49;
 @group(0) @binding(2) 
-var<uniform> global_4: type_48;
+var<uniform> global_4: type_49;
 @group(0) @binding(3) 
 var<storage> global_5: type_13;
 @group(0) @binding(5) 
 var<storage> global_6: type_4;
 @group(0) @binding(6) 
-var<storage> global_7: type_51;
+var<storage> global_7: type_52;
 @group(0) @binding(9) 
-var<storage, read_write> global_8: type_64;
+var<storage, read_write> global_8: type_65;
 @group(0) @binding(7) 
 var<storage> global_9: type_37;
 @group(0) @binding(4) 
@@ -124,568 +131,525 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_343_: u32;
-    var phi_387_: i32;
-    var phi_527_: type_40;
-    var phi_677_: i32;
-    var phi_678_: i32;
-    var phi_688_: bool;
-    var phi_698_: u32;
-    var phi_699_: u32;
-    var phi_701_: bool;
-    var phi_706_: u32;
-    var phi_739_: i32;
-    var phi_757_: f32;
-    var phi_763_: f32;
-    var phi_803_: f32;
-    var phi_809_: f32;
-    var phi_861_: f32;
-    var phi_873_: f32;
-    var phi_882_: f32;
-    var phi_888_: f32;
-    var phi_928_: f32;
-    var phi_934_: f32;
-    var phi_986_: f32;
-    var phi_998_: f32;
-    var phi_1007_: f32;
-    var phi_1013_: f32;
-    var phi_1053_: f32;
-    var phi_1059_: f32;
-    var phi_1111_: f32;
-    var phi_1123_: f32;
-    var phi_1178_: i32;
-    var phi_1200_: u32;
-    var phi_1201_: u32;
-    var phi_1238_: i32;
-    var phi_1260_: u32;
-    var phi_1261_: u32;
-    var phi_1269_: f32;
-    var phi_1270_: f32;
-    var phi_5045_: bool;
-    var phi_1366_: type_46;
-    var phi_1369_: u32;
-    var phi_1371_: bool;
-    var phi_1373_: u32;
-    var phi_1375_: type_58;
-    var phi_1386_: bool;
-    var phi_1472_: bool;
-    var phi_1473_: u32;
-    var phi_1474_: type_58;
-    var phi_1493_: type_46;
-    var phi_1496_: type_8;
-    var phi_1497_: type_8;
-    var phi_1519_: type_8;
-    var phi_1560_: u32;
-    var phi_1566_: u32;
-    var phi_1576_: u32;
-    var phi_1592_: u32;
-    var phi_1625_: u32;
-    var phi_1631_: u32;
-    var phi_2097_: u32;
-    var phi_2115_: u32;
-    var phi_2133_: u32;
-    var phi_2156_: u32;
-    var phi_2174_: u32;
-    var phi_2192_: u32;
-    var phi_2215_: u32;
-    var phi_2233_: u32;
-    var phi_2251_: u32;
-    var phi_1805_: u32;
-    var phi_1820_: u32;
-    var phi_1830_: u32;
-    var phi_1851_: u32;
-    var phi_1872_: u32;
-    var phi_1902_: u32;
-    var phi_1917_: u32;
-    var phi_1927_: u32;
-    var phi_1948_: u32;
-    var phi_1969_: u32;
-    var phi_1999_: u32;
-    var phi_2014_: u32;
-    var phi_2024_: u32;
-    var phi_2045_: u32;
-    var phi_2066_: u32;
-    var phi_1658_: u32;
-    var phi_1707_: u32;
-    var phi_1756_: u32;
-    var phi_2257_: array<array<f32, 3>, 3>;
-    var phi_2409_: bool;
-    var phi_2438_: bool;
-    var phi_2857_: f32;
-    var phi_2858_: f32;
-    var phi_2859_: f32;
-    var phi_2860_: f32;
-    var phi_2861_: vec3<f32>;
-    var phi_2862_: vec3<f32>;
-    var phi_2863_: vec3<f32>;
-    var phi_2864_: vec3<f32>;
-    var phi_2901_: bool;
-    var phi_2910_: vec3<f32>;
-    var phi_3075_: f32;
-    var phi_3077_: f32;
-    var phi_3078_: bool;
-    var phi_3098_: f32;
-    var phi_3099_: f32;
-    var phi_3122_: type_25;
-    var phi_3124_: type_25;
-    var phi_3125_: bool;
-    var phi_3129_: type_25;
-    var phi_3130_: type_25;
-    var phi_3131_: type_25;
-    var phi_3132_: bool;
-    var phi_3136_: type_25;
-    var phi_3137_: bool;
-    var phi_3138_: type_25;
-    var phi_3139_: bool;
-    var phi_3140_: bool;
-    var phi_3141_: type_25;
-    var phi_3142_: bool;
-    var phi_3143_: bool;
-    var phi_3151_: type_25;
-    var phi_3152_: bool;
-    var phi_3156_: type_25;
-    var phi_3179_: u32;
-    var phi_3193_: i32;
-    var phi_3215_: vec3<f32>;
-    var phi_3216_: vec3<f32>;
-    var phi_3234_: vec3<f32>;
-    var phi_3235_: vec3<f32>;
-    var phi_3253_: vec3<f32>;
-    var phi_3254_: vec3<f32>;
-    var phi_3290_: vec3<f32>;
-    var phi_3472_: f32;
-    var phi_3490_: bool;
-    var phi_3491_: bool;
-    var phi_3496_: type_46;
-    var phi_3497_: type_46;
-    var phi_1494_: type_46;
-    var phi_5039_: bool;
-    var phi_5369_: bool;
-    var phi_3498_: type_46;
-    var phi_4000_: u32;
-    var phi_4006_: u32;
-    var phi_4260_: u32;
-    var phi_4261_: u32;
-    var phi_4271_: u32;
-    var phi_4273_: u32;
-    var phi_4274_: bool;
-    var phi_4294_: u32;
-    var phi_4295_: u32;
-    var phi_4299_: type_59;
-    var phi_4661_: type_58;
-    var phi_4737_: type_58;
-    var phi_4738_: u32;
-    var phi_4739_: type_58;
-    var phi_4741_: u32;
-    var phi_4742_: type_58;
-    var phi_4743_: bool;
-    var phi_4752_: type_58;
-    var phi_4757_: bool;
-    var phi_4759_: type_58;
-    var phi_4763_: bool;
-    var phi_4764_: u32;
-    var phi_4765_: type_58;
-    var phi_4775_: u32;
-    var phi_4776_: type_58;
-    var phi_5281_: bool;
-    var phi_4777_: type_46;
-    var phi_4778_: u32;
-    var phi_4779_: bool;
-    var phi_4780_: u32;
-    var phi_4781_: type_58;
-    var phi_5280_: bool;
-    var phi_4782_: type_46;
-    var phi_4783_: u32;
-    var phi_4784_: bool;
-    var phi_4785_: u32;
-    var phi_4786_: type_58;
-    var phi_5279_: bool;
-    var phi_1367_: type_46;
-    var phi_1370_: u32;
-    var phi_1372_: bool;
-    var phi_1374_: u32;
-    var phi_1376_: type_58;
-    var phi_4787_: bool;
-    var phi_5278_: bool;
-    var local_10: type_46;
-    var local_11: type_46;
+    var phi_363_: u32;
+    var phi_407_: i32;
+    var phi_547_: type_40;
+    var phi_697_: i32;
+    var phi_698_: i32;
+    var phi_708_: bool;
+    var phi_718_: u32;
+    var phi_719_: u32;
+    var phi_721_: bool;
+    var phi_726_: u32;
+    var phi_759_: i32;
+    var phi_777_: f32;
+    var phi_783_: f32;
+    var phi_823_: f32;
+    var phi_829_: f32;
+    var phi_902_: f32;
+    var phi_908_: f32;
+    var phi_948_: f32;
+    var phi_954_: f32;
+    var phi_1027_: f32;
+    var phi_1033_: f32;
+    var phi_1073_: f32;
+    var phi_1079_: f32;
+    var phi_1198_: i32;
+    var phi_1220_: u32;
+    var phi_1221_: u32;
+    var phi_1258_: i32;
+    var phi_1280_: u32;
+    var phi_1281_: u32;
+    var phi_1289_: f32;
+    var phi_1290_: f32;
+    var phi_5142_: bool;
+    var phi_1386_: type_47;
+    var phi_1389_: u32;
+    var phi_1391_: bool;
+    var phi_1393_: u32;
+    var phi_1395_: type_59;
+    var phi_1406_: bool;
+    var phi_1492_: bool;
+    var phi_1493_: u32;
+    var phi_1494_: type_59;
+    var phi_1513_: type_47;
+    var phi_1516_: type_8;
+    var phi_1517_: type_8;
+    var phi_1539_: type_8;
+    var phi_1580_: u32;
+    var phi_1586_: u32;
+    var phi_1596_: u32;
+    var phi_1612_: u32;
+    var phi_1645_: u32;
+    var phi_1651_: u32;
+    var phi_2117_: u32;
+    var phi_2135_: u32;
+    var phi_2153_: u32;
+    var phi_2176_: u32;
+    var phi_2194_: u32;
+    var phi_2212_: u32;
+    var phi_2235_: u32;
+    var phi_2253_: u32;
+    var phi_2271_: u32;
+    var phi_1825_: u32;
+    var phi_1840_: u32;
+    var phi_1850_: u32;
+    var phi_1871_: u32;
+    var phi_1892_: u32;
+    var phi_1922_: u32;
+    var phi_1937_: u32;
+    var phi_1947_: u32;
+    var phi_1968_: u32;
+    var phi_1989_: u32;
+    var phi_2019_: u32;
+    var phi_2034_: u32;
+    var phi_2044_: u32;
+    var phi_2065_: u32;
+    var phi_2086_: u32;
+    var phi_1678_: u32;
+    var phi_1727_: u32;
+    var phi_1776_: u32;
+    var phi_2277_: array<array<f32, 3>, 3>;
+    var phi_4777_: bool;
+    var phi_4792_: bool;
+    var phi_4807_: bool;
+    var phi_4822_: bool;
+    var phi_4837_: bool;
+    var phi_4852_: bool;
+    var phi_2819_: f32;
+    var phi_2820_: f32;
+    var phi_2821_: f32;
+    var phi_2822_: f32;
+    var phi_2823_: vec3<f32>;
+    var phi_2824_: vec3<f32>;
+    var phi_2825_: vec3<f32>;
+    var phi_2826_: vec3<f32>;
+    var phi_4867_: bool;
+    var phi_4882_: bool;
+    var phi_4897_: bool;
+    var phi_4912_: bool;
+    var phi_4927_: bool;
+    var phi_4942_: bool;
+    var phi_3034_: f32;
+    var phi_3054_: type_46;
+    var phi_3055_: type_46;
+    var phi_3058_: type_46;
+    var phi_3059_: type_46;
+    var phi_3060_: bool;
+    var phi_3064_: type_46;
+    var phi_3073_: type_25;
+    var phi_3096_: u32;
+    var phi_3110_: i32;
+    var phi_3132_: vec3<f32>;
+    var phi_3133_: vec3<f32>;
+    var phi_3151_: vec3<f32>;
+    var phi_3152_: vec3<f32>;
+    var phi_3170_: vec3<f32>;
+    var phi_3171_: vec3<f32>;
+    var phi_3207_: vec3<f32>;
+    var phi_3389_: f32;
+    var phi_3407_: bool;
+    var phi_3408_: bool;
+    var phi_3413_: type_47;
+    var phi_3414_: type_47;
+    var phi_1514_: type_47;
+    var phi_5136_: bool;
+    var phi_5471_: bool;
+    var phi_3415_: type_47;
+    var phi_3917_: u32;
+    var phi_3923_: u32;
+    var phi_4177_: u32;
+    var phi_4178_: u32;
+    var phi_4188_: u32;
+    var phi_4190_: u32;
+    var phi_4191_: bool;
+    var phi_4211_: u32;
+    var phi_4212_: u32;
+    var phi_4216_: type_60;
+    var phi_4578_: type_59;
+    var phi_4654_: type_59;
+    var phi_4655_: u32;
+    var phi_4656_: type_59;
+    var phi_4658_: u32;
+    var phi_4659_: type_59;
+    var phi_4660_: bool;
+    var phi_4669_: type_59;
+    var phi_4674_: bool;
+    var phi_4676_: type_59;
+    var phi_4680_: bool;
+    var phi_4681_: u32;
+    var phi_4682_: type_59;
+    var phi_4692_: u32;
+    var phi_4693_: type_59;
+    var phi_5383_: bool;
+    var phi_4694_: type_47;
+    var phi_4695_: u32;
+    var phi_4696_: bool;
+    var phi_4697_: u32;
+    var phi_4698_: type_59;
+    var phi_5382_: bool;
+    var phi_4699_: type_47;
+    var phi_4700_: u32;
+    var phi_4701_: bool;
+    var phi_4702_: u32;
+    var phi_4703_: type_59;
+    var phi_5381_: bool;
+    var phi_1387_: type_47;
+    var phi_1390_: u32;
+    var phi_1392_: bool;
+    var phi_1394_: u32;
+    var phi_1396_: type_59;
+    var phi_4704_: bool;
+    var phi_5380_: bool;
+    var local_10: type_47;
+    var local_11: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e104 = global;
-            let _e106 = arrayLength((&global_5.member));
-            let _e109 = arrayLength((&global_10.member));
-            let _e121 = arrayLength((&global_8.member));
-            let _e125 = global_4.member[0u][0u];
-            let _e129 = global_4.member[0u][1u];
-            let _e133 = global_4.member[0u][2u];
-            let _e137 = global_4.member[0u][3u];
-            let _e141 = global_4.member[1u][0u];
-            let _e145 = global_4.member[1u][1u];
-            let _e149 = global_4.member[1u][2u];
-            let _e153 = (_e104.x + (_e104.y * 2097152u));
-            let _e165 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e137) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e125), bitcast<i32>(_e129), bitcast<i32>(_e133));
-            local = array<i32, 3>(bitcast<i32>(_e141), bitcast<i32>(_e145), bitcast<i32>(_e149));
-            let _e168 = (_e153 < arrayLength((&global_9.member)));
-            if _e168 {
-                if _e168 {
+            let _e105 = global;
+            let _e107 = arrayLength((&global_5.member));
+            let _e110 = arrayLength((&global_10.member));
+            let _e122 = arrayLength((&global_8.member));
+            let _e126 = global_4.member[0u][0u];
+            let _e130 = global_4.member[0u][1u];
+            let _e134 = global_4.member[0u][2u];
+            let _e138 = global_4.member[0u][3u];
+            let _e142 = global_4.member[1u][0u];
+            let _e146 = global_4.member[1u][1u];
+            let _e150 = global_4.member[1u][2u];
+            let _e154 = (_e105.x + (_e105.y * 2097152u));
+            let _e166 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e138) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e126), bitcast<i32>(_e130), bitcast<i32>(_e134));
+            local = array<i32, 3>(bitcast<i32>(_e142), bitcast<i32>(_e146), bitcast<i32>(_e150));
+            let _e169 = (_e154 < arrayLength((&global_9.member)));
+            if _e169 {
+                if _e169 {
                 } else {
                     break;
                 }
-                let _e172 = global_9.member[_e153].member_2;
-                phi_343_ = _e172;
+                let _e173 = global_9.member[_e154].member_2;
+                phi_363_ = _e173;
             } else {
-                phi_343_ = 4294967295u;
+                phi_363_ = 4294967295u;
             }
-            let _e174 = phi_343_;
-            let _e177 = global_1.member[0u];
-            let _e181 = global_3.member[0u][0u];
-            let _e185 = global_3.member[0u][1u];
-            let _e189 = global_3.member[0u][2u];
-            let _e193 = global_3.member[0u][3u];
-            let _e197 = global_3.member[1u][0u];
-            let _e201 = global_3.member[1u][1u];
-            let _e205 = global_3.member[1u][2u];
-            let _e209 = global_3.member[1u][3u];
-            let _e210 = bitcast<f32>(_e181);
-            let _e211 = bitcast<f32>(_e185);
-            let _e212 = bitcast<f32>(_e189);
-            let _e214 = bitcast<f32>(_e197);
-            let _e215 = array<u32, 3>(_e201, _e205, _e209);
-            let _e217 = bitcast<i32>(_e177);
-            if (_e217 < -126i) {
-                phi_387_ = -126i;
+            let _e175 = phi_363_;
+            let _e178 = global_1.member[0u];
+            let _e182 = global_3.member[0u][0u];
+            let _e186 = global_3.member[0u][1u];
+            let _e190 = global_3.member[0u][2u];
+            let _e194 = global_3.member[0u][3u];
+            let _e198 = global_3.member[1u][0u];
+            let _e202 = global_3.member[1u][1u];
+            let _e206 = global_3.member[1u][2u];
+            let _e210 = global_3.member[1u][3u];
+            let _e211 = bitcast<f32>(_e182);
+            let _e212 = bitcast<f32>(_e186);
+            let _e213 = bitcast<f32>(_e190);
+            let _e215 = bitcast<f32>(_e198);
+            let _e216 = array<u32, 3>(_e202, _e206, _e210);
+            let _e218 = bitcast<i32>(_e178);
+            if (_e218 < -126i) {
+                phi_407_ = -126i;
             } else {
-                phi_387_ = select(_e217, 127i, (_e217 > 127i));
+                phi_407_ = select(_e218, 127i, (_e218 > 127i));
             }
-            let _e222 = phi_387_;
-            let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
-            let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
-            if (_e193 == 0u) {
-                phi_527_ = type_40(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
+            let _e223 = phi_407_;
+            let _e228 = bitcast<f32>((bitcast<u32>((_e223 + 127i)) << bitcast<u32>(23i)));
+            let _e234 = bitcast<f32>((bitcast<u32>(((_e218 - _e223) + 127i)) << bitcast<u32>(23i)));
+            if (_e194 == 0u) {
+                phi_547_ = type_40(array<f32, 3>(_e211, _e212, _e213), _e194, _e215, _e216);
             } else {
-                let _e235 = bitcast<u32>(_e210);
-                let _e237 = ((_e235 & 2139095040u) != 0u);
-                let _e252 = bitcast<u32>(_e211);
-                let _e254 = ((_e252 & 2139095040u) != 0u);
-                let _e269 = bitcast<u32>(_e212);
-                let _e271 = ((_e269 & 2139095040u) != 0u);
-                let _e287 = bitcast<u32>(_e214);
-                let _e289 = ((_e287 & 2139095040u) != 0u);
-                phi_527_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
+                let _e236 = bitcast<u32>(_e211);
+                let _e238 = ((_e236 & 2139095040u) != 0u);
+                let _e253 = bitcast<u32>(_e212);
+                let _e255 = ((_e253 & 2139095040u) != 0u);
+                let _e270 = bitcast<u32>(_e213);
+                let _e272 = ((_e270 & 2139095040u) != 0u);
+                let _e288 = bitcast<u32>(_e215);
+                let _e290 = ((_e288 & 2139095040u) != 0u);
+                phi_547_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e236 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e236 & 2147483648u))), _e211, _e238) * _e228) * select(0.00000011920929f, 1f, _e238)) * _e234), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e253 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e253 & 2147483648u))), _e212, _e255) * _e228) * select(0.00000011920929f, 1f, _e255)) * _e234), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e213, _e272) * _e228) * select(0.00000011920929f, 1f, _e272)) * _e234)), _e194, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e288 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e288 & 2147483648u))), _e215, _e290) * _e228) * select(0.00000011920929f, 1f, _e290)) * _e234), _e216);
             }
-            let _e306 = phi_527_;
-            if _e168 {
-                let _e307 = (_e153 < arrayLength((&global_2.member)));
-                if _e307 {
-                    if _e168 {
+            let _e307 = phi_547_;
+            if _e169 {
+                let _e308 = (_e154 < arrayLength((&global_2.member)));
+                if _e308 {
+                    if _e169 {
                     } else {
                         break;
                     }
-                    let _e312 = global_9.member[_e153].member.member_1;
-                    let _e317 = global_9.member[_e153].member.member_3;
-                    if (_e312 <= _e317) {
-                        let _e319 = (1u < _e121);
-                        if _e319 {
-                            if (0u < _e121) {
+                    let _e313 = global_9.member[_e154].member.member_1;
+                    let _e318 = global_9.member[_e154].member.member_3;
+                    if (_e313 <= _e318) {
+                        let _e320 = (1u < _e122);
+                        if _e320 {
+                            if (0u < _e122) {
                             } else {
                                 break;
                             }
-                            let _e323 = atomicAdd((&global_8.member[0u]), 1u);
-                            if ((_e323 + 1u) < _e323) {
-                                if _e319 {
+                            let _e324 = atomicAdd((&global_8.member[0u]), 1u);
+                            if ((_e324 + 1u) < _e324) {
+                                if _e320 {
                                 } else {
                                     break;
                                 }
-                                let _e328 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e329 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
-                        if _e168 {
+                        if _e169 {
                         } else {
                             break;
                         }
-                        let _e338 = global_9.member[_e153].member.member_2[0u];
-                        let _e340 = (bitcast<u32>(_e338) & 2147483647u);
-                        let _e346 = global_9.member[_e153].member.member_2[1u];
-                        let _e348 = (bitcast<u32>(_e346) & 2147483647u);
-                        let _e354 = global_9.member[_e153].member.member_2[2u];
-                        let _e356 = (bitcast<u32>(_e354) & 2147483647u);
-                        let _e362 = global_9.member[_e153].member.member[0u];
-                        let _e364 = (bitcast<u32>(_e362) & 2147483647u);
-                        let _e370 = global_9.member[_e153].member.member[1u];
-                        let _e372 = (bitcast<u32>(_e370) & 2147483647u);
-                        let _e378 = global_9.member[_e153].member.member[2u];
-                        let _e380 = (bitcast<u32>(_e378) & 2147483647u);
-                        let _e382 = select(_e348, _e340, (_e348 < _e340));
-                        let _e384 = select(_e356, _e382, (_e356 < _e382));
-                        let _e386 = select(_e364, _e384, (_e364 < _e384));
-                        let _e388 = select(_e372, _e386, (_e372 < _e386));
-                        let _e390 = select(_e380, _e388, (_e380 < _e388));
-                        let _e391 = bitcast<u32>(_e312);
-                        let _e392 = (_e391 & 2147483647u);
-                        let _e396 = bitcast<u32>(_e317);
-                        let _e397 = (_e396 & 2147483647u);
-                        let _e401 = (((select(_e392, _e390, (_e392 < _e390)) < 2139095040u) && (_e397 <= 2139095040u)) && (_e384 > 0u));
-                        if _e401 {
-                            let _e404 = (bitcast<u32>(bitcast<f32>(_e384)) & 2147483647u);
-                            if (_e404 >= 8388608u) {
-                                phi_677_ = (bitcast<i32>((_e404 >> bitcast<u32>(23i))) - 127i);
+                        let _e339 = global_9.member[_e154].member.member_2[0u];
+                        let _e341 = (bitcast<u32>(_e339) & 2147483647u);
+                        let _e347 = global_9.member[_e154].member.member_2[1u];
+                        let _e349 = (bitcast<u32>(_e347) & 2147483647u);
+                        let _e355 = global_9.member[_e154].member.member_2[2u];
+                        let _e357 = (bitcast<u32>(_e355) & 2147483647u);
+                        let _e363 = global_9.member[_e154].member.member[0u];
+                        let _e365 = (bitcast<u32>(_e363) & 2147483647u);
+                        let _e371 = global_9.member[_e154].member.member[1u];
+                        let _e373 = (bitcast<u32>(_e371) & 2147483647u);
+                        let _e379 = global_9.member[_e154].member.member[2u];
+                        let _e381 = (bitcast<u32>(_e379) & 2147483647u);
+                        let _e383 = select(_e349, _e341, (_e349 < _e341));
+                        let _e385 = select(_e357, _e383, (_e357 < _e383));
+                        let _e387 = select(_e365, _e385, (_e365 < _e385));
+                        let _e389 = select(_e373, _e387, (_e373 < _e387));
+                        let _e391 = select(_e381, _e389, (_e381 < _e389));
+                        let _e392 = bitcast<u32>(_e313);
+                        let _e393 = (_e392 & 2147483647u);
+                        let _e397 = bitcast<u32>(_e318);
+                        let _e398 = (_e397 & 2147483647u);
+                        let _e402 = (((select(_e393, _e391, (_e393 < _e391)) < 2139095040u) && (_e398 <= 2139095040u)) && (_e385 > 0u));
+                        if _e402 {
+                            let _e405 = (bitcast<u32>(bitcast<f32>(_e385)) & 2147483647u);
+                            if (_e405 >= 8388608u) {
+                                phi_697_ = (bitcast<i32>((_e405 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_677_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e404)), 32u, (_e404 == 0u))));
+                                phi_697_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e405)), 32u, (_e405 == 0u))));
                             }
-                            let _e418 = phi_677_;
-                            phi_678_ = _e418;
+                            let _e419 = phi_697_;
+                            phi_698_ = _e419;
                         } else {
-                            phi_678_ = 0i;
+                            phi_698_ = 0i;
                         }
-                        let _e420 = phi_678_;
-                        let _e421 = (_e340 == _e384);
-                        if _e421 {
-                            phi_688_ = true;
+                        let _e421 = phi_698_;
+                        let _e422 = (_e341 == _e385);
+                        if _e422 {
+                            phi_708_ = true;
                         } else {
-                            phi_688_ = (_e348 == _e384);
+                            phi_708_ = (_e349 == _e385);
                         }
-                        let _e424 = phi_688_;
-                        let _e425 = select(1u, 0u, _e421);
-                        if _e424 {
-                            let _e426 = (_e425 + 1u);
-                            phi_698_ = _e426;
-                            phi_699_ = _e426;
-                            phi_701_ = select(true, false, (_e426 == 2u));
+                        let _e425 = phi_708_;
+                        let _e426 = select(1u, 0u, _e422);
+                        if _e425 {
+                            let _e427 = (_e426 + 1u);
+                            phi_718_ = _e427;
+                            phi_719_ = _e427;
+                            phi_721_ = select(true, false, (_e427 == 2u));
                         } else {
-                            phi_698_ = u32();
-                            phi_699_ = 0u;
-                            phi_701_ = true;
+                            phi_718_ = u32();
+                            phi_719_ = 0u;
+                            phi_721_ = true;
                         }
-                        let _e430 = phi_698_;
-                        let _e432 = phi_699_;
-                        let _e434 = phi_701_;
-                        if _e434 {
-                            phi_706_ = (_e432 + 1u);
+                        let _e431 = phi_718_;
+                        let _e433 = phi_719_;
+                        let _e435 = phi_721_;
+                        if _e435 {
+                            phi_726_ = (_e433 + 1u);
                         } else {
-                            phi_706_ = 0u;
+                            phi_726_ = 0u;
                         }
-                        let _e438 = phi_706_;
-                        let _e439 = select(_e430, _e432, _e434);
-                        let _e440 = select(_e425, select(2u, _e425, _e424), _e434);
-                        let _e441 = -(_e420);
-                        if (_e441 < -126i) {
-                            phi_739_ = -126i;
+                        let _e439 = phi_726_;
+                        let _e440 = select(_e431, _e433, _e435);
+                        let _e441 = select(_e426, select(2u, _e426, _e425), _e435);
+                        let _e442 = -(_e421);
+                        if (_e442 < -126i) {
+                            phi_759_ = -126i;
                         } else {
-                            phi_739_ = select(_e441, 127i, (_e441 > 127i));
+                            phi_759_ = select(_e442, 127i, (_e442 > 127i));
                         }
-                        let _e446 = phi_739_;
-                        let _e451 = bitcast<f32>((bitcast<u32>((_e446 + 127i)) << bitcast<u32>(23i)));
-                        let _e457 = bitcast<f32>((bitcast<u32>(((_e441 - _e446) + 127i)) << bitcast<u32>(23i)));
-                        let _e462 = global_9.member[_e153].member.member;
-                        let _e463 = (_e439 == 0u);
-                        if _e463 {
-                            phi_757_ = _e462[0];
+                        let _e447 = phi_759_;
+                        let _e452 = bitcast<f32>((bitcast<u32>((_e447 + 127i)) << bitcast<u32>(23i)));
+                        let _e458 = bitcast<f32>((bitcast<u32>(((_e442 - _e447) + 127i)) << bitcast<u32>(23i)));
+                        let _e463 = global_9.member[_e154].member.member;
+                        let _e464 = (_e440 == 0u);
+                        if _e464 {
+                            phi_777_ = _e463[0];
                         } else {
-                            phi_757_ = _e462[1];
+                            phi_777_ = _e463[1];
                         }
-                        let _e467 = phi_757_;
-                        let _e468 = (_e439 == 2u);
-                        if _e468 {
-                            phi_763_ = _e462[2];
+                        let _e468 = phi_777_;
+                        let _e469 = (_e440 == 2u);
+                        if _e469 {
+                            phi_783_ = _e463[2];
                         } else {
-                            phi_763_ = _e467;
+                            phi_783_ = _e468;
                         }
-                        let _e471 = phi_763_;
-                        let _e472 = bitcast<u32>(_e471);
-                        let _e474 = ((_e472 & 2139095040u) != 0u);
-                        let _e486 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e472 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e472 & 2147483648u))), _e471, _e474) * select(0.00000011920929f, 1f, _e474));
-                        let _e487 = global_9.member[_e153].member.member_2;
-                        if _e463 {
-                            phi_803_ = _e487[0];
+                        let _e472 = phi_783_;
+                        let _e473 = bitcast<u32>(_e472);
+                        let _e475 = ((_e473 & 2139095040u) != 0u);
+                        let _e487 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e473 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e473 & 2147483648u))), _e472, _e475) * select(0.00000011920929f, 1f, _e475));
+                        let _e488 = global_9.member[_e154].member.member_2;
+                        if _e464 {
+                            phi_823_ = _e488[0];
                         } else {
-                            phi_803_ = _e487[1];
+                            phi_823_ = _e488[1];
                         }
-                        let _e491 = phi_803_;
-                        if _e468 {
-                            phi_809_ = _e487[2];
+                        let _e492 = phi_823_;
+                        if _e469 {
+                            phi_829_ = _e488[2];
                         } else {
-                            phi_809_ = _e491;
+                            phi_829_ = _e492;
                         }
-                        let _e494 = phi_809_;
-                        let _e495 = bitcast<u32>(_e494);
-                        let _e497 = ((_e495 & 2139095040u) != 0u);
-                        let _e511 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e495 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e495 & 2147483648u))), _e494, _e497) * _e451) * select(0.00000011920929f, 1f, _e497)) * _e457);
-                        let _e515 = (bitcast<f32>((bitcast<u32>(_e511) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e515 {
-                            let _e519 = (bitcast<f32>((bitcast<u32>(_e486) & 2147483647u)) * 0.00000011920929f);
-                            phi_861_ = select(0.00000000000011368684f, _e519, (_e519 > 0.00000000000011368684f));
+                        let _e495 = phi_829_;
+                        let _e496 = bitcast<u32>(_e495);
+                        let _e498 = ((_e496 & 2139095040u) != 0u);
+                        let _e512 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e496 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e496 & 2147483648u))), _e495, _e498) * _e452) * select(0.00000011920929f, 1f, _e498)) * _e458);
+                        let _e516 = (bitcast<f32>((bitcast<u32>(_e512) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e519 = bitcast<f32>((bitcast<u32>(_e487) & 2147483647u));
+                        let _e520 = (_e519 * 0.00000011920929f);
+                        let _e523 = select(select(0.00000000000011368684f, _e520, (_e520 > 0.00000000000011368684f)), 0f, _e516);
+                        let _e524 = select(0f, _e512, _e516);
+                        let _e525 = (_e487 + _e523);
+                        let _e526 = (_e487 - _e523);
+                        let _e528 = select(38685626000000000000000000f, (1f / _e512), _e516);
+                        let _e529 = (_e439 == 0u);
+                        if _e529 {
+                            phi_902_ = _e463[0];
                         } else {
-                            phi_861_ = 0f;
+                            phi_902_ = _e463[1];
                         }
-                        let _e523 = phi_861_;
-                        let _e524 = (_e486 + _e523);
-                        let _e525 = (_e486 - _e523);
-                        let _e526 = select(_e511, 0f, _e515);
-                        if _e515 {
-                            phi_873_ = 38685626000000000000000000f;
+                        let _e533 = phi_902_;
+                        let _e534 = (_e439 == 2u);
+                        if _e534 {
+                            phi_908_ = _e463[2];
                         } else {
-                            phi_873_ = (1f / _e511);
+                            phi_908_ = _e533;
                         }
-                        let _e529 = phi_873_;
-                        let _e530 = (_e438 == 0u);
-                        if _e530 {
-                            phi_882_ = _e462[0];
+                        let _e537 = phi_908_;
+                        let _e538 = bitcast<u32>(_e537);
+                        let _e540 = ((_e538 & 2139095040u) != 0u);
+                        let _e552 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e538 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e538 & 2147483648u))), _e537, _e540) * select(0.00000011920929f, 1f, _e540));
+                        if _e529 {
+                            phi_948_ = _e488[0];
                         } else {
-                            phi_882_ = _e462[1];
+                            phi_948_ = _e488[1];
                         }
-                        let _e534 = phi_882_;
-                        let _e535 = (_e438 == 2u);
-                        if _e535 {
-                            phi_888_ = _e462[2];
+                        let _e556 = phi_948_;
+                        if _e534 {
+                            phi_954_ = _e488[2];
                         } else {
-                            phi_888_ = _e534;
+                            phi_954_ = _e556;
                         }
-                        let _e538 = phi_888_;
-                        let _e539 = bitcast<u32>(_e538);
-                        let _e541 = ((_e539 & 2139095040u) != 0u);
-                        let _e553 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e539 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e539 & 2147483648u))), _e538, _e541) * select(0.00000011920929f, 1f, _e541));
-                        if _e530 {
-                            phi_928_ = _e487[0];
+                        let _e559 = phi_954_;
+                        let _e560 = bitcast<u32>(_e559);
+                        let _e562 = ((_e560 & 2139095040u) != 0u);
+                        let _e576 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e560 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e560 & 2147483648u))), _e559, _e562) * _e452) * select(0.00000011920929f, 1f, _e562)) * _e458);
+                        let _e580 = (bitcast<f32>((bitcast<u32>(_e576) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e583 = bitcast<f32>((bitcast<u32>(_e552) & 2147483647u));
+                        let _e584 = (_e583 * 0.00000011920929f);
+                        let _e587 = select(select(0.00000000000011368684f, _e584, (_e584 > 0.00000000000011368684f)), 0f, _e580);
+                        let _e588 = select(0f, _e576, _e580);
+                        let _e589 = (_e552 + _e587);
+                        let _e590 = (_e552 - _e587);
+                        let _e592 = select(38685626000000000000000000f, (1f / _e576), _e580);
+                        let _e593 = (_e441 == 0u);
+                        if _e593 {
+                            phi_1027_ = _e463[0];
                         } else {
-                            phi_928_ = _e487[1];
+                            phi_1027_ = _e463[1];
                         }
-                        let _e557 = phi_928_;
-                        if _e535 {
-                            phi_934_ = _e487[2];
+                        let _e597 = phi_1027_;
+                        let _e598 = (_e441 == 2u);
+                        if _e598 {
+                            phi_1033_ = _e463[2];
                         } else {
-                            phi_934_ = _e557;
+                            phi_1033_ = _e597;
                         }
-                        let _e560 = phi_934_;
-                        let _e561 = bitcast<u32>(_e560);
-                        let _e563 = ((_e561 & 2139095040u) != 0u);
-                        let _e577 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e561 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e561 & 2147483648u))), _e560, _e563) * _e451) * select(0.00000011920929f, 1f, _e563)) * _e457);
-                        let _e581 = (bitcast<f32>((bitcast<u32>(_e577) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e581 {
-                            let _e585 = (bitcast<f32>((bitcast<u32>(_e553) & 2147483647u)) * 0.00000011920929f);
-                            phi_986_ = select(0.00000000000011368684f, _e585, (_e585 > 0.00000000000011368684f));
+                        let _e601 = phi_1033_;
+                        let _e602 = bitcast<u32>(_e601);
+                        let _e604 = ((_e602 & 2139095040u) != 0u);
+                        let _e616 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e602 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e602 & 2147483648u))), _e601, _e604) * select(0.00000011920929f, 1f, _e604));
+                        if _e593 {
+                            phi_1073_ = _e488[0];
                         } else {
-                            phi_986_ = 0f;
+                            phi_1073_ = _e488[1];
                         }
-                        let _e589 = phi_986_;
-                        let _e590 = (_e553 + _e589);
-                        let _e591 = (_e553 - _e589);
-                        let _e592 = select(_e577, 0f, _e581);
-                        if _e581 {
-                            phi_998_ = 38685626000000000000000000f;
+                        let _e620 = phi_1073_;
+                        if _e598 {
+                            phi_1079_ = _e488[2];
                         } else {
-                            phi_998_ = (1f / _e577);
+                            phi_1079_ = _e620;
                         }
-                        let _e595 = phi_998_;
-                        let _e596 = (_e440 == 0u);
-                        if _e596 {
-                            phi_1007_ = _e462[0];
-                        } else {
-                            phi_1007_ = _e462[1];
-                        }
-                        let _e600 = phi_1007_;
-                        let _e601 = (_e440 == 2u);
-                        if _e601 {
-                            phi_1013_ = _e462[2];
-                        } else {
-                            phi_1013_ = _e600;
-                        }
-                        let _e604 = phi_1013_;
-                        let _e605 = bitcast<u32>(_e604);
-                        let _e607 = ((_e605 & 2139095040u) != 0u);
-                        let _e619 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e605 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e605 & 2147483648u))), _e604, _e607) * select(0.00000011920929f, 1f, _e607));
-                        if _e596 {
-                            phi_1053_ = _e487[0];
-                        } else {
-                            phi_1053_ = _e487[1];
-                        }
-                        let _e623 = phi_1053_;
-                        if _e601 {
-                            phi_1059_ = _e487[2];
-                        } else {
-                            phi_1059_ = _e623;
-                        }
-                        let _e626 = phi_1059_;
-                        let _e627 = bitcast<u32>(_e626);
-                        let _e629 = ((_e627 & 2139095040u) != 0u);
-                        let _e643 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e627 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e627 & 2147483648u))), _e626, _e629) * _e451) * select(0.00000011920929f, 1f, _e629)) * _e457);
-                        let _e647 = (bitcast<f32>((bitcast<u32>(_e643) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e647 {
-                            let _e651 = (bitcast<f32>((bitcast<u32>(_e619) & 2147483647u)) * 0.00000011920929f);
-                            phi_1111_ = select(0.00000000000011368684f, _e651, (_e651 > 0.00000000000011368684f));
-                        } else {
-                            phi_1111_ = 0f;
-                        }
-                        let _e655 = phi_1111_;
-                        let _e656 = (_e619 + _e655);
-                        let _e657 = (_e619 - _e655);
-                        let _e658 = select(_e643, 0f, _e647);
-                        if _e647 {
-                            phi_1123_ = 38685626000000000000000000f;
-                        } else {
-                            phi_1123_ = (1f / _e643);
-                        }
-                        let _e661 = phi_1123_;
-                        let _e664 = bitcast<f32>((bitcast<u32>(_e486) & 2147483647u));
-                        let _e667 = bitcast<f32>((bitcast<u32>(_e553) & 2147483647u));
-                        let _e669 = select(_e667, _e664, (_e664 > _e667));
-                        let _e672 = bitcast<f32>((bitcast<u32>(_e619) & 2147483647u));
-                        if (_e401 && (select(_e672, _e669, (_e669 > _e672)) <= 1099511600000f)) {
-                            let _e684 = ((_e392 & 8388607u) | (select(0u, 1u, ((_e392 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e687 = bitcast<i32>((_e392 >> bitcast<u32>(23i)));
-                            let _e691 = (_e684 == 0u);
-                            let _e694 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e684)), 32u, _e691)) - 8i);
-                            if (_e687 == 255i) {
-                                phi_1178_ = 255i;
+                        let _e623 = phi_1079_;
+                        let _e624 = bitcast<u32>(_e623);
+                        let _e626 = ((_e624 & 2139095040u) != 0u);
+                        let _e640 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e624 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e624 & 2147483648u))), _e623, _e626) * _e452) * select(0.00000011920929f, 1f, _e626)) * _e458);
+                        let _e644 = (bitcast<f32>((bitcast<u32>(_e640) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e647 = bitcast<f32>((bitcast<u32>(_e616) & 2147483647u));
+                        let _e648 = (_e647 * 0.00000011920929f);
+                        let _e651 = select(select(0.00000000000011368684f, _e648, (_e648 > 0.00000000000011368684f)), 0f, _e644);
+                        let _e652 = select(0f, _e640, _e644);
+                        let _e653 = (_e616 + _e651);
+                        let _e654 = (_e616 - _e651);
+                        let _e656 = select(38685626000000000000000000f, (1f / _e640), _e644);
+                        let _e658 = select(_e583, _e519, (_e519 > _e583));
+                        if (_e402 && (select(_e647, _e658, (_e658 > _e647)) <= 1099511600000f)) {
+                            let _e670 = ((_e393 & 8388607u) | (select(0u, 1u, ((_e393 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e673 = bitcast<i32>((_e393 >> bitcast<u32>(23i)));
+                            let _e677 = (_e670 == 0u);
+                            let _e680 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e670)), 32u, _e677)) - 8i);
+                            if (_e673 == 255i) {
+                                phi_1198_ = 255i;
                             } else {
-                                phi_1178_ = (((_e687 + select(0i, 1i, (_e687 == 0i))) - _e694) + _e420);
+                                phi_1198_ = (((_e673 + select(0i, 1i, (_e673 == 0i))) - _e680) + _e421);
                             }
-                            let _e702 = phi_1178_;
-                            let _e712 = (_e702 <= 0i);
-                            if _e712 {
-                                phi_1201_ = u32();
+                            let _e688 = phi_1198_;
+                            let _e698 = (_e688 <= 0i);
+                            if _e698 {
+                                phi_1221_ = u32();
                             } else {
-                                if _e691 {
-                                    phi_1200_ = u32();
+                                if _e677 {
+                                    phi_1220_ = u32();
                                 } else {
-                                    phi_1200_ = select(((bitcast<u32>(_e702) << bitcast<u32>(23i)) | ((_e684 << bitcast<u32>(((_e694 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e702 >= 255i));
+                                    phi_1220_ = select(((bitcast<u32>(_e688) << bitcast<u32>(23i)) | ((_e670 << bitcast<u32>(((_e680 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e688 >= 255i));
                                 }
-                                let _e716 = phi_1200_;
-                                phi_1201_ = _e716;
+                                let _e702 = phi_1220_;
+                                phi_1221_ = _e702;
                             }
-                            let _e718 = phi_1201_;
-                            let _e730 = ((_e397 & 8388607u) | (select(0u, 1u, ((_e397 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e733 = bitcast<i32>((_e397 >> bitcast<u32>(23i)));
-                            let _e737 = (_e730 == 0u);
-                            let _e740 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e730)), 32u, _e737)) - 8i);
-                            if (_e733 == 255i) {
-                                phi_1238_ = 255i;
+                            let _e704 = phi_1221_;
+                            let _e716 = ((_e398 & 8388607u) | (select(0u, 1u, ((_e398 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e719 = bitcast<i32>((_e398 >> bitcast<u32>(23i)));
+                            let _e723 = (_e716 == 0u);
+                            let _e726 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e716)), 32u, _e723)) - 8i);
+                            if (_e719 == 255i) {
+                                phi_1258_ = 255i;
                             } else {
-                                phi_1238_ = (((_e733 + select(0i, 1i, (_e733 == 0i))) - _e740) + _e420);
+                                phi_1258_ = (((_e719 + select(0i, 1i, (_e719 == 0i))) - _e726) + _e421);
                             }
-                            let _e748 = phi_1238_;
-                            let _e758 = (_e748 <= 0i);
-                            if _e758 {
-                                phi_1261_ = u32();
+                            let _e734 = phi_1258_;
+                            let _e744 = (_e734 <= 0i);
+                            if _e744 {
+                                phi_1281_ = u32();
                             } else {
-                                if _e737 {
-                                    phi_1260_ = u32();
+                                if _e723 {
+                                    phi_1280_ = u32();
                                 } else {
-                                    phi_1260_ = select(((bitcast<u32>(_e748) << bitcast<u32>(23i)) | ((_e730 << bitcast<u32>(((_e740 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e748 >= 255i));
+                                    phi_1280_ = select(((bitcast<u32>(_e734) << bitcast<u32>(23i)) | ((_e716 << bitcast<u32>(((_e726 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e734 >= 255i));
                                 }
-                                let _e762 = phi_1260_;
-                                phi_1261_ = _e762;
+                                let _e748 = phi_1280_;
+                                phi_1281_ = _e748;
                             }
-                            let _e764 = phi_1261_;
-                            phi_1269_ = bitcast<f32>(((_e396 & 2147483648u) | select(_e764, 0u, select(_e737, true, _e758))));
-                            phi_1270_ = bitcast<f32>(((_e391 & 2147483648u) | select(_e718, 0u, select(_e691, true, _e712))));
+                            let _e750 = phi_1281_;
+                            phi_1289_ = bitcast<f32>(((_e397 & 2147483648u) | select(_e750, 0u, select(_e723, true, _e744))));
+                            phi_1290_ = bitcast<f32>(((_e392 & 2147483648u) | select(_e704, 0u, select(_e677, true, _e698))));
                         } else {
-                            phi_1269_ = 0f;
-                            phi_1270_ = 1f;
+                            phi_1289_ = 0f;
+                            phi_1290_ = 1f;
                         }
-                        let _e770 = phi_1269_;
-                        let _e772 = phi_1270_;
+                        let _e756 = phi_1289_;
+                        let _e758 = phi_1290_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -694,1414 +658,1391 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e776 = (_e439 % 3u);
-                        let _e777 = (_e776 < 3u);
-                        if _e777 {
+                        let _e762 = (_e440 % 3u);
+                        let _e763 = (_e762 < 3u);
+                        if _e763 {
                         } else {
                             break;
                         }
-                        let _e779 = local_1[_e776];
-                        let _e782 = (_e438 % 3u);
-                        let _e783 = (_e782 < 3u);
-                        if _e783 {
+                        let _e765 = local_1[_e762];
+                        let _e768 = (_e439 % 3u);
+                        let _e769 = (_e768 < 3u);
+                        if _e769 {
                         } else {
                             break;
                         }
-                        let _e785 = local_1[_e782];
-                        let _e788 = (_e440 % 3u);
-                        let _e789 = (_e788 < 3u);
-                        if _e789 {
+                        let _e771 = local_1[_e768];
+                        let _e774 = (_e441 % 3u);
+                        let _e775 = (_e774 < 3u);
+                        if _e775 {
                         } else {
                             break;
                         }
-                        let _e791 = local_1[_e788];
-                        if _e777 {
+                        let _e777 = local_1[_e774];
+                        if _e763 {
                         } else {
                             break;
                         }
-                        let _e796 = local[_e776];
-                        if _e783 {
+                        let _e782 = local[_e762];
+                        if _e769 {
                         } else {
                             break;
                         }
-                        let _e800 = local[_e782];
-                        if _e789 {
+                        let _e786 = local[_e768];
+                        if _e775 {
                         } else {
                             break;
                         }
-                        let _e804 = local[_e788];
-                        phi_5045_ = false;
-                        phi_1366_ = type_46(_e770, false);
-                        phi_1369_ = ((3u * _e106) + 1u);
-                        phi_1371_ = (_e772 <= _e770);
-                        phi_1373_ = 0u;
-                        phi_1375_ = type_58(type_34(vec4<f32>((f32(_e779) * _e165), (f32(_e785) * _e165), (f32(_e791) * _e165), 0f), vec4<f32>((f32(_e796) * _e165), (f32(_e800) * _e165), (f32(_e804) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
+                        let _e790 = local[_e774];
+                        phi_5142_ = false;
+                        phi_1386_ = type_47(_e756, false);
+                        phi_1389_ = ((3u * _e107) + 1u);
+                        phi_1391_ = (_e758 <= _e756);
+                        phi_1393_ = 0u;
+                        phi_1395_ = type_59(type_34(vec4<f32>((f32(_e765) * _e166), (f32(_e771) * _e166), (f32(_e777) * _e166), 0f), vec4<f32>((f32(_e782) * _e166), (f32(_e786) * _e166), (f32(_e790) * _e166), 0f)), select(0u, 2147483648u, (_e107 == 0u)));
                         loop {
-                            let _e814 = phi_5045_;
-                            let _e816 = phi_1366_;
-                            let _e818 = phi_1369_;
-                            let _e820 = phi_1371_;
-                            let _e822 = phi_1373_;
-                            let _e824 = phi_1375_;
-                            local_10 = _e816;
-                            if _e820 {
-                                phi_1386_ = true;
+                            let _e800 = phi_5142_;
+                            let _e802 = phi_1386_;
+                            let _e804 = phi_1389_;
+                            let _e806 = phi_1391_;
+                            let _e808 = phi_1393_;
+                            let _e810 = phi_1395_;
+                            local_10 = _e802;
+                            if _e806 {
+                                phi_1406_ = true;
                             } else {
-                                phi_1386_ = (_e822 > 0u);
+                                phi_1406_ = (_e808 > 0u);
                             }
-                            let _e827 = phi_1386_;
-                            if _e827 {
-                                let _e828 = (_e818 > 0u);
-                                if _e828 {
-                                    if _e820 {
-                                        phi_1472_ = _e820;
-                                        phi_1473_ = _e822;
-                                        phi_1474_ = _e824;
+                            let _e813 = phi_1406_;
+                            if _e813 {
+                                let _e814 = (_e804 > 0u);
+                                if _e814 {
+                                    if _e806 {
+                                        phi_1492_ = _e806;
+                                        phi_1493_ = _e808;
+                                        phi_1494_ = _e810;
                                     } else {
-                                        let _e829 = (_e822 - 1u);
-                                        let _e830 = (_e829 % 128u);
-                                        let _e831 = (_e830 < 128u);
-                                        if _e831 {
+                                        let _e815 = (_e808 - 1u);
+                                        let _e816 = (_e815 % 128u);
+                                        let _e817 = (_e816 < 128u);
+                                        if _e817 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e833 = local_7[_e830];
-                                        if _e831 {
+                                        let _e819 = local_7[_e816];
+                                        if _e817 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e835 = local_6[_e830];
-                                        if _e831 {
+                                        let _e821 = local_6[_e816];
+                                        if _e817 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e837 = local_5[_e830];
-                                        if _e831 {
+                                        let _e823 = local_5[_e816];
+                                        if _e817 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e839 = local_4[_e830];
-                                        if _e831 {
+                                        let _e825 = local_4[_e816];
+                                        if _e817 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e841 = local_3[_e830];
-                                        if _e831 {
+                                        let _e827 = local_3[_e816];
+                                        if _e817 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e843 = local_2[_e830];
-                                        if _e831 {
+                                        let _e829 = local_2[_e816];
+                                        if _e817 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e848 = local_8[_e830];
-                                        if _e831 {
+                                        let _e834 = local_8[_e816];
+                                        if _e817 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e851 = local_9[_e830];
-                                        phi_1472_ = (_e851 <= _e816.member);
-                                        phi_1473_ = _e829;
-                                        phi_1474_ = type_58(type_34(vec4<f32>(_e833, _e835, _e837, 0f), vec4<f32>(_e839, _e841, _e843, 0f)), _e848);
+                                        let _e837 = local_9[_e816];
+                                        phi_1492_ = (_e837 <= _e802.member);
+                                        phi_1493_ = _e815;
+                                        phi_1494_ = type_59(type_34(vec4<f32>(_e819, _e821, _e823, 0f), vec4<f32>(_e825, _e827, _e829, 0f)), _e834);
                                     }
-                                    let _e855 = phi_1472_;
-                                    let _e857 = phi_1473_;
-                                    let _e859 = phi_1474_;
-                                    if _e855 {
-                                        let _e863 = ((_e859.member_1 & 2147483648u) != 0u);
-                                        let _e864 = (_e859.member_1 & 268435455u);
-                                        if _e863 {
-                                            phi_1493_ = _e816;
-                                            phi_1496_ = type_8(0u, ((_e859.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e841 = phi_1492_;
+                                    let _e843 = phi_1493_;
+                                    let _e845 = phi_1494_;
+                                    if _e841 {
+                                        let _e849 = ((_e845.member_1 & 2147483648u) != 0u);
+                                        let _e850 = (_e845.member_1 & 268435455u);
+                                        if _e849 {
+                                            phi_1513_ = _e802;
+                                            phi_1516_ = type_8(0u, ((_e845.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e871 = phi_1493_;
-                                                let _e873 = phi_1496_;
-                                                local_11 = _e871;
-                                                if (_e873.member < _e873.member_1) {
-                                                    phi_1497_ = type_8((_e873.member + 1u), _e873.member_1);
-                                                    phi_1519_ = type_8(1u, _e873.member);
+                                                let _e857 = phi_1513_;
+                                                let _e859 = phi_1516_;
+                                                local_11 = _e857;
+                                                if (_e859.member < _e859.member_1) {
+                                                    phi_1517_ = type_8((_e859.member + 1u), _e859.member_1);
+                                                    phi_1539_ = type_8(1u, _e859.member);
                                                 } else {
-                                                    phi_1497_ = _e873;
-                                                    phi_1519_ = type_8(0u, type_8().member_1);
+                                                    phi_1517_ = _e859;
+                                                    phi_1539_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e886 = phi_1497_;
-                                                let _e888 = phi_1519_;
-                                                let _e892 = (bitcast<i32>(_e888.member) != 0i);
-                                                if _e892 {
-                                                    let _e897 = (_e859.member.member_1.x - _e859.member.member.x);
-                                                    let _e900 = (_e859.member.member_1.y - _e859.member.member.y);
-                                                    let _e903 = (_e859.member.member_1.z - _e859.member.member.z);
-                                                    let _e905 = select(_e900, _e897, (_e897 > _e900));
-                                                    let _e907 = select(_e903, _e905, (_e905 > _e903));
-                                                    let _e909 = (_e907 < (1024f * _e165));
-                                                    if _e909 {
-                                                        phi_1560_ = 0u;
+                                                let _e872 = phi_1517_;
+                                                let _e874 = phi_1539_;
+                                                let _e878 = (bitcast<i32>(_e874.member) != 0i);
+                                                if _e878 {
+                                                    let _e883 = (_e845.member.member_1.x - _e845.member.member.x);
+                                                    let _e886 = (_e845.member.member_1.y - _e845.member.member.y);
+                                                    let _e889 = (_e845.member.member_1.z - _e845.member.member.z);
+                                                    let _e891 = select(_e886, _e883, (_e883 > _e886));
+                                                    let _e893 = select(_e889, _e891, (_e891 > _e889));
+                                                    let _e895 = (_e893 < (1024f * _e166));
+                                                    if _e895 {
+                                                        phi_1580_ = 0u;
                                                     } else {
-                                                        phi_1560_ = select(2u, 1u, (_e907 < (2097152f * _e165)));
+                                                        phi_1580_ = select(2u, 1u, (_e893 < (2097152f * _e166)));
                                                     }
-                                                    let _e914 = phi_1560_;
-                                                    switch bitcast<i32>(_e914) {
+                                                    let _e900 = phi_1580_;
+                                                    switch bitcast<i32>(_e900) {
                                                         case 0: {
-                                                            phi_1566_ = 1u;
+                                                            phi_1586_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1566_ = 2u;
+                                                            phi_1586_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1566_ = 3u;
+                                                            phi_1586_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1566_ = u32();
+                                                            phi_1586_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e917 = phi_1566_;
-                                                    switch bitcast<i32>(_e914) {
+                                                    let _e903 = phi_1586_;
+                                                    switch bitcast<i32>(_e900) {
                                                         case 0: {
-                                                            phi_1576_ = 1u;
+                                                            phi_1596_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1576_ = 2u;
+                                                            phi_1596_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1576_ = 3u;
+                                                            phi_1596_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1576_ = u32();
+                                                            phi_1596_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e924 = phi_1576_;
-                                                    let _e926 = ((_e864 + (_e888.member_1 * ((3u * _e917) + 1u))) + (3u * _e924));
-                                                    let _e927 = (_e926 < _e109);
-                                                    if _e927 {
-                                                        if _e927 {
+                                                    let _e910 = phi_1596_;
+                                                    let _e912 = ((_e850 + (_e874.member_1 * ((3u * _e903) + 1u))) + (3u * _e910));
+                                                    let _e913 = (_e912 < _e110);
+                                                    if _e913 {
+                                                        if _e913 {
                                                         } else {
-                                                            phi_5039_ = true;
+                                                            phi_5136_ = true;
                                                             break;
                                                         }
-                                                        let _e929 = global_10.member[_e926];
-                                                        phi_1592_ = _e929;
+                                                        let _e915 = global_10.member[_e912];
+                                                        phi_1612_ = _e915;
                                                     } else {
-                                                        phi_1592_ = 4294967295u;
+                                                        phi_1612_ = 4294967295u;
                                                     }
-                                                    let _e931 = phi_1592_;
-                                                    if _e909 {
-                                                        phi_1625_ = 0u;
+                                                    let _e917 = phi_1612_;
+                                                    if _e895 {
+                                                        phi_1645_ = 0u;
                                                     } else {
-                                                        phi_1625_ = select(2u, 1u, (_e907 < (2097152f * _e165)));
+                                                        phi_1645_ = select(2u, 1u, (_e893 < (2097152f * _e166)));
                                                     }
-                                                    let _e936 = phi_1625_;
-                                                    switch bitcast<i32>(_e936) {
+                                                    let _e922 = phi_1645_;
+                                                    switch bitcast<i32>(_e922) {
                                                         case 0: {
-                                                            phi_1631_ = 1u;
+                                                            phi_1651_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1631_ = 2u;
+                                                            phi_1651_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1631_ = 3u;
+                                                            phi_1651_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1631_ = u32();
+                                                            phi_1651_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e939 = phi_1631_;
-                                                    let _e943 = (_e864 + (_e888.member_1 * ((3u * _e939) + 1u)));
-                                                    switch bitcast<i32>(_e936) {
+                                                    let _e925 = phi_1651_;
+                                                    let _e929 = (_e850 + (_e874.member_1 * ((3u * _e925) + 1u)));
+                                                    switch bitcast<i32>(_e922) {
                                                         case 0: {
-                                                            let _e1218 = (_e943 < _e109);
-                                                            if _e1218 {
-                                                                if _e1218 {
+                                                            let _e1204 = (_e929 < _e110);
+                                                            if _e1204 {
+                                                                if _e1204 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1220 = global_10.member[_e943];
-                                                                phi_1658_ = _e1220;
+                                                                let _e1206 = global_10.member[_e929];
+                                                                phi_1678_ = _e1206;
                                                             } else {
-                                                                phi_1658_ = 0u;
+                                                                phi_1678_ = 0u;
                                                             }
-                                                            let _e1222 = phi_1658_;
-                                                            let _e1224 = ((10u * _e439) & 31u);
-                                                            let _e1234 = ((10u * _e438) & 31u);
-                                                            let _e1244 = ((10u * _e440) & 31u);
-                                                            let _e1254 = (_e943 + 1u);
-                                                            let _e1255 = (_e1254 < _e109);
-                                                            if _e1255 {
-                                                                if _e1255 {
+                                                            let _e1208 = phi_1678_;
+                                                            let _e1210 = ((10u * _e440) & 31u);
+                                                            let _e1220 = ((10u * _e439) & 31u);
+                                                            let _e1230 = ((10u * _e441) & 31u);
+                                                            let _e1240 = (_e929 + 1u);
+                                                            let _e1241 = (_e1240 < _e110);
+                                                            if _e1241 {
+                                                                if _e1241 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1257 = global_10.member[_e1254];
-                                                                phi_1707_ = _e1257;
+                                                                let _e1243 = global_10.member[_e1240];
+                                                                phi_1727_ = _e1243;
                                                             } else {
-                                                                phi_1707_ = 0u;
+                                                                phi_1727_ = 0u;
                                                             }
-                                                            let _e1259 = phi_1707_;
-                                                            let _e1285 = (_e943 + 2u);
-                                                            let _e1286 = (_e1285 < _e109);
-                                                            if _e1286 {
-                                                                if _e1286 {
+                                                            let _e1245 = phi_1727_;
+                                                            let _e1271 = (_e929 + 2u);
+                                                            let _e1272 = (_e1271 < _e110);
+                                                            if _e1272 {
+                                                                if _e1272 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1288 = global_10.member[_e1285];
-                                                                phi_1756_ = _e1288;
+                                                                let _e1274 = global_10.member[_e1271];
+                                                                phi_1776_ = _e1274;
                                                             } else {
-                                                                phi_1756_ = 0u;
+                                                                phi_1776_ = 0u;
                                                             }
-                                                            let _e1290 = phi_1756_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1222 >> bitcast<u32>(_e1224)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1222 >> bitcast<u32>(_e1234)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1222 >> bitcast<u32>(_e1244)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1259 >> bitcast<u32>(_e1224)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1259 >> bitcast<u32>(_e1234)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1259 >> bitcast<u32>(_e1244)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1290 >> bitcast<u32>(_e1224)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1290 >> bitcast<u32>(_e1234)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1290 >> bitcast<u32>(_e1244)) & 1023u))) - 8388608f) * _e165))));
+                                                            let _e1276 = phi_1776_;
+                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | ((_e1208 >> bitcast<u32>(_e1210)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | ((_e1208 >> bitcast<u32>(_e1220)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | ((_e1208 >> bitcast<u32>(_e1230)) & 1023u))) - 8388608f) * _e166))), array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | ((_e1245 >> bitcast<u32>(_e1210)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | ((_e1245 >> bitcast<u32>(_e1220)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | ((_e1245 >> bitcast<u32>(_e1230)) & 1023u))) - 8388608f) * _e166))), array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | ((_e1276 >> bitcast<u32>(_e1210)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | ((_e1276 >> bitcast<u32>(_e1220)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | ((_e1276 >> bitcast<u32>(_e1230)) & 1023u))) - 8388608f) * _e166))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1032 = (_e943 < _e109);
-                                                            if _e1032 {
-                                                                if _e1032 {
+                                                            let _e1018 = (_e929 < _e110);
+                                                            if _e1018 {
+                                                                if _e1018 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1034 = global_10.member[_e943];
-                                                                phi_1805_ = _e1034;
+                                                                let _e1020 = global_10.member[_e929];
+                                                                phi_1825_ = _e1020;
                                                             } else {
-                                                                phi_1805_ = 0u;
+                                                                phi_1825_ = 0u;
                                                             }
-                                                            let _e1036 = phi_1805_;
-                                                            let _e1037 = (_e943 + 1u);
-                                                            let _e1038 = (_e1037 < _e109);
-                                                            if _e1038 {
-                                                                if _e1038 {
+                                                            let _e1022 = phi_1825_;
+                                                            let _e1023 = (_e929 + 1u);
+                                                            let _e1024 = (_e1023 < _e110);
+                                                            if _e1024 {
+                                                                if _e1024 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1040 = global_10.member[_e1037];
-                                                                phi_1820_ = _e1040;
+                                                                let _e1026 = global_10.member[_e1023];
+                                                                phi_1840_ = _e1026;
                                                             } else {
-                                                                phi_1820_ = 0u;
+                                                                phi_1840_ = 0u;
                                                             }
-                                                            let _e1042 = phi_1820_;
-                                                            let _e1043 = (_e439 == 1u);
-                                                            if _e1043 {
-                                                                phi_1830_ = ((_e1036 >> bitcast<u32>(21i)) | (_e1042 << bitcast<u32>(11i)));
+                                                            let _e1028 = phi_1840_;
+                                                            let _e1029 = (_e440 == 1u);
+                                                            if _e1029 {
+                                                                phi_1850_ = ((_e1022 >> bitcast<u32>(21i)) | (_e1028 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1830_ = (_e1042 >> bitcast<u32>(10i));
+                                                                phi_1850_ = (_e1028 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1052 = phi_1830_;
-                                                            let _e1060 = (_e438 == 1u);
-                                                            if _e1060 {
-                                                                phi_1851_ = ((_e1036 >> bitcast<u32>(21i)) | (_e1042 << bitcast<u32>(11i)));
+                                                            let _e1038 = phi_1850_;
+                                                            let _e1046 = (_e439 == 1u);
+                                                            if _e1046 {
+                                                                phi_1871_ = ((_e1022 >> bitcast<u32>(21i)) | (_e1028 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1851_ = (_e1042 >> bitcast<u32>(10i));
+                                                                phi_1871_ = (_e1028 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1069 = phi_1851_;
-                                                            let _e1077 = (_e440 == 1u);
-                                                            if _e1077 {
-                                                                phi_1872_ = ((_e1036 >> bitcast<u32>(21i)) | (_e1042 << bitcast<u32>(11i)));
+                                                            let _e1055 = phi_1871_;
+                                                            let _e1063 = (_e441 == 1u);
+                                                            if _e1063 {
+                                                                phi_1892_ = ((_e1022 >> bitcast<u32>(21i)) | (_e1028 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1872_ = (_e1042 >> bitcast<u32>(10i));
+                                                                phi_1892_ = (_e1028 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1086 = phi_1872_;
-                                                            let _e1095 = (_e943 + 2u);
-                                                            let _e1096 = (_e1095 < _e109);
-                                                            if _e1096 {
-                                                                if _e1096 {
+                                                            let _e1072 = phi_1892_;
+                                                            let _e1081 = (_e929 + 2u);
+                                                            let _e1082 = (_e1081 < _e110);
+                                                            if _e1082 {
+                                                                if _e1082 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1098 = global_10.member[_e1095];
-                                                                phi_1902_ = _e1098;
+                                                                let _e1084 = global_10.member[_e1081];
+                                                                phi_1922_ = _e1084;
                                                             } else {
-                                                                phi_1902_ = 0u;
+                                                                phi_1922_ = 0u;
                                                             }
-                                                            let _e1100 = phi_1902_;
-                                                            let _e1101 = (_e943 + 3u);
-                                                            let _e1102 = (_e1101 < _e109);
-                                                            if _e1102 {
-                                                                if _e1102 {
+                                                            let _e1086 = phi_1922_;
+                                                            let _e1087 = (_e929 + 3u);
+                                                            let _e1088 = (_e1087 < _e110);
+                                                            if _e1088 {
+                                                                if _e1088 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1104 = global_10.member[_e1101];
-                                                                phi_1917_ = _e1104;
+                                                                let _e1090 = global_10.member[_e1087];
+                                                                phi_1937_ = _e1090;
                                                             } else {
-                                                                phi_1917_ = 0u;
+                                                                phi_1937_ = 0u;
                                                             }
-                                                            let _e1106 = phi_1917_;
-                                                            if _e1043 {
-                                                                phi_1927_ = ((_e1100 >> bitcast<u32>(21i)) | (_e1106 << bitcast<u32>(11i)));
+                                                            let _e1092 = phi_1937_;
+                                                            if _e1029 {
+                                                                phi_1947_ = ((_e1086 >> bitcast<u32>(21i)) | (_e1092 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1927_ = (_e1106 >> bitcast<u32>(10i));
+                                                                phi_1947_ = (_e1092 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1115 = phi_1927_;
-                                                            if _e1060 {
-                                                                phi_1948_ = ((_e1100 >> bitcast<u32>(21i)) | (_e1106 << bitcast<u32>(11i)));
+                                                            let _e1101 = phi_1947_;
+                                                            if _e1046 {
+                                                                phi_1968_ = ((_e1086 >> bitcast<u32>(21i)) | (_e1092 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1948_ = (_e1106 >> bitcast<u32>(10i));
+                                                                phi_1968_ = (_e1092 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1131 = phi_1948_;
-                                                            if _e1077 {
-                                                                phi_1969_ = ((_e1100 >> bitcast<u32>(21i)) | (_e1106 << bitcast<u32>(11i)));
+                                                            let _e1117 = phi_1968_;
+                                                            if _e1063 {
+                                                                phi_1989_ = ((_e1086 >> bitcast<u32>(21i)) | (_e1092 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1969_ = (_e1106 >> bitcast<u32>(10i));
+                                                                phi_1989_ = (_e1092 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1147 = phi_1969_;
-                                                            let _e1156 = (_e943 + 4u);
-                                                            let _e1157 = (_e1156 < _e109);
-                                                            if _e1157 {
-                                                                if _e1157 {
+                                                            let _e1133 = phi_1989_;
+                                                            let _e1142 = (_e929 + 4u);
+                                                            let _e1143 = (_e1142 < _e110);
+                                                            if _e1143 {
+                                                                if _e1143 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1159 = global_10.member[_e1156];
-                                                                phi_1999_ = _e1159;
+                                                                let _e1145 = global_10.member[_e1142];
+                                                                phi_2019_ = _e1145;
                                                             } else {
-                                                                phi_1999_ = 0u;
+                                                                phi_2019_ = 0u;
                                                             }
-                                                            let _e1161 = phi_1999_;
-                                                            let _e1162 = (_e943 + 5u);
-                                                            let _e1163 = (_e1162 < _e109);
-                                                            if _e1163 {
-                                                                if _e1163 {
+                                                            let _e1147 = phi_2019_;
+                                                            let _e1148 = (_e929 + 5u);
+                                                            let _e1149 = (_e1148 < _e110);
+                                                            if _e1149 {
+                                                                if _e1149 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1165 = global_10.member[_e1162];
-                                                                phi_2014_ = _e1165;
+                                                                let _e1151 = global_10.member[_e1148];
+                                                                phi_2034_ = _e1151;
                                                             } else {
-                                                                phi_2014_ = 0u;
+                                                                phi_2034_ = 0u;
                                                             }
-                                                            let _e1167 = phi_2014_;
-                                                            if _e1043 {
-                                                                phi_2024_ = ((_e1161 >> bitcast<u32>(21i)) | (_e1167 << bitcast<u32>(11i)));
+                                                            let _e1153 = phi_2034_;
+                                                            if _e1029 {
+                                                                phi_2044_ = ((_e1147 >> bitcast<u32>(21i)) | (_e1153 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2024_ = (_e1167 >> bitcast<u32>(10i));
+                                                                phi_2044_ = (_e1153 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1176 = phi_2024_;
-                                                            if _e1060 {
-                                                                phi_2045_ = ((_e1161 >> bitcast<u32>(21i)) | (_e1167 << bitcast<u32>(11i)));
+                                                            let _e1162 = phi_2044_;
+                                                            if _e1046 {
+                                                                phi_2065_ = ((_e1147 >> bitcast<u32>(21i)) | (_e1153 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2045_ = (_e1167 >> bitcast<u32>(10i));
+                                                                phi_2065_ = (_e1153 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1192 = phi_2045_;
-                                                            if _e1077 {
-                                                                phi_2066_ = ((_e1161 >> bitcast<u32>(21i)) | (_e1167 << bitcast<u32>(11i)));
+                                                            let _e1178 = phi_2065_;
+                                                            if _e1063 {
+                                                                phi_2086_ = ((_e1147 >> bitcast<u32>(21i)) | (_e1153 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2066_ = (_e1167 >> bitcast<u32>(10i));
+                                                                phi_2086_ = (_e1153 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1208 = phi_2066_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1052, _e1036, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1069, _e1036, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1086, _e1036, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1115, _e1100, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1131, _e1100, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1147, _e1100, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1176, _e1161, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1192, _e1161, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1208, _e1161, _e596) & 2097151u))) - 8388608f) * _e165))));
+                                                            let _e1194 = phi_2086_;
+                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1038, _e1022, _e464) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1055, _e1022, _e529) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1072, _e1022, _e593) & 2097151u))) - 8388608f) * _e166))), array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1101, _e1086, _e464) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1117, _e1086, _e529) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1133, _e1086, _e593) & 2097151u))) - 8388608f) * _e166))), array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1162, _e1147, _e464) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1178, _e1147, _e529) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1194, _e1147, _e593) & 2097151u))) - 8388608f) * _e166))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e945 = (_e943 + _e439);
-                                                            let _e946 = (_e945 < _e109);
-                                                            if _e946 {
-                                                                if _e946 {
+                                                            let _e931 = (_e929 + _e440);
+                                                            let _e932 = (_e931 < _e110);
+                                                            if _e932 {
+                                                                if _e932 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e948 = global_10.member[_e945];
-                                                                phi_2097_ = _e948;
+                                                                let _e934 = global_10.member[_e931];
+                                                                phi_2117_ = _e934;
                                                             } else {
-                                                                phi_2097_ = 0u;
+                                                                phi_2117_ = 0u;
                                                             }
-                                                            let _e950 = phi_2097_;
-                                                            let _e954 = (_e943 + _e438);
-                                                            let _e955 = (_e954 < _e109);
-                                                            if _e955 {
-                                                                if _e955 {
+                                                            let _e936 = phi_2117_;
+                                                            let _e940 = (_e929 + _e439);
+                                                            let _e941 = (_e940 < _e110);
+                                                            if _e941 {
+                                                                if _e941 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e957 = global_10.member[_e954];
-                                                                phi_2115_ = _e957;
+                                                                let _e943 = global_10.member[_e940];
+                                                                phi_2135_ = _e943;
                                                             } else {
-                                                                phi_2115_ = 0u;
+                                                                phi_2135_ = 0u;
                                                             }
-                                                            let _e959 = phi_2115_;
-                                                            let _e963 = (_e943 + _e440);
-                                                            let _e964 = (_e963 < _e109);
-                                                            if _e964 {
-                                                                if _e964 {
+                                                            let _e945 = phi_2135_;
+                                                            let _e949 = (_e929 + _e441);
+                                                            let _e950 = (_e949 < _e110);
+                                                            if _e950 {
+                                                                if _e950 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e966 = global_10.member[_e963];
-                                                                phi_2133_ = _e966;
+                                                                let _e952 = global_10.member[_e949];
+                                                                phi_2153_ = _e952;
                                                             } else {
-                                                                phi_2133_ = 0u;
+                                                                phi_2153_ = 0u;
                                                             }
-                                                            let _e968 = phi_2133_;
-                                                            let _e973 = (_e943 + 3u);
-                                                            let _e974 = (_e973 + _e439);
-                                                            let _e975 = (_e974 < _e109);
-                                                            if _e975 {
-                                                                if _e975 {
+                                                            let _e954 = phi_2153_;
+                                                            let _e959 = (_e929 + 3u);
+                                                            let _e960 = (_e959 + _e440);
+                                                            let _e961 = (_e960 < _e110);
+                                                            if _e961 {
+                                                                if _e961 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e977 = global_10.member[_e974];
-                                                                phi_2156_ = _e977;
+                                                                let _e963 = global_10.member[_e960];
+                                                                phi_2176_ = _e963;
                                                             } else {
-                                                                phi_2156_ = 0u;
+                                                                phi_2176_ = 0u;
                                                             }
-                                                            let _e979 = phi_2156_;
-                                                            let _e983 = (_e973 + _e438);
-                                                            let _e984 = (_e983 < _e109);
-                                                            if _e984 {
-                                                                if _e984 {
+                                                            let _e965 = phi_2176_;
+                                                            let _e969 = (_e959 + _e439);
+                                                            let _e970 = (_e969 < _e110);
+                                                            if _e970 {
+                                                                if _e970 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e986 = global_10.member[_e983];
-                                                                phi_2174_ = _e986;
+                                                                let _e972 = global_10.member[_e969];
+                                                                phi_2194_ = _e972;
                                                             } else {
-                                                                phi_2174_ = 0u;
+                                                                phi_2194_ = 0u;
                                                             }
-                                                            let _e988 = phi_2174_;
-                                                            let _e992 = (_e973 + _e440);
-                                                            let _e993 = (_e992 < _e109);
-                                                            if _e993 {
-                                                                if _e993 {
+                                                            let _e974 = phi_2194_;
+                                                            let _e978 = (_e959 + _e441);
+                                                            let _e979 = (_e978 < _e110);
+                                                            if _e979 {
+                                                                if _e979 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e995 = global_10.member[_e992];
-                                                                phi_2192_ = _e995;
+                                                                let _e981 = global_10.member[_e978];
+                                                                phi_2212_ = _e981;
                                                             } else {
-                                                                phi_2192_ = 0u;
+                                                                phi_2212_ = 0u;
                                                             }
-                                                            let _e997 = phi_2192_;
-                                                            let _e1002 = (_e943 + 6u);
-                                                            let _e1003 = (_e1002 + _e439);
-                                                            let _e1004 = (_e1003 < _e109);
-                                                            if _e1004 {
-                                                                if _e1004 {
+                                                            let _e983 = phi_2212_;
+                                                            let _e988 = (_e929 + 6u);
+                                                            let _e989 = (_e988 + _e440);
+                                                            let _e990 = (_e989 < _e110);
+                                                            if _e990 {
+                                                                if _e990 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1006 = global_10.member[_e1003];
-                                                                phi_2215_ = _e1006;
+                                                                let _e992 = global_10.member[_e989];
+                                                                phi_2235_ = _e992;
                                                             } else {
-                                                                phi_2215_ = 0u;
+                                                                phi_2235_ = 0u;
                                                             }
-                                                            let _e1008 = phi_2215_;
-                                                            let _e1012 = (_e1002 + _e438);
-                                                            let _e1013 = (_e1012 < _e109);
-                                                            if _e1013 {
-                                                                if _e1013 {
+                                                            let _e994 = phi_2235_;
+                                                            let _e998 = (_e988 + _e439);
+                                                            let _e999 = (_e998 < _e110);
+                                                            if _e999 {
+                                                                if _e999 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1015 = global_10.member[_e1012];
-                                                                phi_2233_ = _e1015;
+                                                                let _e1001 = global_10.member[_e998];
+                                                                phi_2253_ = _e1001;
                                                             } else {
-                                                                phi_2233_ = 0u;
+                                                                phi_2253_ = 0u;
                                                             }
-                                                            let _e1017 = phi_2233_;
-                                                            let _e1021 = (_e1002 + _e440);
-                                                            let _e1022 = (_e1021 < _e109);
-                                                            if _e1022 {
-                                                                if _e1022 {
+                                                            let _e1003 = phi_2253_;
+                                                            let _e1007 = (_e988 + _e441);
+                                                            let _e1008 = (_e1007 < _e110);
+                                                            if _e1008 {
+                                                                if _e1008 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1024 = global_10.member[_e1021];
-                                                                phi_2251_ = _e1024;
+                                                                let _e1010 = global_10.member[_e1007];
+                                                                phi_2271_ = _e1010;
                                                             } else {
-                                                                phi_2251_ = 0u;
+                                                                phi_2271_ = 0u;
                                                             }
-                                                            let _e1026 = phi_2251_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e950)) * _e165), (f32(bitcast<i32>(_e959)) * _e165), (f32(bitcast<i32>(_e968)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e979)) * _e165), (f32(bitcast<i32>(_e988)) * _e165), (f32(bitcast<i32>(_e997)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1008)) * _e165), (f32(bitcast<i32>(_e1017)) * _e165), (f32(bitcast<i32>(_e1026)) * _e165)));
+                                                            let _e1012 = phi_2271_;
+                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e936)) * _e166), (f32(bitcast<i32>(_e945)) * _e166), (f32(bitcast<i32>(_e954)) * _e166)), array<f32, 3>((f32(bitcast<i32>(_e965)) * _e166), (f32(bitcast<i32>(_e974)) * _e166), (f32(bitcast<i32>(_e983)) * _e166)), array<f32, 3>((f32(bitcast<i32>(_e994)) * _e166), (f32(bitcast<i32>(_e1003)) * _e166), (f32(bitcast<i32>(_e1012)) * _e166)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2257_ = array<array<f32, 3>, 3>();
+                                                            phi_2277_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1318 = phi_2257_;
-                                                    let _e1326 = (_e1318[0][2] - _e619);
-                                                    let _e1329 = (((_e1318[0][0] - _e486) * _e658) - (_e1326 * _e526));
-                                                    let _e1332 = (((_e1318[0][1] - _e553) * _e658) - (_e1326 * _e592));
-                                                    let _e1339 = (_e1318[1][2] - _e619);
-                                                    let _e1342 = (((_e1318[1][0] - _e486) * _e658) - (_e1339 * _e526));
-                                                    let _e1345 = (((_e1318[1][1] - _e553) * _e658) - (_e1339 * _e592));
-                                                    let _e1352 = (_e1318[2][2] - _e619);
-                                                    let _e1355 = (((_e1318[2][0] - _e486) * _e658) - (_e1352 * _e526));
-                                                    let _e1358 = (((_e1318[2][1] - _e553) * _e658) - (_e1352 * _e592));
-                                                    let _e1359 = (_e1355 * _e1345);
-                                                    let _e1360 = (_e1358 * _e1342);
-                                                    let _e1361 = (_e1329 * _e1358);
-                                                    let _e1362 = (_e1332 * _e1355);
-                                                    let _e1363 = (_e1342 * _e1332);
-                                                    let _e1364 = (_e1345 * _e1329);
-                                                    let _e1369 = (((_e1359 >= _e1360) && (_e1361 >= _e1362)) && (_e1363 >= _e1364));
-                                                    if (_e1369 || (((_e1359 <= _e1360) && (_e1361 <= _e1362)) && (_e1363 <= _e1364))) {
-                                                        let _e1376 = select(-1f, 1f, _e1369);
-                                                        let _e1378 = ((_e1359 - _e1360) * _e1376);
-                                                        let _e1380 = select(0f, _e1378, (_e1378 > 0f));
-                                                        let _e1382 = ((_e1361 - _e1362) * _e1376);
-                                                        let _e1384 = select(0f, _e1382, (_e1382 > 0f));
-                                                        let _e1386 = ((_e1363 - _e1364) * _e1376);
-                                                        let _e1388 = select(0f, _e1386, (_e1386 > 0f));
-                                                        let _e1390 = ((_e1380 + _e1384) + _e1388);
-                                                        if (_e1390 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_3141_ = type_25();
-                                                            phi_3142_ = true;
-                                                            phi_3143_ = false;
+                                                    let _e1304 = phi_2277_;
+                                                    let _e1320 = (_e1304[0][2] - _e616);
+                                                    let _e1323 = (((_e1304[0][0] - _e487) * _e652) - (_e1320 * _e524));
+                                                    let _e1326 = (((_e1304[0][1] - _e552) * _e652) - (_e1320 * _e588));
+                                                    let _e1329 = (_e1304[1][2] - _e616);
+                                                    let _e1332 = (((_e1304[1][0] - _e487) * _e652) - (_e1329 * _e524));
+                                                    let _e1335 = (((_e1304[1][1] - _e552) * _e652) - (_e1329 * _e588));
+                                                    let _e1338 = (_e1304[2][2] - _e616);
+                                                    let _e1341 = (((_e1304[2][0] - _e487) * _e652) - (_e1338 * _e524));
+                                                    let _e1344 = (((_e1304[2][1] - _e552) * _e652) - (_e1338 * _e588));
+                                                    let _e1345 = (_e1341 * _e1335);
+                                                    let _e1346 = (_e1344 * _e1332);
+                                                    let _e1347 = (_e1323 * _e1344);
+                                                    let _e1348 = (_e1326 * _e1341);
+                                                    let _e1349 = (_e1332 * _e1326);
+                                                    let _e1350 = (_e1335 * _e1323);
+                                                    let _e1355 = (((_e1345 >= _e1346) && (_e1347 >= _e1348)) && (_e1349 >= _e1350));
+                                                    let _e1361 = (_e1355 || (((_e1345 <= _e1346) && (_e1347 <= _e1348)) && (_e1349 <= _e1350)));
+                                                    if _e1361 {
+                                                        let _e1363 = select(-1f, 1f, _e1355);
+                                                        let _e1365 = ((_e1345 - _e1346) * _e1363);
+                                                        let _e1367 = select(0f, _e1365, (_e1365 > 0f));
+                                                        let _e1369 = ((_e1347 - _e1348) * _e1363);
+                                                        let _e1371 = select(0f, _e1369, (_e1369 > 0f));
+                                                        let _e1373 = ((_e1349 - _e1350) * _e1363);
+                                                        let _e1375 = select(0f, _e1373, (_e1373 > 0f));
+                                                        let _e1377 = ((_e1367 + _e1371) + _e1375);
+                                                        let _e1379 = select(_e1304[1][0], _e1304[0][0], (_e1304[0][0] < _e1304[1][0]));
+                                                        let _e1383 = select(_e1304[1][0], _e1304[0][0], (_e1304[0][0] > _e1304[1][0]));
+                                                        let _e1387 = select(_e1304[1][1], _e1304[0][1], (_e1304[0][1] < _e1304[1][1]));
+                                                        let _e1391 = select(_e1304[1][1], _e1304[0][1], (_e1304[0][1] > _e1304[1][1]));
+                                                        let _e1395 = select(_e1304[1][2], _e1304[0][2], (_e1304[0][2] < _e1304[1][2]));
+                                                        let _e1399 = select(_e1304[1][2], _e1304[0][2], (_e1304[0][2] > _e1304[1][2]));
+                                                        let _e1404 = ((select(_e1304[2][0], _e1379, (_e1379 < _e1304[2][0])) - _e525) * _e528);
+                                                        let _e1405 = ((select(_e1304[2][0], _e1383, (_e1383 > _e1304[2][0])) - _e526) * _e528);
+                                                        let _e1408 = ((select(_e1304[2][1], _e1387, (_e1387 < _e1304[2][1])) - _e589) * _e592);
+                                                        let _e1409 = ((select(_e1304[2][1], _e1391, (_e1391 > _e1304[2][1])) - _e590) * _e592);
+                                                        let _e1412 = ((select(_e1304[2][2], _e1395, (_e1395 < _e1304[2][2])) - _e653) * _e656);
+                                                        let _e1413 = ((select(_e1304[2][2], _e1399, (_e1399 > _e1304[2][2])) - _e654) * _e656);
+                                                        let _e1415 = select(_e1413, _e1412, (_e1412 < _e1413));
+                                                        let _e1417 = select(_e1413, _e1412, (_e1412 > _e1413));
+                                                        let _e1419 = select(_e1405, _e1404, (_e1404 < _e1405));
+                                                        let _e1421 = select(_e1409, _e1408, (_e1408 < _e1409));
+                                                        let _e1423 = select(_e1421, _e1419, (_e1419 > _e1421));
+                                                        let _e1425 = select(_e1415, _e1423, (_e1423 > _e1415));
+                                                        let _e1427 = select(_e1405, _e1404, (_e1404 > _e1405));
+                                                        let _e1429 = select(_e1409, _e1408, (_e1408 > _e1409));
+                                                        let _e1431 = select(_e1429, _e1427, (_e1427 < _e1429));
+                                                        let _e1433 = select(_e1417, _e1431, (_e1431 < _e1417));
+                                                        let _e1434 = -(_e1415);
+                                                        let _e1440 = select(_e758, _e1425, (_e1425 > _e758));
+                                                        let _e1444 = select(_e1332, _e1323, (_e1323 < _e1332));
+                                                        let _e1449 = select(_e1332, _e1323, (_e1323 > _e1332));
+                                                        let _e1456 = select(_e1335, _e1326, (_e1326 < _e1335));
+                                                        let _e1461 = select(_e1335, _e1326, (_e1326 > _e1335));
+                                                        let _e1470 = (((((_e1361 && (_e1377 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1341, _e1444, (_e1444 < _e1341)) <= 0f) && (select(_e1341, _e1449, (_e1449 > _e1341)) >= 0f))) && ((select(_e1344, _e1456, (_e1456 < _e1344)) <= 0f) && (select(_e1344, _e1461, (_e1461 > _e1344)) >= 0f))) && (_e1440 <= (_e1433 + (select(_e1434, _e1417, (_e1417 > _e1434)) * 0.0000019073523f)))) && (_e1440 <= _e857.member));
+                                                        if _e1470 {
+                                                            let _e1475 = (_e1304[1][0] - _e1304[0][0]);
+                                                            let _e1476 = (_e1304[1][1] - _e1304[0][1]);
+                                                            let _e1477 = (_e1304[1][2] - _e1304[0][2]);
+                                                            let _e1478 = vec3<f32>(_e1475, _e1476, _e1477);
+                                                            let _e1479 = (_e1304[2][0] - _e1304[1][0]);
+                                                            let _e1480 = (_e1304[2][1] - _e1304[1][1]);
+                                                            let _e1481 = (_e1304[2][2] - _e1304[1][2]);
+                                                            let _e1482 = vec3<f32>(_e1479, _e1480, _e1481);
+                                                            let _e1483 = (_e1304[0][0] - _e1304[2][0]);
+                                                            let _e1484 = (_e1304[0][1] - _e1304[2][1]);
+                                                            let _e1485 = (_e1304[0][2] - _e1304[2][2]);
+                                                            let _e1486 = vec3<f32>(_e1483, _e1484, _e1485);
+                                                            let _e1487 = abs(_e1475);
+                                                            let _e1488 = abs(_e1476);
+                                                            if (_e1487 != _e1487) {
+                                                                phi_4777_ = true;
+                                                            } else {
+                                                                phi_4777_ = (_e1488 >= _e1487);
+                                                            }
+                                                            let _e1492 = phi_4777_;
+                                                            let _e1493 = select(_e1487, _e1488, _e1492);
+                                                            let _e1494 = abs(_e1477);
+                                                            if (_e1493 != _e1493) {
+                                                                phi_4792_ = true;
+                                                            } else {
+                                                                phi_4792_ = (_e1494 >= _e1493);
+                                                            }
+                                                            let _e1498 = phi_4792_;
+                                                            let _e1499 = select(_e1493, _e1494, _e1498);
+                                                            let _e1500 = abs(_e1479);
+                                                            let _e1501 = abs(_e1480);
+                                                            if (_e1500 != _e1500) {
+                                                                phi_4807_ = true;
+                                                            } else {
+                                                                phi_4807_ = (_e1501 >= _e1500);
+                                                            }
+                                                            let _e1505 = phi_4807_;
+                                                            let _e1506 = select(_e1500, _e1501, _e1505);
+                                                            let _e1507 = abs(_e1481);
+                                                            if (_e1506 != _e1506) {
+                                                                phi_4822_ = true;
+                                                            } else {
+                                                                phi_4822_ = (_e1507 >= _e1506);
+                                                            }
+                                                            let _e1511 = phi_4822_;
+                                                            let _e1512 = select(_e1506, _e1507, _e1511);
+                                                            let _e1513 = abs(_e1483);
+                                                            let _e1514 = abs(_e1484);
+                                                            if (_e1513 != _e1513) {
+                                                                phi_4837_ = true;
+                                                            } else {
+                                                                phi_4837_ = (_e1514 >= _e1513);
+                                                            }
+                                                            let _e1518 = phi_4837_;
+                                                            let _e1519 = select(_e1513, _e1514, _e1518);
+                                                            let _e1520 = abs(_e1485);
+                                                            if (_e1519 != _e1519) {
+                                                                phi_4852_ = true;
+                                                            } else {
+                                                                phi_4852_ = (_e1520 >= _e1519);
+                                                            }
+                                                            let _e1524 = phi_4852_;
+                                                            let _e1525 = select(_e1519, _e1520, _e1524);
+                                                            let _e1527 = select(_e1512, _e1499, (_e1499 > _e1512));
+                                                            let _e1529 = select(_e1525, _e1527, (_e1527 > _e1525));
+                                                            if (_e1499 == _e1529) {
+                                                                phi_2819_ = _e1335;
+                                                                phi_2820_ = _e1332;
+                                                                phi_2821_ = _e1326;
+                                                                phi_2822_ = _e1323;
+                                                                phi_2823_ = vec3<f32>(_e1304[0][0], _e1304[0][1], _e1304[0][2]);
+                                                                phi_2824_ = _e1486;
+                                                                phi_2825_ = _e1482;
+                                                                phi_2826_ = _e1478;
+                                                            } else {
+                                                                let _e1531 = (_e1512 == _e1529);
+                                                                let _e1536 = vec3(_e1531);
+                                                                phi_2819_ = select(_e1326, _e1344, _e1531);
+                                                                phi_2820_ = select(_e1323, _e1341, _e1531);
+                                                                phi_2821_ = select(_e1344, _e1335, _e1531);
+                                                                phi_2822_ = select(_e1341, _e1332, _e1531);
+                                                                phi_2823_ = select(vec3<f32>(_e1304[2][0], _e1304[2][1], _e1304[2][2]), vec3<f32>(_e1304[1][0], _e1304[1][1], _e1304[1][2]), _e1536);
+                                                                phi_2824_ = select(_e1482, _e1478, _e1536);
+                                                                phi_2825_ = select(_e1478, _e1486, _e1536);
+                                                                phi_2826_ = select(_e1486, _e1482, _e1536);
+                                                            }
+                                                            let _e1542 = phi_2819_;
+                                                            let _e1544 = phi_2820_;
+                                                            let _e1546 = phi_2821_;
+                                                            let _e1548 = phi_2822_;
+                                                            let _e1550 = phi_2823_;
+                                                            let _e1552 = phi_2824_;
+                                                            let _e1554 = phi_2825_;
+                                                            let _e1556 = phi_2826_;
+                                                            let _e1563 = ((_e1554.y * _e1552.z) - (_e1552.y * _e1554.z));
+                                                            let _e1568 = ((_e1554.z * _e1552.x) - (_e1552.z * _e1554.x));
+                                                            let _e1571 = ((_e1554.x * _e1552.y) - (_e1552.x * _e1554.y));
+                                                            let _e1574 = ((_e1367 >= _e1371) && (_e1367 >= _e1375));
+                                                            let _e1575 = (_e1371 >= _e1375);
+                                                            let _e1589 = (((_e1563 * (select(select(_e1304[2][0], _e1304[1][0], _e1575), _e1304[0][0], _e1574) - _e487)) + (_e1568 * (select(select(_e1304[2][1], _e1304[1][1], _e1575), _e1304[0][1], _e1574) - _e552))) + (_e1571 * (select(select(_e1304[2][2], _e1304[1][2], _e1575), _e1304[0][2], _e1574) - _e616)));
+                                                            let _e1594 = (((_e1563 * _e524) + (_e1568 * _e588)) + (_e1571 * _e652));
+                                                            let _e1595 = (_e1544 - _e1548);
+                                                            let _e1596 = (_e1542 - _e1546);
+                                                            let _e1599 = ((_e1595 * _e1595) + (_e1596 * _e1596));
+                                                            let _e1606 = (-(((_e1548 * _e1595) + (_e1546 * _e1596))) / select(0.000000000000000000000000000000000000011754944f, _e1599, (_e1599 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1608 = select(1f, _e1606, (_e1606 < 1f));
+                                                            let _e1610 = select(0f, _e1608, (_e1608 > 0f));
+                                                            let _e1619 = ((_e1550.x + (_e1556.x * _e1610)) - _e487);
+                                                            let _e1622 = ((_e1550.y + (_e1556.y * _e1610)) - _e552);
+                                                            let _e1625 = ((_e1550.z + (_e1556.z * _e1610)) - _e616);
+                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1619) & 2147483647u));
+                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
+                                                            let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
+                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
+                                                            let _e1638 = select(_e1636, _e1633, (_e1633 > _e1636));
+                                                            let _e1642 = abs(_e1563);
+                                                            let _e1643 = abs(_e1568);
+                                                            if (_e1642 != _e1642) {
+                                                                phi_4867_ = true;
+                                                            } else {
+                                                                phi_4867_ = (_e1643 >= _e1642);
+                                                            }
+                                                            let _e1647 = phi_4867_;
+                                                            let _e1648 = select(_e1642, _e1643, _e1647);
+                                                            let _e1649 = abs(_e1571);
+                                                            if (_e1648 != _e1648) {
+                                                                phi_4882_ = true;
+                                                            } else {
+                                                                phi_4882_ = (_e1649 >= _e1648);
+                                                            }
+                                                            let _e1653 = phi_4882_;
+                                                            let _e1669 = abs(_e1554.x);
+                                                            let _e1670 = abs(_e1554.y);
+                                                            if (_e1669 != _e1669) {
+                                                                phi_4897_ = true;
+                                                            } else {
+                                                                phi_4897_ = (_e1670 >= _e1669);
+                                                            }
+                                                            let _e1674 = phi_4897_;
+                                                            let _e1675 = select(_e1669, _e1670, _e1674);
+                                                            let _e1676 = abs(_e1554.z);
+                                                            if (_e1675 != _e1675) {
+                                                                phi_4912_ = true;
+                                                            } else {
+                                                                phi_4912_ = (_e1676 >= _e1675);
+                                                            }
+                                                            let _e1680 = phi_4912_;
+                                                            let _e1683 = abs(_e1552.x);
+                                                            let _e1684 = abs(_e1552.y);
+                                                            if (_e1683 != _e1683) {
+                                                                phi_4927_ = true;
+                                                            } else {
+                                                                phi_4927_ = (_e1684 >= _e1683);
+                                                            }
+                                                            let _e1688 = phi_4927_;
+                                                            let _e1689 = select(_e1683, _e1684, _e1688);
+                                                            let _e1690 = abs(_e1552.z);
+                                                            if (_e1689 != _e1689) {
+                                                                phi_4942_ = true;
+                                                            } else {
+                                                                phi_4942_ = (_e1690 >= _e1689);
+                                                            }
+                                                            let _e1694 = phi_4942_;
+                                                            let _e1699 = ((bitcast<f32>((bitcast<u32>(((((_e1563 * _e1619) + (_e1568 * _e1622)) + (_e1571 * _e1625)) - _e1589)) & 2147483647u)) <= ((0.0000009536743f * select(_e1529, _e1638, (_e1638 > _e1529))) * select(_e1648, _e1649, _e1653))) && !((bitcast<f32>((bitcast<u32>(_e1594) & 2147483647u)) <= ((0.0000038146973f * select(_e1675, _e1676, _e1680)) * select(_e1689, _e1690, _e1694)))));
+                                                            let _e1700 = (_e1589 / _e1594);
+                                                            if (_e1470 && !(_e1699)) {
+                                                                let _e1703 = (_e1625 / _e652);
+                                                                let _e1711 = (((_e1563 * (_e1619 - (_e524 * _e1703))) + (_e1568 * (_e1622 - (_e588 * _e1703)))) / _e1594);
+                                                                phi_3034_ = select(select(_e1703, (_e1703 + _e1711), (bitcast<f32>((bitcast<u32>(_e1711) & 2147483647u)) <= _e1529)), _e1700, _e1699);
+                                                            } else {
+                                                                phi_3034_ = _e1700;
+                                                            }
+                                                            let _e1720 = phi_3034_;
+                                                            let _e1722 = select(_e1433, _e1720, (_e1720 < _e1433));
+                                                            let _e1724 = select(_e1425, _e1722, (_e1722 > _e1425));
+                                                            let _e1725 = (1f / _e1377);
+                                                            phi_3054_ = type_46(_e1724, (_e1371 * _e1725), (_e1375 * _e1725), ((_e1470 && (_e1724 >= _e758)) && (_e1724 <= _e857.member)));
+                                                            phi_3055_ = type_46();
                                                         } else {
-                                                            let _e1393 = select(_e1342, _e1329, (_e1329 < _e1342));
-                                                            if (select(_e1355, _e1393, (_e1393 < _e1355)) > 0f) {
-                                                                phi_2409_ = true;
-                                                            } else {
-                                                                let _e1398 = select(_e1342, _e1329, (_e1329 > _e1342));
-                                                                phi_2409_ = (select(_e1355, _e1398, (_e1398 > _e1355)) < 0f);
-                                                            }
-                                                            let _e1403 = phi_2409_;
-                                                            if _e1403 {
-                                                                phi_3138_ = type_25();
-                                                                phi_3139_ = true;
-                                                                phi_3140_ = false;
-                                                            } else {
-                                                                let _e1405 = select(_e1345, _e1332, (_e1332 < _e1345));
-                                                                if (select(_e1358, _e1405, (_e1405 < _e1358)) > 0f) {
-                                                                    phi_2438_ = true;
-                                                                } else {
-                                                                    let _e1410 = select(_e1345, _e1332, (_e1332 > _e1345));
-                                                                    phi_2438_ = (select(_e1358, _e1410, (_e1410 > _e1358)) < 0f);
-                                                                }
-                                                                let _e1415 = phi_2438_;
-                                                                if _e1415 {
-                                                                    phi_3136_ = type_25();
-                                                                    phi_3137_ = false;
-                                                                } else {
-                                                                    let _e1417 = select(_e1318[1][0], _e1318[0][0], (_e1318[0][0] < _e1318[1][0]));
-                                                                    let _e1421 = select(_e1318[1][0], _e1318[0][0], (_e1318[0][0] > _e1318[1][0]));
-                                                                    let _e1425 = select(_e1318[1][1], _e1318[0][1], (_e1318[0][1] < _e1318[1][1]));
-                                                                    let _e1429 = select(_e1318[1][1], _e1318[0][1], (_e1318[0][1] > _e1318[1][1]));
-                                                                    let _e1433 = select(_e1318[1][2], _e1318[0][2], (_e1318[0][2] < _e1318[1][2]));
-                                                                    let _e1437 = select(_e1318[1][2], _e1318[0][2], (_e1318[0][2] > _e1318[1][2]));
-                                                                    let _e1442 = ((select(_e1318[2][0], _e1417, (_e1417 < _e1318[2][0])) - _e524) * _e529);
-                                                                    let _e1443 = ((select(_e1318[2][0], _e1421, (_e1421 > _e1318[2][0])) - _e525) * _e529);
-                                                                    let _e1446 = ((select(_e1318[2][1], _e1425, (_e1425 < _e1318[2][1])) - _e590) * _e595);
-                                                                    let _e1447 = ((select(_e1318[2][1], _e1429, (_e1429 > _e1318[2][1])) - _e591) * _e595);
-                                                                    let _e1450 = ((select(_e1318[2][2], _e1433, (_e1433 < _e1318[2][2])) - _e656) * _e661);
-                                                                    let _e1451 = ((select(_e1318[2][2], _e1437, (_e1437 > _e1318[2][2])) - _e657) * _e661);
-                                                                    let _e1453 = select(_e1451, _e1450, (_e1450 < _e1451));
-                                                                    let _e1455 = select(_e1451, _e1450, (_e1450 > _e1451));
-                                                                    let _e1457 = select(_e1443, _e1442, (_e1442 < _e1443));
-                                                                    let _e1459 = select(_e1447, _e1446, (_e1446 < _e1447));
-                                                                    let _e1461 = select(_e1459, _e1457, (_e1457 > _e1459));
-                                                                    let _e1463 = select(_e1453, _e1461, (_e1461 > _e1453));
-                                                                    let _e1465 = select(_e1443, _e1442, (_e1442 > _e1443));
-                                                                    let _e1467 = select(_e1447, _e1446, (_e1446 > _e1447));
-                                                                    let _e1469 = select(_e1467, _e1465, (_e1465 < _e1467));
-                                                                    let _e1471 = select(_e1455, _e1469, (_e1469 < _e1455));
-                                                                    let _e1472 = -(_e1453);
-                                                                    let _e1478 = select(_e772, _e1463, (_e1463 > _e772));
-                                                                    if (_e1478 > (_e1471 + (select(_e1472, _e1455, (_e1455 > _e1472)) * 0.0000019073523f))) {
-                                                                        phi_3131_ = type_25();
-                                                                        phi_3132_ = true;
-                                                                    } else {
-                                                                        let _e1480 = (_e1478 > _e871.member);
-                                                                        if _e1480 {
-                                                                            phi_3130_ = type_25();
-                                                                        } else {
-                                                                            let _e1481 = vec3<f32>(_e1318[0][0], _e1318[0][1], _e1318[0][2]);
-                                                                            let _e1482 = vec3<f32>(_e1318[1][0], _e1318[1][1], _e1318[1][2]);
-                                                                            let _e1483 = vec3<f32>(_e1318[2][0], _e1318[2][1], _e1318[2][2]);
-                                                                            let _e1484 = (_e1318[1][0] - _e1318[0][0]);
-                                                                            let _e1485 = (_e1318[1][1] - _e1318[0][1]);
-                                                                            let _e1486 = (_e1318[1][2] - _e1318[0][2]);
-                                                                            let _e1487 = vec3<f32>(_e1484, _e1485, _e1486);
-                                                                            let _e1488 = (_e1318[2][0] - _e1318[1][0]);
-                                                                            let _e1489 = (_e1318[2][1] - _e1318[1][1]);
-                                                                            let _e1490 = (_e1318[2][2] - _e1318[1][2]);
-                                                                            let _e1491 = vec3<f32>(_e1488, _e1489, _e1490);
-                                                                            let _e1492 = (_e1318[0][0] - _e1318[2][0]);
-                                                                            let _e1493 = (_e1318[0][1] - _e1318[2][1]);
-                                                                            let _e1494 = (_e1318[0][2] - _e1318[2][2]);
-                                                                            let _e1495 = vec3<f32>(_e1492, _e1493, _e1494);
-                                                                            let _e1498 = bitcast<f32>((bitcast<u32>(_e1484) & 2147483647u));
-                                                                            let _e1501 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
-                                                                            let _e1503 = select(_e1501, _e1498, (_e1498 > _e1501));
-                                                                            let _e1506 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
-                                                                            let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
-                                                                            let _e1511 = bitcast<f32>((bitcast<u32>(_e1488) & 2147483647u));
-                                                                            let _e1514 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
-                                                                            let _e1516 = select(_e1514, _e1511, (_e1511 > _e1514));
-                                                                            let _e1519 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
-                                                                            let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
-                                                                            let _e1524 = bitcast<f32>((bitcast<u32>(_e1492) & 2147483647u));
-                                                                            let _e1527 = bitcast<f32>((bitcast<u32>(_e1493) & 2147483647u));
-                                                                            let _e1529 = select(_e1527, _e1524, (_e1524 > _e1527));
-                                                                            let _e1532 = bitcast<f32>((bitcast<u32>(_e1494) & 2147483647u));
-                                                                            let _e1534 = select(_e1532, _e1529, (_e1529 > _e1532));
-                                                                            let _e1536 = select(_e1521, _e1508, (_e1508 > _e1521));
-                                                                            let _e1538 = select(_e1534, _e1536, (_e1536 > _e1534));
-                                                                            if (_e1508 == _e1538) {
-                                                                                phi_2857_ = _e1345;
-                                                                                phi_2858_ = _e1342;
-                                                                                phi_2859_ = _e1332;
-                                                                                phi_2860_ = _e1329;
-                                                                                phi_2861_ = _e1481;
-                                                                                phi_2862_ = _e1495;
-                                                                                phi_2863_ = _e1491;
-                                                                                phi_2864_ = _e1487;
-                                                                            } else {
-                                                                                let _e1540 = (_e1521 == _e1538);
-                                                                                let _e1545 = vec3(_e1540);
-                                                                                phi_2857_ = select(_e1332, _e1358, _e1540);
-                                                                                phi_2858_ = select(_e1329, _e1355, _e1540);
-                                                                                phi_2859_ = select(_e1358, _e1345, _e1540);
-                                                                                phi_2860_ = select(_e1355, _e1342, _e1540);
-                                                                                phi_2861_ = select(_e1483, _e1482, _e1545);
-                                                                                phi_2862_ = select(_e1491, _e1487, _e1545);
-                                                                                phi_2863_ = select(_e1487, _e1495, _e1545);
-                                                                                phi_2864_ = select(_e1495, _e1491, _e1545);
-                                                                            }
-                                                                            let _e1551 = phi_2857_;
-                                                                            let _e1553 = phi_2858_;
-                                                                            let _e1555 = phi_2859_;
-                                                                            let _e1557 = phi_2860_;
-                                                                            let _e1559 = phi_2861_;
-                                                                            let _e1561 = phi_2862_;
-                                                                            let _e1563 = phi_2863_;
-                                                                            let _e1565 = phi_2864_;
-                                                                            let _e1572 = ((_e1563.y * _e1561.z) - (_e1561.y * _e1563.z));
-                                                                            let _e1577 = ((_e1563.z * _e1561.x) - (_e1561.z * _e1563.x));
-                                                                            let _e1580 = ((_e1563.x * _e1561.y) - (_e1561.x * _e1563.y));
-                                                                            if (_e1380 >= _e1384) {
-                                                                                phi_2901_ = select(true, false, (_e1380 >= _e1388));
-                                                                            } else {
-                                                                                phi_2901_ = true;
-                                                                            }
-                                                                            let _e1585 = phi_2901_;
-                                                                            if _e1585 {
-                                                                                phi_2910_ = select(_e1483, _e1482, vec3((_e1384 >= _e1388)));
-                                                                            } else {
-                                                                                phi_2910_ = _e1481;
-                                                                            }
-                                                                            let _e1590 = phi_2910_;
-                                                                            let _e1601 = (((_e1572 * (_e1590.x - _e486)) + (_e1577 * (_e1590.y - _e553))) + (_e1580 * (_e1590.z - _e619)));
-                                                                            let _e1606 = (((_e1572 * _e526) + (_e1577 * _e592)) + (_e1580 * _e658));
-                                                                            let _e1607 = (_e1553 - _e1557);
-                                                                            let _e1608 = (_e1551 - _e1555);
-                                                                            let _e1616 = (-(((_e1557 * _e1607) + (_e1555 * _e1608))) / ((_e1607 * _e1607) + (_e1608 * _e1608)));
-                                                                            let _e1618 = select(1f, _e1616, (_e1616 < 1f));
-                                                                            let _e1620 = select(0f, _e1618, (_e1618 > 0f));
-                                                                            let _e1633 = ((_e1559.x + (_e1565.x * _e1620)) - _e486);
-                                                                            let _e1634 = ((_e1559.y + (_e1565.y * _e1620)) - _e553);
-                                                                            let _e1635 = ((_e1559.z + (_e1565.z * _e1620)) - _e619);
-                                                                            let _e1636 = (_e1635 / _e658);
-                                                                            let _e1648 = bitcast<f32>((bitcast<u32>(_e1633) & 2147483647u));
-                                                                            let _e1651 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
-                                                                            let _e1653 = select(_e1651, _e1648, (_e1648 > _e1651));
-                                                                            let _e1656 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
-                                                                            let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
-                                                                            let _e1664 = bitcast<f32>((bitcast<u32>(_e1572) & 2147483647u));
-                                                                            let _e1667 = bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u));
-                                                                            let _e1669 = select(_e1667, _e1664, (_e1664 > _e1667));
-                                                                            let _e1672 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1572 * _e1633) + (_e1577 * _e1634)) + (_e1580 * _e1635)) - _e1601)) & 2147483647u)) <= ((0.0000009536743f * select(_e1538, _e1658, (_e1658 > _e1538))) * select(_e1672, _e1669, (_e1669 > _e1672)))) {
-                                                                                let _e1682 = bitcast<f32>((bitcast<u32>(_e1563.x) & 2147483647u));
-                                                                                let _e1685 = bitcast<f32>((bitcast<u32>(_e1563.y) & 2147483647u));
-                                                                                let _e1687 = select(_e1685, _e1682, (_e1682 > _e1685));
-                                                                                let _e1690 = bitcast<f32>((bitcast<u32>(_e1563.z) & 2147483647u));
-                                                                                let _e1696 = bitcast<f32>((bitcast<u32>(_e1561.x) & 2147483647u));
-                                                                                let _e1699 = bitcast<f32>((bitcast<u32>(_e1561.y) & 2147483647u));
-                                                                                let _e1701 = select(_e1699, _e1696, (_e1696 > _e1699));
-                                                                                let _e1704 = bitcast<f32>((bitcast<u32>(_e1561.z) & 2147483647u));
-                                                                                let _e1708 = (bitcast<f32>((bitcast<u32>(_e1606) & 2147483647u)) > ((0.0000038146973f * select(_e1690, _e1687, (_e1687 > _e1690))) * select(_e1704, _e1701, (_e1701 > _e1704))));
-                                                                                if _e1708 {
-                                                                                    phi_3075_ = (_e1601 / _e1606);
-                                                                                } else {
-                                                                                    phi_3075_ = f32();
-                                                                                }
-                                                                                let _e1711 = phi_3075_;
-                                                                                phi_3077_ = _e1711;
-                                                                                phi_3078_ = select(true, false, _e1708);
-                                                                            } else {
-                                                                                phi_3077_ = f32();
-                                                                                phi_3078_ = true;
-                                                                            }
-                                                                            let _e1714 = phi_3077_;
-                                                                            let _e1716 = phi_3078_;
-                                                                            if _e1716 {
-                                                                                let _e1724 = (((_e1572 * (_e1633 - (_e526 * _e1636))) + (_e1577 * (_e1634 - (_e592 * _e1636)))) / _e1606);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1724) & 2147483647u)) <= _e1538) {
-                                                                                    phi_3098_ = (_e1636 + _e1724);
-                                                                                } else {
-                                                                                    phi_3098_ = _e1636;
-                                                                                }
-                                                                                let _e1731 = phi_3098_;
-                                                                                phi_3099_ = _e1731;
-                                                                            } else {
-                                                                                phi_3099_ = _e1714;
-                                                                            }
-                                                                            let _e1733 = phi_3099_;
-                                                                            let _e1735 = select(_e1471, _e1733, (_e1733 < _e1471));
-                                                                            let _e1737 = select(_e1463, _e1735, (_e1735 > _e1463));
-                                                                            if (_e1737 >= _e772) {
-                                                                                let _e1739 = (_e1737 <= _e871.member);
-                                                                                if _e1739 {
-                                                                                    let _e1740 = (1f / _e1390);
-                                                                                    phi_3122_ = type_25(_e1737, (_e1384 * _e1740), (_e1388 * _e1740), _e931);
-                                                                                } else {
-                                                                                    phi_3122_ = type_25();
-                                                                                }
-                                                                                let _e1745 = phi_3122_;
-                                                                                phi_3124_ = _e1745;
-                                                                                phi_3125_ = select(true, false, _e1739);
-                                                                            } else {
-                                                                                phi_3124_ = type_25();
-                                                                                phi_3125_ = true;
-                                                                            }
-                                                                            let _e1748 = phi_3124_;
-                                                                            let _e1750 = phi_3125_;
-                                                                            if _e1750 {
-                                                                                phi_3129_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                            } else {
-                                                                                phi_3129_ = _e1748;
-                                                                            }
-                                                                            let _e1752 = phi_3129_;
-                                                                            phi_3130_ = _e1752;
-                                                                        }
-                                                                        let _e1754 = phi_3130_;
-                                                                        phi_3131_ = _e1754;
-                                                                        phi_3132_ = _e1480;
-                                                                    }
-                                                                    let _e1756 = phi_3131_;
-                                                                    let _e1758 = phi_3132_;
-                                                                    phi_3136_ = _e1756;
-                                                                    phi_3137_ = _e1758;
-                                                                }
-                                                                let _e1760 = phi_3136_;
-                                                                let _e1762 = phi_3137_;
-                                                                phi_3138_ = _e1760;
-                                                                phi_3139_ = _e1415;
-                                                                phi_3140_ = _e1762;
-                                                            }
-                                                            let _e1764 = phi_3138_;
-                                                            let _e1766 = phi_3139_;
-                                                            let _e1768 = phi_3140_;
-                                                            phi_3141_ = _e1764;
-                                                            phi_3142_ = _e1766;
-                                                            phi_3143_ = _e1768;
+                                                            phi_3054_ = type_46();
+                                                            phi_3055_ = type_46(0f, 0f, 0f, _e1470);
                                                         }
-                                                        let _e1770 = phi_3141_;
-                                                        let _e1772 = phi_3142_;
-                                                        let _e1774 = phi_3143_;
-                                                        phi_3151_ = _e1770;
-                                                        phi_3152_ = select(_e1774, true, _e1772);
+                                                        let _e1734 = phi_3054_;
+                                                        let _e1736 = phi_3055_;
+                                                        phi_3058_ = _e1734;
+                                                        phi_3059_ = _e1736;
+                                                        phi_3060_ = select(true, false, _e1470);
                                                     } else {
-                                                        phi_3151_ = type_25();
-                                                        phi_3152_ = true;
+                                                        phi_3058_ = type_46();
+                                                        phi_3059_ = type_46(0f, 0f, 0f, _e1361);
+                                                        phi_3060_ = true;
                                                     }
-                                                    let _e1777 = phi_3151_;
-                                                    let _e1779 = phi_3152_;
-                                                    if _e1779 {
-                                                        phi_3156_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1739 = phi_3058_;
+                                                    let _e1741 = phi_3059_;
+                                                    let _e1743 = phi_3060_;
+                                                    if _e1743 {
+                                                        phi_3064_ = _e1741;
                                                     } else {
-                                                        phi_3156_ = _e1777;
+                                                        phi_3064_ = _e1739;
                                                     }
-                                                    let _e1781 = phi_3156_;
-                                                    if (_e1781.member_3 != 4294967295u) {
-                                                        if (_e931 == _e174) {
-                                                            phi_3491_ = false;
+                                                    let _e1745 = phi_3064_;
+                                                    if _e1745.member_3 {
+                                                        phi_3073_ = type_25(_e1745.member, _e1745.member_1, _e1745.member_2, _e917);
+                                                    } else {
+                                                        phi_3073_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    }
+                                                    let _e1752 = phi_3073_;
+                                                    if (_e1752.member_3 != 4294967295u) {
+                                                        if (_e917 == _e175) {
+                                                            phi_3408_ = false;
                                                         } else {
-                                                            let _e1785 = (_e931 < arrayLength((&global_6.member)));
-                                                            if _e1785 {
-                                                                if _e1785 {
+                                                            let _e1756 = (_e917 < arrayLength((&global_6.member)));
+                                                            if _e1756 {
+                                                                if _e1756 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1787 = global_6.member[_e931];
-                                                                phi_3179_ = _e1787;
+                                                                let _e1758 = global_6.member[_e917];
+                                                                phi_3096_ = _e1758;
                                                             } else {
-                                                                phi_3179_ = 4294967295u;
+                                                                phi_3096_ = 4294967295u;
                                                             }
-                                                            let _e1789 = phi_3179_;
-                                                            let _e1790 = (_e1789 < arrayLength((&global_7.member)));
-                                                            if _e1790 {
-                                                                if _e1790 {
+                                                            let _e1760 = phi_3096_;
+                                                            let _e1761 = (_e1760 < arrayLength((&global_7.member)));
+                                                            if _e1761 {
+                                                                if _e1761 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1792 = global_7.member[_e1789];
-                                                                phi_3193_ = _e1792;
+                                                                let _e1763 = global_7.member[_e1760];
+                                                                phi_3110_ = _e1763;
                                                             } else {
-                                                                phi_3193_ = 0i;
+                                                                phi_3110_ = 0i;
                                                             }
-                                                            let _e1794 = phi_3193_;
-                                                            let _e1795 = (_e1794 == 0i);
-                                                            if _e1795 {
-                                                                phi_3490_ = true;
+                                                            let _e1765 = phi_3110_;
+                                                            let _e1766 = (_e1765 == 0i);
+                                                            if _e1766 {
+                                                                phi_3407_ = true;
                                                             } else {
-                                                                if _e463 {
-                                                                    phi_3216_ = vec3<f32>(_e1318[0][0], _e1318[0][1], _e1318[0][2]);
+                                                                if _e464 {
+                                                                    phi_3133_ = vec3<f32>(_e1304[0][0], _e1304[0][1], _e1304[0][2]);
                                                                 } else {
-                                                                    if (_e439 == 1u) {
-                                                                        phi_3215_ = vec3<f32>(_e1318[0][2], _e1318[0][0], _e1318[0][1]);
+                                                                    if (_e440 == 1u) {
+                                                                        phi_3132_ = vec3<f32>(_e1304[0][2], _e1304[0][0], _e1304[0][1]);
                                                                     } else {
-                                                                        phi_3215_ = vec3<f32>(_e1318[0][1], _e1318[0][2], _e1318[0][0]);
+                                                                        phi_3132_ = vec3<f32>(_e1304[0][1], _e1304[0][2], _e1304[0][0]);
                                                                     }
-                                                                    let _e1800 = phi_3215_;
-                                                                    phi_3216_ = _e1800;
+                                                                    let _e1771 = phi_3132_;
+                                                                    phi_3133_ = _e1771;
                                                                 }
-                                                                let _e1803 = phi_3216_;
-                                                                if _e463 {
-                                                                    phi_3235_ = vec3<f32>(_e1318[1][0], _e1318[1][1], _e1318[1][2]);
+                                                                let _e1774 = phi_3133_;
+                                                                if _e464 {
+                                                                    phi_3152_ = vec3<f32>(_e1304[1][0], _e1304[1][1], _e1304[1][2]);
                                                                 } else {
-                                                                    if (_e439 == 1u) {
-                                                                        phi_3234_ = vec3<f32>(_e1318[1][2], _e1318[1][0], _e1318[1][1]);
+                                                                    if (_e440 == 1u) {
+                                                                        phi_3151_ = vec3<f32>(_e1304[1][2], _e1304[1][0], _e1304[1][1]);
                                                                     } else {
-                                                                        phi_3234_ = vec3<f32>(_e1318[1][1], _e1318[1][2], _e1318[1][0]);
+                                                                        phi_3151_ = vec3<f32>(_e1304[1][1], _e1304[1][2], _e1304[1][0]);
                                                                     }
-                                                                    let _e1808 = phi_3234_;
-                                                                    phi_3235_ = _e1808;
+                                                                    let _e1779 = phi_3151_;
+                                                                    phi_3152_ = _e1779;
                                                                 }
-                                                                let _e1811 = phi_3235_;
-                                                                if _e463 {
-                                                                    phi_3254_ = vec3<f32>(_e1318[2][0], _e1318[2][1], _e1318[2][2]);
+                                                                let _e1782 = phi_3152_;
+                                                                if _e464 {
+                                                                    phi_3171_ = vec3<f32>(_e1304[2][0], _e1304[2][1], _e1304[2][2]);
                                                                 } else {
-                                                                    if (_e439 == 1u) {
-                                                                        phi_3253_ = vec3<f32>(_e1318[2][2], _e1318[2][0], _e1318[2][1]);
+                                                                    if (_e440 == 1u) {
+                                                                        phi_3170_ = vec3<f32>(_e1304[2][2], _e1304[2][0], _e1304[2][1]);
                                                                     } else {
-                                                                        phi_3253_ = vec3<f32>(_e1318[2][1], _e1318[2][2], _e1318[2][0]);
+                                                                        phi_3170_ = vec3<f32>(_e1304[2][1], _e1304[2][2], _e1304[2][0]);
                                                                     }
-                                                                    let _e1816 = phi_3253_;
-                                                                    phi_3254_ = _e1816;
+                                                                    let _e1787 = phi_3170_;
+                                                                    phi_3171_ = _e1787;
                                                                 }
-                                                                let _e1819 = phi_3254_;
-                                                                let _e1822 = (_e1811.x - _e1803.x);
-                                                                let _e1825 = (_e1811.y - _e1803.y);
-                                                                let _e1828 = (_e1811.z - _e1803.z);
-                                                                let _e1830 = (_e1819.x - _e1803.x);
-                                                                let _e1832 = (_e1819.y - _e1803.y);
-                                                                let _e1834 = (_e1819.z - _e1803.z);
-                                                                if (_e306.member_1 == 1u) {
-                                                                    phi_3290_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e1803);
+                                                                let _e1790 = phi_3171_;
+                                                                let _e1793 = (_e1782.x - _e1774.x);
+                                                                let _e1796 = (_e1782.y - _e1774.y);
+                                                                let _e1799 = (_e1782.z - _e1774.z);
+                                                                let _e1801 = (_e1790.x - _e1774.x);
+                                                                let _e1803 = (_e1790.y - _e1774.y);
+                                                                let _e1805 = (_e1790.z - _e1774.z);
+                                                                if (_e307.member_1 == 1u) {
+                                                                    phi_3207_ = (vec3<f32>(_e307.member[0], _e307.member[1], _e307.member[2]) - _e1774);
                                                                 } else {
-                                                                    phi_3290_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
+                                                                    phi_3207_ = vec3<f32>(_e307.member[0], _e307.member[1], _e307.member[2]);
                                                                 }
-                                                                let _e1849 = phi_3290_;
-                                                                let _e1855 = bitcast<f32>((bitcast<u32>((_e1822 * _e1832)) ^ _e306.member_3[0]));
-                                                                let _e1859 = bitcast<f32>((bitcast<u32>((_e1825 * _e1830)) ^ _e306.member_3[0]));
-                                                                let _e1863 = bitcast<f32>((bitcast<u32>((_e1825 * _e1834)) ^ _e306.member_3[0]));
-                                                                let _e1867 = bitcast<f32>((bitcast<u32>((_e1828 * _e1832)) ^ _e306.member_3[0]));
-                                                                let _e1871 = bitcast<f32>((bitcast<u32>((_e1828 * _e1830)) ^ _e306.member_3[0]));
-                                                                let _e1875 = bitcast<f32>((bitcast<u32>((_e1822 * _e1834)) ^ _e306.member_3[0]));
-                                                                let _e1876 = (_e1863 - _e1867);
-                                                                let _e1877 = (_e1871 - _e1875);
-                                                                let _e1878 = (_e1855 - _e1859);
-                                                                let _e1902 = (bitcast<f32>((bitcast<u32>(_e1863) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1867) & 2147483647u)));
-                                                                let _e1909 = (bitcast<f32>((bitcast<u32>(_e1871) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1875) & 2147483647u)));
-                                                                let _e1916 = (bitcast<f32>((bitcast<u32>(_e1855) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1859) & 2147483647u)));
-                                                                if (_e306.member_2 == 0f) {
-                                                                    phi_3472_ = 0f;
+                                                                let _e1820 = phi_3207_;
+                                                                let _e1826 = bitcast<f32>((bitcast<u32>((_e1793 * _e1803)) ^ _e307.member_3[0]));
+                                                                let _e1830 = bitcast<f32>((bitcast<u32>((_e1796 * _e1801)) ^ _e307.member_3[0]));
+                                                                let _e1834 = bitcast<f32>((bitcast<u32>((_e1796 * _e1805)) ^ _e307.member_3[0]));
+                                                                let _e1838 = bitcast<f32>((bitcast<u32>((_e1799 * _e1803)) ^ _e307.member_3[0]));
+                                                                let _e1842 = bitcast<f32>((bitcast<u32>((_e1799 * _e1801)) ^ _e307.member_3[0]));
+                                                                let _e1846 = bitcast<f32>((bitcast<u32>((_e1793 * _e1805)) ^ _e307.member_3[0]));
+                                                                let _e1847 = (_e1834 - _e1838);
+                                                                let _e1848 = (_e1842 - _e1846);
+                                                                let _e1849 = (_e1826 - _e1830);
+                                                                let _e1873 = (bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1838) & 2147483647u)));
+                                                                let _e1880 = (bitcast<f32>((bitcast<u32>(_e1842) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1846) & 2147483647u)));
+                                                                let _e1887 = (bitcast<f32>((bitcast<u32>(_e1826) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u)));
+                                                                if (_e307.member_2 == 0f) {
+                                                                    phi_3389_ = 0f;
                                                                 } else {
-                                                                    let _e1946 = bitcast<f32>((bitcast<u32>(_e1876) & 2147483647u));
-                                                                    let _e1949 = bitcast<f32>((bitcast<u32>(_e1877) & 2147483647u));
-                                                                    let _e1952 = bitcast<f32>((bitcast<u32>(_e1878) & 2147483647u));
-                                                                    let _e1954 = select(_e1952, _e1949, (_e1949 > _e1952));
-                                                                    let _e1958 = select(_e1952, _e1949, (_e1949 < _e1952));
-                                                                    let _e1962 = select(_e1949, _e1946, (_e1946 < _e1949));
-                                                                    let _e1964 = select(_e1949, _e1946, (_e1946 > _e1949));
-                                                                    let _e1966 = select(_e1952, _e1964, (_e1964 < _e1952));
-                                                                    phi_3472_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1954, _e1946, (_e1946 > _e1954)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1966, _e1962, (_e1962 > _e1966)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1958, _e1946, (_e1946 < _e1958)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1902 + _e1909) + _e1916))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
+                                                                    let _e1917 = bitcast<f32>((bitcast<u32>(_e1847) & 2147483647u));
+                                                                    let _e1920 = bitcast<f32>((bitcast<u32>(_e1848) & 2147483647u));
+                                                                    let _e1923 = bitcast<f32>((bitcast<u32>(_e1849) & 2147483647u));
+                                                                    let _e1925 = select(_e1923, _e1920, (_e1920 > _e1923));
+                                                                    let _e1929 = select(_e1923, _e1920, (_e1920 < _e1923));
+                                                                    let _e1933 = select(_e1920, _e1917, (_e1917 < _e1920));
+                                                                    let _e1935 = select(_e1920, _e1917, (_e1917 > _e1920));
+                                                                    let _e1937 = select(_e1923, _e1935, (_e1935 < _e1923));
+                                                                    phi_3389_ = bitcast<f32>((bitcast<u32>((_e307.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1925, _e1917, (_e1917 > _e1925)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1937, _e1933, (_e1933 > _e1937)))) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1929, _e1917, (_e1917 < _e1929)))) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1873 + _e1880) + _e1887))) ^ _e307.member_3[0]))) * 1.0000005f)) ^ _e307.member_3[0])))) ^ _e307.member_3[0]));
                                                                 }
-                                                                let _e1993 = phi_3472_;
-                                                                phi_3490_ = (_e1795 || !(((((bitcast<f32>((bitcast<u32>((_e1849.x * _e1876)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1849.y * _e1877)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1849.z * _e1878)) ^ _e306.member_3[0]))) * f32(-(_e1794))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1849.x) & 2147483647u)) * _e1902)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1849.y) & 2147483647u)) * _e1909)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1849.z) & 2147483647u)) * _e1916)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e1993) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1964 = phi_3389_;
+                                                                phi_3407_ = (_e1766 || !(((((bitcast<f32>((bitcast<u32>((_e1820.x * _e1847)) ^ _e307.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1820.y * _e1848)) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1820.z * _e1849)) ^ _e307.member_3[0]))) * f32(-(_e1765))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1820.x) & 2147483647u)) * _e1873)) ^ _e307.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1820.y) & 2147483647u)) * _e1880)) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1820.z) & 2147483647u)) * _e1887)) ^ _e307.member_3[0]))))) ^ _e307.member_3[0])) + _e1964) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2007 = phi_3490_;
-                                                            phi_3491_ = _e2007;
+                                                            let _e1978 = phi_3407_;
+                                                            phi_3408_ = _e1978;
                                                         }
-                                                        let _e2009 = phi_3491_;
-                                                        if _e2009 {
-                                                            phi_3496_ = type_46(_e871.member, true);
+                                                        let _e1980 = phi_3408_;
+                                                        if _e1980 {
+                                                            phi_3413_ = type_47(-340282350000000000000000000000000000000f, true);
                                                         } else {
-                                                            phi_3496_ = _e871;
+                                                            phi_3413_ = _e857;
                                                         }
-                                                        let _e2014 = phi_3496_;
-                                                        phi_3497_ = _e2014;
+                                                        let _e1982 = phi_3413_;
+                                                        phi_3414_ = _e1982;
                                                     } else {
-                                                        phi_3497_ = _e871;
+                                                        phi_3414_ = _e857;
                                                     }
-                                                    let _e2016 = phi_3497_;
-                                                    phi_1494_ = _e2016;
+                                                    let _e1984 = phi_3414_;
+                                                    phi_1514_ = _e1984;
                                                 } else {
-                                                    phi_1494_ = type_46();
+                                                    phi_1514_ = type_47();
                                                 }
-                                                let _e2018 = phi_1494_;
+                                                let _e1986 = phi_1514_;
                                                 continue;
                                                 continuing {
-                                                    phi_1493_ = _e2018;
-                                                    phi_1496_ = _e886;
-                                                    phi_5039_ = _e814;
-                                                    break if !(_e892);
+                                                    phi_1513_ = _e1986;
+                                                    phi_1516_ = _e872;
+                                                    phi_5136_ = _e800;
+                                                    break if !(_e878);
                                                 }
                                             }
-                                            let _e2021 = phi_5039_;
-                                            phi_5278_ = _e2021;
-                                            if _e2021 {
+                                            let _e1989 = phi_5136_;
+                                            phi_5380_ = _e1989;
+                                            if _e1989 {
                                                 break;
                                             }
-                                            phi_5369_ = _e2021;
-                                            let _e2709 = local_11;
-                                            phi_3498_ = _e2709;
+                                            phi_5471_ = _e1989;
+                                            let _e2664 = local_11;
+                                            phi_3415_ = _e2664;
                                         } else {
-                                            phi_5369_ = _e814;
-                                            phi_3498_ = _e816;
+                                            phi_5471_ = _e800;
+                                            phi_3415_ = _e802;
                                         }
-                                        let _e2023 = phi_5369_;
-                                        let _e2025 = phi_3498_;
-                                        if _e863 {
-                                            phi_4763_ = bool();
-                                            phi_4764_ = u32();
-                                            phi_4765_ = type_58();
+                                        let _e1991 = phi_5471_;
+                                        let _e1993 = phi_3415_;
+                                        if _e849 {
+                                            phi_4680_ = bool();
+                                            phi_4681_ = u32();
+                                            phi_4682_ = type_59();
                                         } else {
-                                            if (_e859.member_1 >= _e106) {
-                                                phi_4299_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e845.member_1 >= _e107) {
+                                                phi_4216_ = type_60(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_59(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_59(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e859.member_1 < _e106) {
+                                                if (_e845.member_1 < _e107) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2029 = ((1u + _e439) % 4u);
-                                                if (_e2029 < 4u) {
+                                                let _e1997 = ((1u + _e440) % 4u);
+                                                if (_e1997 < 4u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2034 = global_5.member[_e859.member_1][_e2029];
-                                                let _e2036 = (_e2034 >> bitcast<u32>(11u));
-                                                let _e2038 = ((1u + _e438) % 4u);
-                                                if (_e2038 < 4u) {
+                                                let _e2002 = global_5.member[_e845.member_1][_e1997];
+                                                let _e2004 = (_e2002 >> bitcast<u32>(11u));
+                                                let _e2006 = ((1u + _e439) % 4u);
+                                                if (_e2006 < 4u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2043 = global_5.member[_e859.member_1][_e2038];
-                                                let _e2045 = (_e2043 >> bitcast<u32>(11u));
-                                                let _e2047 = ((1u + _e440) % 4u);
-                                                if (_e2047 < 4u) {
+                                                let _e2011 = global_5.member[_e845.member_1][_e2006];
+                                                let _e2013 = (_e2011 >> bitcast<u32>(11u));
+                                                let _e2015 = ((1u + _e441) % 4u);
+                                                if (_e2015 < 4u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2052 = global_5.member[_e859.member_1][_e2047];
-                                                let _e2054 = (_e2052 >> bitcast<u32>(11u));
-                                                let _e2077 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.x - _e859.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e2078 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.y - _e859.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e2079 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.z - _e859.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e2081 = select(_e165, _e2077, (_e2077 > _e165));
-                                                let _e2083 = select(_e165, _e2078, (_e2078 > _e165));
-                                                let _e2085 = select(_e165, _e2079, (_e2079 > _e165));
-                                                let _e2116 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2034 & 1023u))) - 8388608f) * _e2081));
-                                                let _e2121 = (bitcast<i32>((_e2034 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2124 = bitcast<f32>((_e2116 & bitcast<u32>(_e2121)));
-                                                let _e2125 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2043 & 1023u))) - 8388608f) * _e2083));
-                                                let _e2130 = (bitcast<i32>((_e2043 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2133 = bitcast<f32>((_e2125 & bitcast<u32>(_e2130)));
-                                                let _e2134 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2052 & 1023u))) - 8388608f) * _e2085));
-                                                let _e2139 = (bitcast<i32>((_e2052 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2142 = bitcast<f32>((_e2134 & bitcast<u32>(_e2139)));
-                                                let _e2146 = bitcast<f32>((_e2116 & bitcast<u32>(~(_e2121))));
-                                                let _e2150 = bitcast<f32>((_e2125 & bitcast<u32>(~(_e2130))));
-                                                let _e2154 = bitcast<f32>((_e2134 & bitcast<u32>(~(_e2139))));
-                                                let _e2155 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2036 & 1023u))) - 8388608f) * _e2081));
-                                                let _e2160 = (bitcast<i32>((_e2036 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2163 = bitcast<f32>((_e2155 & bitcast<u32>(_e2160)));
-                                                let _e2164 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2045 & 1023u))) - 8388608f) * _e2083));
-                                                let _e2169 = (bitcast<i32>((_e2045 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2172 = bitcast<f32>((_e2164 & bitcast<u32>(_e2169)));
-                                                let _e2173 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2054 & 1023u))) - 8388608f) * _e2085));
-                                                let _e2178 = (bitcast<i32>((_e2054 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2181 = bitcast<f32>((_e2173 & bitcast<u32>(_e2178)));
-                                                let _e2185 = bitcast<f32>((_e2155 & bitcast<u32>(~(_e2160))));
-                                                let _e2189 = bitcast<f32>((_e2164 & bitcast<u32>(~(_e2169))));
-                                                let _e2193 = bitcast<f32>((_e2173 & bitcast<u32>(~(_e2178))));
-                                                let _e2194 = (_e859.member.member.x + _e2124);
-                                                let _e2195 = (_e859.member.member.y + _e2133);
-                                                let _e2196 = (_e859.member.member.z + _e2142);
-                                                let _e2199 = (_e859.member.member_1.x - _e2163);
-                                                let _e2200 = (_e859.member.member_1.y - _e2172);
-                                                let _e2201 = (_e859.member.member_1.z - _e2181);
-                                                let _e2220 = (_e2199 - _e2194);
-                                                let _e2221 = (_e2200 - _e2195);
-                                                let _e2222 = (_e2201 - _e2196);
-                                                let _e2224 = select(_e2221, _e2220, (_e2220 > _e2221));
-                                                let _e2226 = select(_e2222, _e2224, (_e2224 > _e2222));
-                                                if (_e2226 < (1024f * _e165)) {
-                                                    phi_4000_ = 0u;
+                                                let _e2020 = global_5.member[_e845.member_1][_e2015];
+                                                let _e2022 = (_e2020 >> bitcast<u32>(11u));
+                                                let _e2045 = (bitcast<f32>((bitcast<u32>((_e845.member.member_1.x - _e845.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e2046 = (bitcast<f32>((bitcast<u32>((_e845.member.member_1.y - _e845.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e2047 = (bitcast<f32>((bitcast<u32>((_e845.member.member_1.z - _e845.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e2049 = select(_e166, _e2045, (_e2045 > _e166));
+                                                let _e2051 = select(_e166, _e2046, (_e2046 > _e166));
+                                                let _e2053 = select(_e166, _e2047, (_e2047 > _e166));
+                                                let _e2084 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2002 & 1023u))) - 8388608f) * _e2049));
+                                                let _e2089 = (bitcast<i32>((_e2002 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2092 = bitcast<f32>((_e2084 & bitcast<u32>(_e2089)));
+                                                let _e2093 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2011 & 1023u))) - 8388608f) * _e2051));
+                                                let _e2098 = (bitcast<i32>((_e2011 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2101 = bitcast<f32>((_e2093 & bitcast<u32>(_e2098)));
+                                                let _e2102 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2020 & 1023u))) - 8388608f) * _e2053));
+                                                let _e2107 = (bitcast<i32>((_e2020 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2110 = bitcast<f32>((_e2102 & bitcast<u32>(_e2107)));
+                                                let _e2114 = bitcast<f32>((_e2084 & bitcast<u32>(~(_e2089))));
+                                                let _e2118 = bitcast<f32>((_e2093 & bitcast<u32>(~(_e2098))));
+                                                let _e2122 = bitcast<f32>((_e2102 & bitcast<u32>(~(_e2107))));
+                                                let _e2123 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2004 & 1023u))) - 8388608f) * _e2049));
+                                                let _e2128 = (bitcast<i32>((_e2004 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2131 = bitcast<f32>((_e2123 & bitcast<u32>(_e2128)));
+                                                let _e2132 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2013 & 1023u))) - 8388608f) * _e2051));
+                                                let _e2137 = (bitcast<i32>((_e2013 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2140 = bitcast<f32>((_e2132 & bitcast<u32>(_e2137)));
+                                                let _e2141 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2022 & 1023u))) - 8388608f) * _e2053));
+                                                let _e2146 = (bitcast<i32>((_e2022 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e2149 = bitcast<f32>((_e2141 & bitcast<u32>(_e2146)));
+                                                let _e2153 = bitcast<f32>((_e2123 & bitcast<u32>(~(_e2128))));
+                                                let _e2157 = bitcast<f32>((_e2132 & bitcast<u32>(~(_e2137))));
+                                                let _e2161 = bitcast<f32>((_e2141 & bitcast<u32>(~(_e2146))));
+                                                let _e2162 = (_e845.member.member.x + _e2092);
+                                                let _e2163 = (_e845.member.member.y + _e2101);
+                                                let _e2164 = (_e845.member.member.z + _e2110);
+                                                let _e2167 = (_e845.member.member_1.x - _e2131);
+                                                let _e2168 = (_e845.member.member_1.y - _e2140);
+                                                let _e2169 = (_e845.member.member_1.z - _e2149);
+                                                let _e2188 = (_e2167 - _e2162);
+                                                let _e2189 = (_e2168 - _e2163);
+                                                let _e2190 = (_e2169 - _e2164);
+                                                let _e2192 = select(_e2189, _e2188, (_e2188 > _e2189));
+                                                let _e2194 = select(_e2190, _e2192, (_e2192 > _e2190));
+                                                if (_e2194 < (1024f * _e166)) {
+                                                    phi_3917_ = 0u;
                                                 } else {
-                                                    phi_4000_ = select(2u, 1u, (_e2226 < (2097152f * _e165)));
+                                                    phi_3917_ = select(2u, 1u, (_e2194 < (2097152f * _e166)));
                                                 }
-                                                let _e2233 = phi_4000_;
-                                                switch bitcast<i32>(_e2233) {
+                                                let _e2201 = phi_3917_;
+                                                switch bitcast<i32>(_e2201) {
                                                     case 0: {
-                                                        phi_4006_ = 1u;
+                                                        phi_3923_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_4006_ = 2u;
+                                                        phi_3923_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_4006_ = 3u;
+                                                        phi_3923_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_4006_ = u32();
+                                                        phi_3923_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e2236 = phi_4006_;
-                                                let _e2242 = global_5.member[_e859.member_1][0u];
-                                                let _e2246 = global_5.member[_e859.member_1][1u];
-                                                let _e2250 = global_5.member[_e859.member_1][2u];
-                                                let _e2254 = global_5.member[_e859.member_1][3u];
-                                                let _e2266 = (((_e2246 >> bitcast<u32>(22i)) | ((_e2250 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2254 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e2267 = (_e2242 & 268435455u);
-                                                let _e2268 = (_e2266 & 268435455u);
-                                                let _e2271 = ((_e2242 >> bitcast<u32>(28u)) & 7u);
-                                                let _e2279 = ((_e2242 >> bitcast<u32>(31i)) | (((_e2266 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e2280 = (_e2271 != 0u);
-                                                if (_e2271 == 0u) {
-                                                    phi_4261_ = _e2267;
+                                                let _e2204 = phi_3923_;
+                                                let _e2210 = global_5.member[_e845.member_1][0u];
+                                                let _e2214 = global_5.member[_e845.member_1][1u];
+                                                let _e2218 = global_5.member[_e845.member_1][2u];
+                                                let _e2222 = global_5.member[_e845.member_1][3u];
+                                                let _e2234 = (((_e2214 >> bitcast<u32>(22i)) | ((_e2218 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2222 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e2235 = (_e2210 & 268435455u);
+                                                let _e2236 = (_e2234 & 268435455u);
+                                                let _e2239 = ((_e2210 >> bitcast<u32>(28u)) & 7u);
+                                                let _e2247 = ((_e2210 >> bitcast<u32>(31i)) | (((_e2234 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e2248 = (_e2239 != 0u);
+                                                if (_e2239 == 0u) {
+                                                    phi_4178_ = _e2235;
                                                 } else {
-                                                    if (_e2271 == 7u) {
-                                                        phi_4260_ = 2147483648u;
+                                                    if (_e2239 == 7u) {
+                                                        phi_4177_ = 2147483648u;
                                                     } else {
-                                                        phi_4260_ = ((2147483648u | (_e2271 << bitcast<u32>(28u))) | (_e2268 & 268435455u));
+                                                        phi_4177_ = ((2147483648u | (_e2239 << bitcast<u32>(28u))) | (_e2236 & 268435455u));
                                                     }
-                                                    let _e2289 = phi_4260_;
-                                                    phi_4261_ = _e2289;
+                                                    let _e2257 = phi_4177_;
+                                                    phi_4178_ = _e2257;
                                                 }
-                                                let _e2291 = phi_4261_;
-                                                if _e2280 {
-                                                    let _e2292 = (_e2271 != 7u);
-                                                    if _e2292 {
-                                                        phi_4271_ = (_e2268 + (_e2271 * ((3u * _e2236) + 1u)));
+                                                let _e2259 = phi_4178_;
+                                                if _e2248 {
+                                                    let _e2260 = (_e2239 != 7u);
+                                                    if _e2260 {
+                                                        phi_4188_ = (_e2236 + (_e2239 * ((3u * _e2204) + 1u)));
                                                     } else {
-                                                        phi_4271_ = u32();
+                                                        phi_4188_ = u32();
                                                     }
-                                                    let _e2296 = phi_4271_;
-                                                    phi_4273_ = _e2296;
-                                                    phi_4274_ = select(true, false, _e2292);
+                                                    let _e2264 = phi_4188_;
+                                                    phi_4190_ = _e2264;
+                                                    phi_4191_ = select(true, false, _e2260);
                                                 } else {
-                                                    phi_4273_ = u32();
-                                                    phi_4274_ = true;
+                                                    phi_4190_ = u32();
+                                                    phi_4191_ = true;
                                                 }
-                                                let _e2299 = phi_4273_;
-                                                let _e2301 = phi_4274_;
-                                                if (_e2279 == 0u) {
-                                                    phi_4295_ = (_e2267 + select(0u, 1u, !(_e2280)));
+                                                let _e2267 = phi_4190_;
+                                                let _e2269 = phi_4191_;
+                                                if (_e2247 == 0u) {
+                                                    phi_4212_ = (_e2235 + select(0u, 1u, !(_e2248)));
                                                 } else {
-                                                    if (_e2279 == 7u) {
-                                                        phi_4294_ = 2147483648u;
+                                                    if (_e2247 == 7u) {
+                                                        phi_4211_ = 2147483648u;
                                                     } else {
-                                                        phi_4294_ = ((2147483648u | (_e2279 << bitcast<u32>(28u))) | (select(_e2299, _e2268, _e2301) & 268435455u));
+                                                        phi_4211_ = ((2147483648u | (_e2247 << bitcast<u32>(28u))) | (select(_e2267, _e2236, _e2269) & 268435455u));
                                                     }
-                                                    let _e2314 = phi_4294_;
-                                                    phi_4295_ = _e2314;
+                                                    let _e2282 = phi_4211_;
+                                                    phi_4212_ = _e2282;
                                                 }
-                                                let _e2316 = phi_4295_;
-                                                phi_4299_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e2194, (_e859.member.member.x + _e2146), _e2199, (_e859.member.member_1.x - _e2185)), vec4<f32>(_e2195, (_e859.member.member.y + _e2150), _e2200, (_e859.member.member_1.y - _e2189)), vec4<f32>(_e2196, (_e859.member.member.z + _e2154), _e2201, (_e859.member.member_1.z - _e2193))), type_58(type_34((_e859.member.member + vec4<f32>(_e2124, _e2133, _e2142, 0f)), (_e859.member.member_1 - vec4<f32>(_e2163, _e2172, _e2181, 0f))), _e2291), type_58(type_34((_e859.member.member + vec4<f32>(_e2146, _e2150, _e2154, 0f)), (_e859.member.member_1 - vec4<f32>(_e2185, _e2189, _e2193, 0f))), _e2316));
+                                                let _e2284 = phi_4212_;
+                                                phi_4216_ = type_60(array<vec4<f32>, 3>(vec4<f32>(_e2162, (_e845.member.member.x + _e2114), _e2167, (_e845.member.member_1.x - _e2153)), vec4<f32>(_e2163, (_e845.member.member.y + _e2118), _e2168, (_e845.member.member_1.y - _e2157)), vec4<f32>(_e2164, (_e845.member.member.z + _e2122), _e2169, (_e845.member.member_1.z - _e2161))), type_59(type_34((_e845.member.member + vec4<f32>(_e2092, _e2101, _e2110, 0f)), (_e845.member.member_1 - vec4<f32>(_e2131, _e2140, _e2149, 0f))), _e2259), type_59(type_34((_e845.member.member + vec4<f32>(_e2114, _e2118, _e2122, 0f)), (_e845.member.member_1 - vec4<f32>(_e2153, _e2157, _e2161, 0f))), _e2284));
                                             }
-                                            let _e2321 = phi_4299_;
-                                            let _e2333 = ((_e2321.member[0].x - _e524) * _e529);
-                                            let _e2334 = ((_e2321.member[0].y - _e524) * _e529);
-                                            let _e2335 = ((_e2321.member[0].z - _e525) * _e529);
-                                            let _e2336 = ((_e2321.member[0].w - _e525) * _e529);
-                                            let _e2346 = ((_e2321.member[1].x - _e590) * _e595);
-                                            let _e2347 = ((_e2321.member[1].y - _e590) * _e595);
-                                            let _e2348 = ((_e2321.member[1].z - _e591) * _e595);
-                                            let _e2349 = ((_e2321.member[1].w - _e591) * _e595);
-                                            let _e2359 = ((_e2321.member[2].x - _e656) * _e661);
-                                            let _e2360 = ((_e2321.member[2].y - _e656) * _e661);
-                                            let _e2361 = ((_e2321.member[2].z - _e657) * _e661);
-                                            let _e2362 = ((_e2321.member[2].w - _e657) * _e661);
-                                            let _e2364 = select(_e2361, _e2359, (_e2359 < _e2361));
-                                            let _e2366 = select(_e2362, _e2360, (_e2360 < _e2362));
-                                            let _e2368 = select(_e2361, _e2359, (_e2359 > _e2361));
-                                            let _e2370 = select(_e2362, _e2360, (_e2360 > _e2362));
-                                            let _e2372 = select(_e2335, _e2333, (_e2333 < _e2335));
-                                            let _e2374 = select(_e2336, _e2334, (_e2334 < _e2336));
-                                            let _e2376 = select(_e2348, _e2346, (_e2346 < _e2348));
-                                            let _e2378 = select(_e2349, _e2347, (_e2347 < _e2349));
-                                            let _e2380 = select(_e2376, _e2372, (_e2372 > _e2376));
-                                            let _e2382 = select(_e2378, _e2374, (_e2374 > _e2378));
-                                            let _e2384 = select(_e2364, _e2380, (_e2380 > _e2364));
-                                            let _e2386 = select(_e2366, _e2382, (_e2382 > _e2366));
-                                            let _e2388 = select(_e2335, _e2333, (_e2333 > _e2335));
-                                            let _e2390 = select(_e2336, _e2334, (_e2334 > _e2336));
-                                            let _e2392 = select(_e2348, _e2346, (_e2346 > _e2348));
-                                            let _e2394 = select(_e2349, _e2347, (_e2347 > _e2349));
-                                            let _e2396 = select(_e2392, _e2388, (_e2388 < _e2392));
-                                            let _e2398 = select(_e2394, _e2390, (_e2390 < _e2394));
-                                            let _e2403 = -(_e2364);
-                                            let _e2404 = -(_e2366);
-                                            let _e2411 = (select(_e2368, _e2396, (_e2396 < _e2368)) + (select(_e2403, _e2368, (_e2368 > _e2403)) * 0.0000019073523f));
-                                            let _e2412 = (select(_e2370, _e2398, (_e2398 < _e2370)) + (select(_e2404, _e2370, (_e2370 > _e2404)) * 0.0000019073523f));
-                                            let _e2414 = select(_e772, _e2384, (_e2384 > _e772));
-                                            let _e2416 = select(_e772, _e2386, (_e2386 > _e772));
-                                            let _e2421 = (_e2414 <= select(_e2025.member, _e2411, (_e2411 < _e2025.member)));
-                                            let _e2422 = (_e2416 <= select(_e2025.member, _e2412, (_e2412 < _e2025.member)));
-                                            let _e2423 = (_e2414 <= _e2416);
-                                            if _e2421 {
-                                                if _e2422 {
-                                                    if _e2423 {
-                                                        phi_4661_ = _e2321.member_2;
+                                            let _e2289 = phi_4216_;
+                                            let _e2301 = ((_e2289.member[0].x - _e525) * _e528);
+                                            let _e2302 = ((_e2289.member[0].y - _e525) * _e528);
+                                            let _e2303 = ((_e2289.member[0].z - _e526) * _e528);
+                                            let _e2304 = ((_e2289.member[0].w - _e526) * _e528);
+                                            let _e2314 = ((_e2289.member[1].x - _e589) * _e592);
+                                            let _e2315 = ((_e2289.member[1].y - _e589) * _e592);
+                                            let _e2316 = ((_e2289.member[1].z - _e590) * _e592);
+                                            let _e2317 = ((_e2289.member[1].w - _e590) * _e592);
+                                            let _e2327 = ((_e2289.member[2].x - _e653) * _e656);
+                                            let _e2328 = ((_e2289.member[2].y - _e653) * _e656);
+                                            let _e2329 = ((_e2289.member[2].z - _e654) * _e656);
+                                            let _e2330 = ((_e2289.member[2].w - _e654) * _e656);
+                                            let _e2332 = select(_e2329, _e2327, (_e2327 < _e2329));
+                                            let _e2334 = select(_e2330, _e2328, (_e2328 < _e2330));
+                                            let _e2336 = select(_e2329, _e2327, (_e2327 > _e2329));
+                                            let _e2338 = select(_e2330, _e2328, (_e2328 > _e2330));
+                                            let _e2340 = select(_e2303, _e2301, (_e2301 < _e2303));
+                                            let _e2342 = select(_e2304, _e2302, (_e2302 < _e2304));
+                                            let _e2344 = select(_e2316, _e2314, (_e2314 < _e2316));
+                                            let _e2346 = select(_e2317, _e2315, (_e2315 < _e2317));
+                                            let _e2348 = select(_e2344, _e2340, (_e2340 > _e2344));
+                                            let _e2350 = select(_e2346, _e2342, (_e2342 > _e2346));
+                                            let _e2352 = select(_e2332, _e2348, (_e2348 > _e2332));
+                                            let _e2354 = select(_e2334, _e2350, (_e2350 > _e2334));
+                                            let _e2356 = select(_e2303, _e2301, (_e2301 > _e2303));
+                                            let _e2358 = select(_e2304, _e2302, (_e2302 > _e2304));
+                                            let _e2360 = select(_e2316, _e2314, (_e2314 > _e2316));
+                                            let _e2362 = select(_e2317, _e2315, (_e2315 > _e2317));
+                                            let _e2364 = select(_e2360, _e2356, (_e2356 < _e2360));
+                                            let _e2366 = select(_e2362, _e2358, (_e2358 < _e2362));
+                                            let _e2371 = -(_e2332);
+                                            let _e2372 = -(_e2334);
+                                            let _e2379 = (select(_e2336, _e2364, (_e2364 < _e2336)) + (select(_e2371, _e2336, (_e2336 > _e2371)) * 0.0000019073523f));
+                                            let _e2380 = (select(_e2338, _e2366, (_e2366 < _e2338)) + (select(_e2372, _e2338, (_e2338 > _e2372)) * 0.0000019073523f));
+                                            let _e2382 = select(_e758, _e2352, (_e2352 > _e758));
+                                            let _e2384 = select(_e758, _e2354, (_e2354 > _e758));
+                                            let _e2389 = (_e2382 <= select(_e1993.member, _e2379, (_e2379 < _e1993.member)));
+                                            let _e2390 = (_e2384 <= select(_e1993.member, _e2380, (_e2380 < _e1993.member)));
+                                            let _e2391 = (_e2382 <= _e2384);
+                                            if _e2389 {
+                                                if _e2390 {
+                                                    if _e2391 {
+                                                        phi_4578_ = _e2289.member_2;
                                                     } else {
-                                                        phi_4661_ = _e2321.member_1;
+                                                        phi_4578_ = _e2289.member_1;
                                                     }
-                                                    let _e2427 = phi_4661_;
-                                                    let _e2448 = (_e857 % 128u);
-                                                    let _e2449 = (_e2448 < 128u);
-                                                    if _e2449 {
+                                                    let _e2395 = phi_4578_;
+                                                    let _e2416 = (_e843 % 128u);
+                                                    let _e2417 = (_e2416 < 128u);
+                                                    if _e2417 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e2448] = _e2427.member_1;
-                                                    if _e2449 {
+                                                    local_8[_e2416] = _e2395.member_1;
+                                                    if _e2417 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e2448] = _e2427.member.member.x;
-                                                    if _e2449 {
+                                                    local_7[_e2416] = _e2395.member.member.x;
+                                                    if _e2417 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e2448] = _e2427.member.member.y;
-                                                    if _e2449 {
+                                                    local_6[_e2416] = _e2395.member.member.y;
+                                                    if _e2417 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e2448] = _e2427.member.member.z;
-                                                    if _e2449 {
+                                                    local_5[_e2416] = _e2395.member.member.z;
+                                                    if _e2417 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e2448] = _e2427.member.member_1.x;
-                                                    if _e2449 {
+                                                    local_4[_e2416] = _e2395.member.member_1.x;
+                                                    if _e2417 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e2448] = _e2427.member.member_1.y;
-                                                    if _e2449 {
+                                                    local_3[_e2416] = _e2395.member.member_1.y;
+                                                    if _e2417 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e2448] = _e2427.member.member_1.z;
-                                                    if _e2449 {
+                                                    local_2[_e2416] = _e2395.member.member_1.z;
+                                                    if _e2417 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e2448] = select(_e2414, _e2416, _e2423);
-                                                    if _e2423 {
-                                                        phi_4737_ = _e2321.member_1;
+                                                    local_9[_e2416] = select(_e2382, _e2384, _e2391);
+                                                    if _e2391 {
+                                                        phi_4654_ = _e2289.member_1;
                                                     } else {
-                                                        phi_4737_ = _e2321.member_2;
+                                                        phi_4654_ = _e2289.member_2;
                                                     }
-                                                    let _e2462 = phi_4737_;
-                                                    phi_4738_ = (_e857 + 1u);
-                                                    phi_4739_ = _e2462;
+                                                    let _e2430 = phi_4654_;
+                                                    phi_4655_ = (_e843 + 1u);
+                                                    phi_4656_ = _e2430;
                                                 } else {
-                                                    phi_4738_ = u32();
-                                                    phi_4739_ = type_58();
+                                                    phi_4655_ = u32();
+                                                    phi_4656_ = type_59();
                                                 }
-                                                let _e2464 = phi_4738_;
-                                                let _e2466 = phi_4739_;
-                                                phi_4741_ = _e2464;
-                                                phi_4742_ = _e2466;
-                                                phi_4743_ = select(true, false, _e2422);
+                                                let _e2432 = phi_4655_;
+                                                let _e2434 = phi_4656_;
+                                                phi_4658_ = _e2432;
+                                                phi_4659_ = _e2434;
+                                                phi_4660_ = select(true, false, _e2390);
                                             } else {
-                                                phi_4741_ = u32();
-                                                phi_4742_ = type_58();
-                                                phi_4743_ = true;
+                                                phi_4658_ = u32();
+                                                phi_4659_ = type_59();
+                                                phi_4660_ = true;
                                             }
-                                            let _e2469 = phi_4741_;
-                                            let _e2471 = phi_4742_;
-                                            let _e2473 = phi_4743_;
-                                            if _e2473 {
-                                                if _e2421 {
-                                                    phi_4752_ = _e2321.member_1;
+                                            let _e2437 = phi_4658_;
+                                            let _e2439 = phi_4659_;
+                                            let _e2441 = phi_4660_;
+                                            if _e2441 {
+                                                if _e2389 {
+                                                    phi_4669_ = _e2289.member_1;
                                                 } else {
-                                                    phi_4752_ = _e2321.member_2;
+                                                    phi_4669_ = _e2289.member_2;
                                                 }
-                                                let _e2477 = phi_4752_;
-                                                phi_4757_ = select(_e2422, true, _e2421);
-                                                phi_4759_ = _e2477;
+                                                let _e2445 = phi_4669_;
+                                                phi_4674_ = select(_e2390, true, _e2389);
+                                                phi_4676_ = _e2445;
                                             } else {
-                                                phi_4757_ = _e855;
-                                                phi_4759_ = _e2471;
+                                                phi_4674_ = _e841;
+                                                phi_4676_ = _e2439;
                                             }
-                                            let _e2480 = phi_4757_;
-                                            let _e2482 = phi_4759_;
-                                            phi_4763_ = _e2480;
-                                            phi_4764_ = select(_e2469, _e857, _e2473);
-                                            phi_4765_ = _e2482;
+                                            let _e2448 = phi_4674_;
+                                            let _e2450 = phi_4676_;
+                                            phi_4680_ = _e2448;
+                                            phi_4681_ = select(_e2437, _e843, _e2441);
+                                            phi_4682_ = _e2450;
                                         }
-                                        let _e2485 = phi_4763_;
-                                        let _e2487 = phi_4764_;
-                                        let _e2489 = phi_4765_;
-                                        if _e863 {
-                                            phi_4775_ = select(_e857, 0u, _e2025.member_1);
-                                            phi_4776_ = _e859;
+                                        let _e2453 = phi_4680_;
+                                        let _e2455 = phi_4681_;
+                                        let _e2457 = phi_4682_;
+                                        if _e849 {
+                                            phi_4692_ = select(_e843, 0u, _e1993.member_1);
+                                            phi_4693_ = _e845;
                                         } else {
-                                            phi_4775_ = _e2487;
-                                            phi_4776_ = _e2489;
+                                            phi_4692_ = _e2455;
+                                            phi_4693_ = _e2457;
                                         }
-                                        let _e2493 = phi_4775_;
-                                        let _e2495 = phi_4776_;
-                                        phi_5281_ = _e2023;
-                                        phi_4777_ = _e2025;
-                                        phi_4778_ = (_e818 - 1u);
-                                        phi_4779_ = select(_e2485, false, _e863);
-                                        phi_4780_ = _e2493;
-                                        phi_4781_ = _e2495;
+                                        let _e2461 = phi_4692_;
+                                        let _e2463 = phi_4693_;
+                                        phi_5383_ = _e1991;
+                                        phi_4694_ = _e1993;
+                                        phi_4695_ = (_e804 - 1u);
+                                        phi_4696_ = select(_e2453, false, _e849);
+                                        phi_4697_ = _e2461;
+                                        phi_4698_ = _e2463;
                                     } else {
-                                        phi_5281_ = _e814;
-                                        phi_4777_ = _e816;
-                                        phi_4778_ = _e818;
-                                        phi_4779_ = _e855;
-                                        phi_4780_ = _e857;
-                                        phi_4781_ = _e859;
+                                        phi_5383_ = _e800;
+                                        phi_4694_ = _e802;
+                                        phi_4695_ = _e804;
+                                        phi_4696_ = _e841;
+                                        phi_4697_ = _e843;
+                                        phi_4698_ = _e845;
                                     }
-                                    let _e2498 = phi_5281_;
-                                    let _e2500 = phi_4777_;
-                                    let _e2502 = phi_4778_;
-                                    let _e2504 = phi_4779_;
-                                    let _e2506 = phi_4780_;
-                                    let _e2508 = phi_4781_;
-                                    phi_5280_ = _e2498;
-                                    phi_4782_ = _e2500;
-                                    phi_4783_ = _e2502;
-                                    phi_4784_ = _e2504;
-                                    phi_4785_ = _e2506;
-                                    phi_4786_ = _e2508;
+                                    let _e2466 = phi_5383_;
+                                    let _e2468 = phi_4694_;
+                                    let _e2470 = phi_4695_;
+                                    let _e2472 = phi_4696_;
+                                    let _e2474 = phi_4697_;
+                                    let _e2476 = phi_4698_;
+                                    phi_5382_ = _e2466;
+                                    phi_4699_ = _e2468;
+                                    phi_4700_ = _e2470;
+                                    phi_4701_ = _e2472;
+                                    phi_4702_ = _e2474;
+                                    phi_4703_ = _e2476;
                                 } else {
-                                    phi_5280_ = _e814;
-                                    phi_4782_ = type_46();
-                                    phi_4783_ = u32();
-                                    phi_4784_ = bool();
-                                    phi_4785_ = u32();
-                                    phi_4786_ = type_58();
+                                    phi_5382_ = _e800;
+                                    phi_4699_ = type_47();
+                                    phi_4700_ = u32();
+                                    phi_4701_ = bool();
+                                    phi_4702_ = u32();
+                                    phi_4703_ = type_59();
                                 }
-                                let _e2510 = phi_5280_;
-                                let _e2512 = phi_4782_;
-                                let _e2514 = phi_4783_;
-                                let _e2516 = phi_4784_;
-                                let _e2518 = phi_4785_;
-                                let _e2520 = phi_4786_;
-                                phi_5279_ = _e2510;
-                                phi_1367_ = _e2512;
-                                phi_1370_ = _e2514;
-                                phi_1372_ = _e2516;
-                                phi_1374_ = _e2518;
-                                phi_1376_ = _e2520;
-                                phi_4787_ = _e828;
+                                let _e2478 = phi_5382_;
+                                let _e2480 = phi_4699_;
+                                let _e2482 = phi_4700_;
+                                let _e2484 = phi_4701_;
+                                let _e2486 = phi_4702_;
+                                let _e2488 = phi_4703_;
+                                phi_5381_ = _e2478;
+                                phi_1387_ = _e2480;
+                                phi_1390_ = _e2482;
+                                phi_1392_ = _e2484;
+                                phi_1394_ = _e2486;
+                                phi_1396_ = _e2488;
+                                phi_4704_ = _e814;
                             } else {
-                                phi_5279_ = _e814;
-                                phi_1367_ = type_46();
-                                phi_1370_ = u32();
-                                phi_1372_ = bool();
-                                phi_1374_ = u32();
-                                phi_1376_ = type_58();
-                                phi_4787_ = false;
+                                phi_5381_ = _e800;
+                                phi_1387_ = type_47();
+                                phi_1390_ = u32();
+                                phi_1392_ = bool();
+                                phi_1394_ = u32();
+                                phi_1396_ = type_59();
+                                phi_4704_ = false;
                             }
-                            let _e2522 = phi_5279_;
-                            let _e2524 = phi_1367_;
-                            let _e2526 = phi_1370_;
-                            let _e2528 = phi_1372_;
-                            let _e2530 = phi_1374_;
-                            let _e2532 = phi_1376_;
-                            let _e2534 = phi_4787_;
+                            let _e2490 = phi_5381_;
+                            let _e2492 = phi_1387_;
+                            let _e2494 = phi_1390_;
+                            let _e2496 = phi_1392_;
+                            let _e2498 = phi_1394_;
+                            let _e2500 = phi_1396_;
+                            let _e2502 = phi_4704_;
                             continue;
                             continuing {
-                                phi_5045_ = _e2522;
-                                phi_1366_ = _e2524;
-                                phi_1369_ = _e2526;
-                                phi_1371_ = _e2528;
-                                phi_1373_ = _e2530;
-                                phi_1375_ = _e2532;
-                                phi_5278_ = _e2522;
-                                break if !(_e2534);
+                                phi_5142_ = _e2490;
+                                phi_1386_ = _e2492;
+                                phi_1389_ = _e2494;
+                                phi_1391_ = _e2496;
+                                phi_1393_ = _e2498;
+                                phi_1395_ = _e2500;
+                                phi_5380_ = _e2490;
+                                break if !(_e2502);
                             }
                         }
-                        let _e2537 = phi_5278_;
-                        if _e2537 {
+                        let _e2505 = phi_5380_;
+                        if _e2505 {
                             break;
                         }
-                        let _e2539 = local_10;
-                        if _e2539.member_1 {
+                        let _e2507 = local_10;
+                        if _e2507.member_1 {
                         } else {
-                            if _e307 {
+                            if _e308 {
                             } else {
                                 break;
                             }
-                            let _e2543 = global_2.member[_e153];
-                            if _e168 {
+                            let _e2511 = global_2.member[_e154];
+                            if _e169 {
                             } else {
                                 break;
                             }
-                            let _e2547 = global_9.member[_e153].member_1;
-                            if _e307 {
+                            let _e2515 = global_9.member[_e154].member_1;
+                            if _e308 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e153] = type_27(_e2543.member, _e2543.member_1, _e2543.member_2, array<f32, 3>((_e2543.member_3[0] + (_e2547[0] * _e2543.member_1[0])), (_e2543.member_3[1] + (_e2547[1] * _e2543.member_1[1])), (_e2543.member_3[2] + (_e2547[2] * _e2543.member_1[2]))), _e2543.member_4);
+                            global_2.member[_e154] = type_27(_e2511.member, _e2511.member_1, _e2511.member_2, array<f32, 3>((_e2511.member_3[0] + (_e2515[0] * _e2511.member_1[0])), (_e2511.member_3[1] + (_e2515[1] * _e2511.member_1[1])), (_e2511.member_3[2] + (_e2515[2] * _e2511.member_1[2]))), _e2511.member_4);
                         }
                     }
                 }

@@ -61,33 +61,40 @@ struct type_36 {
 
 struct type_42 {
     member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: bool,
+}
+
+struct type_43 {
+    member: f32,
     member_1: bool,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_47 {
+struct type_48 {
     member: array<i32>,
 }
 
-struct type_53 {
+struct type_54 {
     member: array<array<u32, 7>>,
 }
 
-struct type_58 {
+struct type_59 {
     member: type_30,
     member_1: u32,
 }
 
-struct type_59 {
+struct type_60 {
     member: array<vec4<f32>, 3>,
-    member_1: type_58,
-    member_2: type_58,
+    member_1: type_59,
+    member_2: type_59,
 }
 
-struct type_64 {
+struct type_65 {
     member: array<atomic<u32>>,
 }
 
@@ -97,17 +104,17 @@ var<uniform> global_1: type_12;
 @group(0) @binding(8) 
 var<storage, read_write> global_2: type_25;
 @group(0) @binding(1) 
-var<uniform> global_3: type_44;
+var<uniform> global_3: type_45;
 @group(0) @binding(2) 
-var<uniform> global_4: type_44;
+var<uniform> global_4: type_45;
 @group(0) @binding(5) 
 var<storage> global_5: type_4;
 @group(0) @binding(6) 
-var<storage> global_6: type_47;
+var<storage> global_6: type_48;
 @group(0) @binding(9) 
-var<storage, read_write> global_7: type_64;
+var<storage, read_write> global_7: type_65;
 @group(0) @binding(3) 
-var<storage> global_8: type_53;
+var<storage> global_8: type_54;
 @group(0) @binding(7) 
 var<storage> global_9: type_33;
 @group(0) @binding(4) 
@@ -124,568 +131,525 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_343_: u32;
-    var phi_387_: i32;
-    var phi_527_: type_36;
-    var phi_677_: i32;
-    var phi_678_: i32;
-    var phi_688_: bool;
-    var phi_698_: u32;
-    var phi_699_: u32;
-    var phi_701_: bool;
-    var phi_706_: u32;
-    var phi_739_: i32;
-    var phi_757_: f32;
-    var phi_763_: f32;
-    var phi_803_: f32;
-    var phi_809_: f32;
-    var phi_861_: f32;
-    var phi_873_: f32;
-    var phi_882_: f32;
-    var phi_888_: f32;
-    var phi_928_: f32;
-    var phi_934_: f32;
-    var phi_986_: f32;
-    var phi_998_: f32;
-    var phi_1007_: f32;
-    var phi_1013_: f32;
-    var phi_1053_: f32;
-    var phi_1059_: f32;
-    var phi_1111_: f32;
-    var phi_1123_: f32;
-    var phi_1178_: i32;
-    var phi_1200_: u32;
-    var phi_1201_: u32;
-    var phi_1238_: i32;
-    var phi_1260_: u32;
-    var phi_1261_: u32;
-    var phi_1269_: f32;
-    var phi_1270_: f32;
-    var phi_5045_: bool;
-    var phi_1366_: type_42;
-    var phi_1369_: u32;
-    var phi_1371_: bool;
-    var phi_1373_: u32;
-    var phi_1375_: type_58;
-    var phi_1386_: bool;
-    var phi_1472_: bool;
-    var phi_1473_: u32;
-    var phi_1474_: type_58;
-    var phi_1493_: type_42;
-    var phi_1496_: type_8;
-    var phi_1497_: type_8;
-    var phi_1519_: type_8;
-    var phi_1560_: u32;
-    var phi_1566_: u32;
-    var phi_1576_: u32;
-    var phi_1592_: u32;
-    var phi_1625_: u32;
-    var phi_1631_: u32;
-    var phi_2097_: u32;
-    var phi_2115_: u32;
-    var phi_2133_: u32;
-    var phi_2156_: u32;
-    var phi_2174_: u32;
-    var phi_2192_: u32;
-    var phi_2215_: u32;
-    var phi_2233_: u32;
-    var phi_2251_: u32;
-    var phi_1805_: u32;
-    var phi_1820_: u32;
-    var phi_1830_: u32;
-    var phi_1851_: u32;
-    var phi_1872_: u32;
-    var phi_1902_: u32;
-    var phi_1917_: u32;
-    var phi_1927_: u32;
-    var phi_1948_: u32;
-    var phi_1969_: u32;
-    var phi_1999_: u32;
-    var phi_2014_: u32;
-    var phi_2024_: u32;
-    var phi_2045_: u32;
-    var phi_2066_: u32;
-    var phi_1658_: u32;
-    var phi_1707_: u32;
-    var phi_1756_: u32;
-    var phi_2257_: array<array<f32, 3>, 3>;
-    var phi_2409_: bool;
-    var phi_2438_: bool;
-    var phi_2857_: f32;
-    var phi_2858_: f32;
-    var phi_2859_: f32;
-    var phi_2860_: f32;
-    var phi_2861_: vec3<f32>;
-    var phi_2862_: vec3<f32>;
-    var phi_2863_: vec3<f32>;
-    var phi_2864_: vec3<f32>;
-    var phi_2901_: bool;
-    var phi_2910_: vec3<f32>;
-    var phi_3075_: f32;
-    var phi_3077_: f32;
-    var phi_3078_: bool;
-    var phi_3098_: f32;
-    var phi_3099_: f32;
-    var phi_3122_: type_21;
-    var phi_3124_: type_21;
-    var phi_3125_: bool;
-    var phi_3129_: type_21;
-    var phi_3130_: type_21;
-    var phi_3131_: type_21;
-    var phi_3132_: bool;
-    var phi_3136_: type_21;
-    var phi_3137_: bool;
-    var phi_3138_: type_21;
-    var phi_3139_: bool;
-    var phi_3140_: bool;
-    var phi_3141_: type_21;
-    var phi_3142_: bool;
-    var phi_3143_: bool;
-    var phi_3151_: type_21;
-    var phi_3152_: bool;
-    var phi_3156_: type_21;
-    var phi_3179_: u32;
-    var phi_3193_: i32;
-    var phi_3215_: vec3<f32>;
-    var phi_3216_: vec3<f32>;
-    var phi_3234_: vec3<f32>;
-    var phi_3235_: vec3<f32>;
-    var phi_3253_: vec3<f32>;
-    var phi_3254_: vec3<f32>;
-    var phi_3290_: vec3<f32>;
-    var phi_3472_: f32;
-    var phi_3490_: bool;
-    var phi_3491_: bool;
-    var phi_3496_: type_42;
-    var phi_3497_: type_42;
-    var phi_1494_: type_42;
-    var phi_5039_: bool;
-    var phi_5369_: bool;
-    var phi_3498_: type_42;
-    var phi_4000_: u32;
-    var phi_4006_: u32;
-    var phi_4260_: u32;
-    var phi_4261_: u32;
-    var phi_4271_: u32;
-    var phi_4273_: u32;
-    var phi_4274_: bool;
-    var phi_4294_: u32;
-    var phi_4295_: u32;
-    var phi_4299_: type_59;
-    var phi_4661_: type_58;
-    var phi_4737_: type_58;
-    var phi_4738_: u32;
-    var phi_4739_: type_58;
-    var phi_4741_: u32;
-    var phi_4742_: type_58;
-    var phi_4743_: bool;
-    var phi_4752_: type_58;
-    var phi_4757_: bool;
-    var phi_4759_: type_58;
-    var phi_4763_: bool;
-    var phi_4764_: u32;
-    var phi_4765_: type_58;
-    var phi_4775_: u32;
-    var phi_4776_: type_58;
-    var phi_5281_: bool;
-    var phi_4777_: type_42;
-    var phi_4778_: u32;
-    var phi_4779_: bool;
-    var phi_4780_: u32;
-    var phi_4781_: type_58;
-    var phi_5280_: bool;
-    var phi_4782_: type_42;
-    var phi_4783_: u32;
-    var phi_4784_: bool;
-    var phi_4785_: u32;
-    var phi_4786_: type_58;
-    var phi_5279_: bool;
-    var phi_1367_: type_42;
-    var phi_1370_: u32;
-    var phi_1372_: bool;
-    var phi_1374_: u32;
-    var phi_1376_: type_58;
-    var phi_4787_: bool;
-    var phi_5278_: bool;
-    var local_10: type_42;
-    var local_11: type_42;
+    var phi_363_: u32;
+    var phi_407_: i32;
+    var phi_547_: type_36;
+    var phi_697_: i32;
+    var phi_698_: i32;
+    var phi_708_: bool;
+    var phi_718_: u32;
+    var phi_719_: u32;
+    var phi_721_: bool;
+    var phi_726_: u32;
+    var phi_759_: i32;
+    var phi_777_: f32;
+    var phi_783_: f32;
+    var phi_823_: f32;
+    var phi_829_: f32;
+    var phi_902_: f32;
+    var phi_908_: f32;
+    var phi_948_: f32;
+    var phi_954_: f32;
+    var phi_1027_: f32;
+    var phi_1033_: f32;
+    var phi_1073_: f32;
+    var phi_1079_: f32;
+    var phi_1198_: i32;
+    var phi_1220_: u32;
+    var phi_1221_: u32;
+    var phi_1258_: i32;
+    var phi_1280_: u32;
+    var phi_1281_: u32;
+    var phi_1289_: f32;
+    var phi_1290_: f32;
+    var phi_5142_: bool;
+    var phi_1386_: type_43;
+    var phi_1389_: u32;
+    var phi_1391_: bool;
+    var phi_1393_: u32;
+    var phi_1395_: type_59;
+    var phi_1406_: bool;
+    var phi_1492_: bool;
+    var phi_1493_: u32;
+    var phi_1494_: type_59;
+    var phi_1513_: type_43;
+    var phi_1516_: type_8;
+    var phi_1517_: type_8;
+    var phi_1539_: type_8;
+    var phi_1580_: u32;
+    var phi_1586_: u32;
+    var phi_1596_: u32;
+    var phi_1612_: u32;
+    var phi_1645_: u32;
+    var phi_1651_: u32;
+    var phi_2117_: u32;
+    var phi_2135_: u32;
+    var phi_2153_: u32;
+    var phi_2176_: u32;
+    var phi_2194_: u32;
+    var phi_2212_: u32;
+    var phi_2235_: u32;
+    var phi_2253_: u32;
+    var phi_2271_: u32;
+    var phi_1825_: u32;
+    var phi_1840_: u32;
+    var phi_1850_: u32;
+    var phi_1871_: u32;
+    var phi_1892_: u32;
+    var phi_1922_: u32;
+    var phi_1937_: u32;
+    var phi_1947_: u32;
+    var phi_1968_: u32;
+    var phi_1989_: u32;
+    var phi_2019_: u32;
+    var phi_2034_: u32;
+    var phi_2044_: u32;
+    var phi_2065_: u32;
+    var phi_2086_: u32;
+    var phi_1678_: u32;
+    var phi_1727_: u32;
+    var phi_1776_: u32;
+    var phi_2277_: array<array<f32, 3>, 3>;
+    var phi_4777_: bool;
+    var phi_4792_: bool;
+    var phi_4807_: bool;
+    var phi_4822_: bool;
+    var phi_4837_: bool;
+    var phi_4852_: bool;
+    var phi_2819_: f32;
+    var phi_2820_: f32;
+    var phi_2821_: f32;
+    var phi_2822_: f32;
+    var phi_2823_: vec3<f32>;
+    var phi_2824_: vec3<f32>;
+    var phi_2825_: vec3<f32>;
+    var phi_2826_: vec3<f32>;
+    var phi_4867_: bool;
+    var phi_4882_: bool;
+    var phi_4897_: bool;
+    var phi_4912_: bool;
+    var phi_4927_: bool;
+    var phi_4942_: bool;
+    var phi_3034_: f32;
+    var phi_3054_: type_42;
+    var phi_3055_: type_42;
+    var phi_3058_: type_42;
+    var phi_3059_: type_42;
+    var phi_3060_: bool;
+    var phi_3064_: type_42;
+    var phi_3073_: type_21;
+    var phi_3096_: u32;
+    var phi_3110_: i32;
+    var phi_3132_: vec3<f32>;
+    var phi_3133_: vec3<f32>;
+    var phi_3151_: vec3<f32>;
+    var phi_3152_: vec3<f32>;
+    var phi_3170_: vec3<f32>;
+    var phi_3171_: vec3<f32>;
+    var phi_3207_: vec3<f32>;
+    var phi_3389_: f32;
+    var phi_3407_: bool;
+    var phi_3408_: bool;
+    var phi_3413_: type_43;
+    var phi_3414_: type_43;
+    var phi_1514_: type_43;
+    var phi_5136_: bool;
+    var phi_5471_: bool;
+    var phi_3415_: type_43;
+    var phi_3917_: u32;
+    var phi_3923_: u32;
+    var phi_4177_: u32;
+    var phi_4178_: u32;
+    var phi_4188_: u32;
+    var phi_4190_: u32;
+    var phi_4191_: bool;
+    var phi_4211_: u32;
+    var phi_4212_: u32;
+    var phi_4216_: type_60;
+    var phi_4578_: type_59;
+    var phi_4654_: type_59;
+    var phi_4655_: u32;
+    var phi_4656_: type_59;
+    var phi_4658_: u32;
+    var phi_4659_: type_59;
+    var phi_4660_: bool;
+    var phi_4669_: type_59;
+    var phi_4674_: bool;
+    var phi_4676_: type_59;
+    var phi_4680_: bool;
+    var phi_4681_: u32;
+    var phi_4682_: type_59;
+    var phi_4692_: u32;
+    var phi_4693_: type_59;
+    var phi_5383_: bool;
+    var phi_4694_: type_43;
+    var phi_4695_: u32;
+    var phi_4696_: bool;
+    var phi_4697_: u32;
+    var phi_4698_: type_59;
+    var phi_5382_: bool;
+    var phi_4699_: type_43;
+    var phi_4700_: u32;
+    var phi_4701_: bool;
+    var phi_4702_: u32;
+    var phi_4703_: type_59;
+    var phi_5381_: bool;
+    var phi_1387_: type_43;
+    var phi_1390_: u32;
+    var phi_1392_: bool;
+    var phi_1394_: u32;
+    var phi_1396_: type_59;
+    var phi_4704_: bool;
+    var phi_5380_: bool;
+    var local_10: type_43;
+    var local_11: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e101 = global;
-            let _e103 = arrayLength((&global_8.member));
-            let _e106 = arrayLength((&global_10.member));
-            let _e118 = arrayLength((&global_7.member));
-            let _e122 = global_4.member[0u][0u];
-            let _e126 = global_4.member[0u][1u];
-            let _e130 = global_4.member[0u][2u];
-            let _e134 = global_4.member[0u][3u];
-            let _e138 = global_4.member[1u][0u];
-            let _e142 = global_4.member[1u][1u];
-            let _e146 = global_4.member[1u][2u];
-            let _e150 = (_e101.x + (_e101.y * 2097152u));
-            let _e162 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
-            local = array<i32, 3>(bitcast<i32>(_e138), bitcast<i32>(_e142), bitcast<i32>(_e146));
-            let _e165 = (_e150 < arrayLength((&global_9.member)));
-            if _e165 {
-                if _e165 {
+            let _e102 = global;
+            let _e104 = arrayLength((&global_8.member));
+            let _e107 = arrayLength((&global_10.member));
+            let _e119 = arrayLength((&global_7.member));
+            let _e123 = global_4.member[0u][0u];
+            let _e127 = global_4.member[0u][1u];
+            let _e131 = global_4.member[0u][2u];
+            let _e135 = global_4.member[0u][3u];
+            let _e139 = global_4.member[1u][0u];
+            let _e143 = global_4.member[1u][1u];
+            let _e147 = global_4.member[1u][2u];
+            let _e151 = (_e102.x + (_e102.y * 2097152u));
+            let _e163 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e135) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e123), bitcast<i32>(_e127), bitcast<i32>(_e131));
+            local = array<i32, 3>(bitcast<i32>(_e139), bitcast<i32>(_e143), bitcast<i32>(_e147));
+            let _e166 = (_e151 < arrayLength((&global_9.member)));
+            if _e166 {
+                if _e166 {
                 } else {
                     break;
                 }
-                let _e169 = global_9.member[_e150].member_2;
-                phi_343_ = _e169;
+                let _e170 = global_9.member[_e151].member_2;
+                phi_363_ = _e170;
             } else {
-                phi_343_ = 4294967295u;
+                phi_363_ = 4294967295u;
             }
-            let _e171 = phi_343_;
-            let _e174 = global_1.member[0u];
-            let _e178 = global_3.member[0u][0u];
-            let _e182 = global_3.member[0u][1u];
-            let _e186 = global_3.member[0u][2u];
-            let _e190 = global_3.member[0u][3u];
-            let _e194 = global_3.member[1u][0u];
-            let _e198 = global_3.member[1u][1u];
-            let _e202 = global_3.member[1u][2u];
-            let _e206 = global_3.member[1u][3u];
-            let _e207 = bitcast<f32>(_e178);
-            let _e208 = bitcast<f32>(_e182);
-            let _e209 = bitcast<f32>(_e186);
-            let _e211 = bitcast<f32>(_e194);
-            let _e212 = array<u32, 3>(_e198, _e202, _e206);
-            let _e214 = bitcast<i32>(_e174);
-            if (_e214 < -126i) {
-                phi_387_ = -126i;
+            let _e172 = phi_363_;
+            let _e175 = global_1.member[0u];
+            let _e179 = global_3.member[0u][0u];
+            let _e183 = global_3.member[0u][1u];
+            let _e187 = global_3.member[0u][2u];
+            let _e191 = global_3.member[0u][3u];
+            let _e195 = global_3.member[1u][0u];
+            let _e199 = global_3.member[1u][1u];
+            let _e203 = global_3.member[1u][2u];
+            let _e207 = global_3.member[1u][3u];
+            let _e208 = bitcast<f32>(_e179);
+            let _e209 = bitcast<f32>(_e183);
+            let _e210 = bitcast<f32>(_e187);
+            let _e212 = bitcast<f32>(_e195);
+            let _e213 = array<u32, 3>(_e199, _e203, _e207);
+            let _e215 = bitcast<i32>(_e175);
+            if (_e215 < -126i) {
+                phi_407_ = -126i;
             } else {
-                phi_387_ = select(_e214, 127i, (_e214 > 127i));
+                phi_407_ = select(_e215, 127i, (_e215 > 127i));
             }
-            let _e219 = phi_387_;
-            let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
-            let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
-            if (_e190 == 0u) {
-                phi_527_ = type_36(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
+            let _e220 = phi_407_;
+            let _e225 = bitcast<f32>((bitcast<u32>((_e220 + 127i)) << bitcast<u32>(23i)));
+            let _e231 = bitcast<f32>((bitcast<u32>(((_e215 - _e220) + 127i)) << bitcast<u32>(23i)));
+            if (_e191 == 0u) {
+                phi_547_ = type_36(array<f32, 3>(_e208, _e209, _e210), _e191, _e212, _e213);
             } else {
-                let _e232 = bitcast<u32>(_e207);
-                let _e234 = ((_e232 & 2139095040u) != 0u);
-                let _e249 = bitcast<u32>(_e208);
-                let _e251 = ((_e249 & 2139095040u) != 0u);
-                let _e266 = bitcast<u32>(_e209);
-                let _e268 = ((_e266 & 2139095040u) != 0u);
-                let _e284 = bitcast<u32>(_e211);
-                let _e286 = ((_e284 & 2139095040u) != 0u);
-                phi_527_ = type_36(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e232 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e232 & 2147483648u))), _e207, _e234) * _e224) * select(0.00000011920929f, 1f, _e234)) * _e230), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e249 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e249 & 2147483648u))), _e208, _e251) * _e224) * select(0.00000011920929f, 1f, _e251)) * _e230), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e266 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e266 & 2147483648u))), _e209, _e268) * _e224) * select(0.00000011920929f, 1f, _e268)) * _e230)), _e190, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e284 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e284 & 2147483648u))), _e211, _e286) * _e224) * select(0.00000011920929f, 1f, _e286)) * _e230), _e212);
+                let _e233 = bitcast<u32>(_e208);
+                let _e235 = ((_e233 & 2139095040u) != 0u);
+                let _e250 = bitcast<u32>(_e209);
+                let _e252 = ((_e250 & 2139095040u) != 0u);
+                let _e267 = bitcast<u32>(_e210);
+                let _e269 = ((_e267 & 2139095040u) != 0u);
+                let _e285 = bitcast<u32>(_e212);
+                let _e287 = ((_e285 & 2139095040u) != 0u);
+                phi_547_ = type_36(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e233 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e233 & 2147483648u))), _e208, _e235) * _e225) * select(0.00000011920929f, 1f, _e235)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e250 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e250 & 2147483648u))), _e209, _e252) * _e225) * select(0.00000011920929f, 1f, _e252)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e210, _e269) * _e225) * select(0.00000011920929f, 1f, _e269)) * _e231)), _e191, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e285 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e285 & 2147483648u))), _e212, _e287) * _e225) * select(0.00000011920929f, 1f, _e287)) * _e231), _e213);
             }
-            let _e303 = phi_527_;
-            if _e165 {
-                let _e304 = (_e150 < arrayLength((&global_2.member)));
-                if _e304 {
-                    if _e165 {
+            let _e304 = phi_547_;
+            if _e166 {
+                let _e305 = (_e151 < arrayLength((&global_2.member)));
+                if _e305 {
+                    if _e166 {
                     } else {
                         break;
                     }
-                    let _e309 = global_9.member[_e150].member.member_1;
-                    let _e314 = global_9.member[_e150].member.member_3;
-                    if (_e309 <= _e314) {
-                        let _e316 = (1u < _e118);
-                        if _e316 {
-                            if (0u < _e118) {
+                    let _e310 = global_9.member[_e151].member.member_1;
+                    let _e315 = global_9.member[_e151].member.member_3;
+                    if (_e310 <= _e315) {
+                        let _e317 = (1u < _e119);
+                        if _e317 {
+                            if (0u < _e119) {
                             } else {
                                 break;
                             }
-                            let _e320 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e320 + 1u) < _e320) {
-                                if _e316 {
+                            let _e321 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e321 + 1u) < _e321) {
+                                if _e317 {
                                 } else {
                                     break;
                                 }
-                                let _e325 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e326 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e165 {
+                        if _e166 {
                         } else {
                             break;
                         }
-                        let _e335 = global_9.member[_e150].member.member_2[0u];
-                        let _e337 = (bitcast<u32>(_e335) & 2147483647u);
-                        let _e343 = global_9.member[_e150].member.member_2[1u];
-                        let _e345 = (bitcast<u32>(_e343) & 2147483647u);
-                        let _e351 = global_9.member[_e150].member.member_2[2u];
-                        let _e353 = (bitcast<u32>(_e351) & 2147483647u);
-                        let _e359 = global_9.member[_e150].member.member[0u];
-                        let _e361 = (bitcast<u32>(_e359) & 2147483647u);
-                        let _e367 = global_9.member[_e150].member.member[1u];
-                        let _e369 = (bitcast<u32>(_e367) & 2147483647u);
-                        let _e375 = global_9.member[_e150].member.member[2u];
-                        let _e377 = (bitcast<u32>(_e375) & 2147483647u);
-                        let _e379 = select(_e345, _e337, (_e345 < _e337));
-                        let _e381 = select(_e353, _e379, (_e353 < _e379));
-                        let _e383 = select(_e361, _e381, (_e361 < _e381));
-                        let _e385 = select(_e369, _e383, (_e369 < _e383));
-                        let _e387 = select(_e377, _e385, (_e377 < _e385));
-                        let _e388 = bitcast<u32>(_e309);
-                        let _e389 = (_e388 & 2147483647u);
-                        let _e393 = bitcast<u32>(_e314);
-                        let _e394 = (_e393 & 2147483647u);
-                        let _e398 = (((select(_e389, _e387, (_e389 < _e387)) < 2139095040u) && (_e394 <= 2139095040u)) && (_e381 > 0u));
-                        if _e398 {
-                            let _e401 = (bitcast<u32>(bitcast<f32>(_e381)) & 2147483647u);
-                            if (_e401 >= 8388608u) {
-                                phi_677_ = (bitcast<i32>((_e401 >> bitcast<u32>(23i))) - 127i);
+                        let _e336 = global_9.member[_e151].member.member_2[0u];
+                        let _e338 = (bitcast<u32>(_e336) & 2147483647u);
+                        let _e344 = global_9.member[_e151].member.member_2[1u];
+                        let _e346 = (bitcast<u32>(_e344) & 2147483647u);
+                        let _e352 = global_9.member[_e151].member.member_2[2u];
+                        let _e354 = (bitcast<u32>(_e352) & 2147483647u);
+                        let _e360 = global_9.member[_e151].member.member[0u];
+                        let _e362 = (bitcast<u32>(_e360) & 2147483647u);
+                        let _e368 = global_9.member[_e151].member.member[1u];
+                        let _e370 = (bitcast<u32>(_e368) & 2147483647u);
+                        let _e376 = global_9.member[_e151].member.member[2u];
+                        let _e378 = (bitcast<u32>(_e376) & 2147483647u);
+                        let _e380 = select(_e346, _e338, (_e346 < _e338));
+                        let _e382 = select(_e354, _e380, (_e354 < _e380));
+                        let _e384 = select(_e362, _e382, (_e362 < _e382));
+                        let _e386 = select(_e370, _e384, (_e370 < _e384));
+                        let _e388 = select(_e378, _e386, (_e378 < _e386));
+                        let _e389 = bitcast<u32>(_e310);
+                        let _e390 = (_e389 & 2147483647u);
+                        let _e394 = bitcast<u32>(_e315);
+                        let _e395 = (_e394 & 2147483647u);
+                        let _e399 = (((select(_e390, _e388, (_e390 < _e388)) < 2139095040u) && (_e395 <= 2139095040u)) && (_e382 > 0u));
+                        if _e399 {
+                            let _e402 = (bitcast<u32>(bitcast<f32>(_e382)) & 2147483647u);
+                            if (_e402 >= 8388608u) {
+                                phi_697_ = (bitcast<i32>((_e402 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_677_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e401)), 32u, (_e401 == 0u))));
+                                phi_697_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e402)), 32u, (_e402 == 0u))));
                             }
-                            let _e415 = phi_677_;
-                            phi_678_ = _e415;
+                            let _e416 = phi_697_;
+                            phi_698_ = _e416;
                         } else {
-                            phi_678_ = 0i;
+                            phi_698_ = 0i;
                         }
-                        let _e417 = phi_678_;
-                        let _e418 = (_e337 == _e381);
-                        if _e418 {
-                            phi_688_ = true;
+                        let _e418 = phi_698_;
+                        let _e419 = (_e338 == _e382);
+                        if _e419 {
+                            phi_708_ = true;
                         } else {
-                            phi_688_ = (_e345 == _e381);
+                            phi_708_ = (_e346 == _e382);
                         }
-                        let _e421 = phi_688_;
-                        let _e422 = select(1u, 0u, _e418);
-                        if _e421 {
-                            let _e423 = (_e422 + 1u);
-                            phi_698_ = _e423;
-                            phi_699_ = _e423;
-                            phi_701_ = select(true, false, (_e423 == 2u));
+                        let _e422 = phi_708_;
+                        let _e423 = select(1u, 0u, _e419);
+                        if _e422 {
+                            let _e424 = (_e423 + 1u);
+                            phi_718_ = _e424;
+                            phi_719_ = _e424;
+                            phi_721_ = select(true, false, (_e424 == 2u));
                         } else {
-                            phi_698_ = u32();
-                            phi_699_ = 0u;
-                            phi_701_ = true;
+                            phi_718_ = u32();
+                            phi_719_ = 0u;
+                            phi_721_ = true;
                         }
-                        let _e427 = phi_698_;
-                        let _e429 = phi_699_;
-                        let _e431 = phi_701_;
-                        if _e431 {
-                            phi_706_ = (_e429 + 1u);
+                        let _e428 = phi_718_;
+                        let _e430 = phi_719_;
+                        let _e432 = phi_721_;
+                        if _e432 {
+                            phi_726_ = (_e430 + 1u);
                         } else {
-                            phi_706_ = 0u;
+                            phi_726_ = 0u;
                         }
-                        let _e435 = phi_706_;
-                        let _e436 = select(_e427, _e429, _e431);
-                        let _e437 = select(_e422, select(2u, _e422, _e421), _e431);
-                        let _e438 = -(_e417);
-                        if (_e438 < -126i) {
-                            phi_739_ = -126i;
+                        let _e436 = phi_726_;
+                        let _e437 = select(_e428, _e430, _e432);
+                        let _e438 = select(_e423, select(2u, _e423, _e422), _e432);
+                        let _e439 = -(_e418);
+                        if (_e439 < -126i) {
+                            phi_759_ = -126i;
                         } else {
-                            phi_739_ = select(_e438, 127i, (_e438 > 127i));
+                            phi_759_ = select(_e439, 127i, (_e439 > 127i));
                         }
-                        let _e443 = phi_739_;
-                        let _e448 = bitcast<f32>((bitcast<u32>((_e443 + 127i)) << bitcast<u32>(23i)));
-                        let _e454 = bitcast<f32>((bitcast<u32>(((_e438 - _e443) + 127i)) << bitcast<u32>(23i)));
-                        let _e459 = global_9.member[_e150].member.member;
-                        let _e460 = (_e436 == 0u);
-                        if _e460 {
-                            phi_757_ = _e459[0];
+                        let _e444 = phi_759_;
+                        let _e449 = bitcast<f32>((bitcast<u32>((_e444 + 127i)) << bitcast<u32>(23i)));
+                        let _e455 = bitcast<f32>((bitcast<u32>(((_e439 - _e444) + 127i)) << bitcast<u32>(23i)));
+                        let _e460 = global_9.member[_e151].member.member;
+                        let _e461 = (_e437 == 0u);
+                        if _e461 {
+                            phi_777_ = _e460[0];
                         } else {
-                            phi_757_ = _e459[1];
+                            phi_777_ = _e460[1];
                         }
-                        let _e464 = phi_757_;
-                        let _e465 = (_e436 == 2u);
-                        if _e465 {
-                            phi_763_ = _e459[2];
+                        let _e465 = phi_777_;
+                        let _e466 = (_e437 == 2u);
+                        if _e466 {
+                            phi_783_ = _e460[2];
                         } else {
-                            phi_763_ = _e464;
+                            phi_783_ = _e465;
                         }
-                        let _e468 = phi_763_;
-                        let _e469 = bitcast<u32>(_e468);
-                        let _e471 = ((_e469 & 2139095040u) != 0u);
-                        let _e483 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * select(0.00000011920929f, 1f, _e471));
-                        let _e484 = global_9.member[_e150].member.member_2;
-                        if _e460 {
-                            phi_803_ = _e484[0];
+                        let _e469 = phi_783_;
+                        let _e470 = bitcast<u32>(_e469);
+                        let _e472 = ((_e470 & 2139095040u) != 0u);
+                        let _e484 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e470 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e470 & 2147483648u))), _e469, _e472) * select(0.00000011920929f, 1f, _e472));
+                        let _e485 = global_9.member[_e151].member.member_2;
+                        if _e461 {
+                            phi_823_ = _e485[0];
                         } else {
-                            phi_803_ = _e484[1];
+                            phi_823_ = _e485[1];
                         }
-                        let _e488 = phi_803_;
-                        if _e465 {
-                            phi_809_ = _e484[2];
+                        let _e489 = phi_823_;
+                        if _e466 {
+                            phi_829_ = _e485[2];
                         } else {
-                            phi_809_ = _e488;
+                            phi_829_ = _e489;
                         }
-                        let _e491 = phi_809_;
-                        let _e492 = bitcast<u32>(_e491);
-                        let _e494 = ((_e492 & 2139095040u) != 0u);
-                        let _e508 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e492 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e492 & 2147483648u))), _e491, _e494) * _e448) * select(0.00000011920929f, 1f, _e494)) * _e454);
-                        let _e512 = (bitcast<f32>((bitcast<u32>(_e508) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e512 {
-                            let _e516 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) * 0.00000011920929f);
-                            phi_861_ = select(0.00000000000011368684f, _e516, (_e516 > 0.00000000000011368684f));
+                        let _e492 = phi_829_;
+                        let _e493 = bitcast<u32>(_e492);
+                        let _e495 = ((_e493 & 2139095040u) != 0u);
+                        let _e509 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e493 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e493 & 2147483648u))), _e492, _e495) * _e449) * select(0.00000011920929f, 1f, _e495)) * _e455);
+                        let _e513 = (bitcast<f32>((bitcast<u32>(_e509) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e516 = bitcast<f32>((bitcast<u32>(_e484) & 2147483647u));
+                        let _e517 = (_e516 * 0.00000011920929f);
+                        let _e520 = select(select(0.00000000000011368684f, _e517, (_e517 > 0.00000000000011368684f)), 0f, _e513);
+                        let _e521 = select(0f, _e509, _e513);
+                        let _e522 = (_e484 + _e520);
+                        let _e523 = (_e484 - _e520);
+                        let _e525 = select(38685626000000000000000000f, (1f / _e509), _e513);
+                        let _e526 = (_e436 == 0u);
+                        if _e526 {
+                            phi_902_ = _e460[0];
                         } else {
-                            phi_861_ = 0f;
+                            phi_902_ = _e460[1];
                         }
-                        let _e520 = phi_861_;
-                        let _e521 = (_e483 + _e520);
-                        let _e522 = (_e483 - _e520);
-                        let _e523 = select(_e508, 0f, _e512);
-                        if _e512 {
-                            phi_873_ = 38685626000000000000000000f;
+                        let _e530 = phi_902_;
+                        let _e531 = (_e436 == 2u);
+                        if _e531 {
+                            phi_908_ = _e460[2];
                         } else {
-                            phi_873_ = (1f / _e508);
+                            phi_908_ = _e530;
                         }
-                        let _e526 = phi_873_;
-                        let _e527 = (_e435 == 0u);
-                        if _e527 {
-                            phi_882_ = _e459[0];
+                        let _e534 = phi_908_;
+                        let _e535 = bitcast<u32>(_e534);
+                        let _e537 = ((_e535 & 2139095040u) != 0u);
+                        let _e549 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e535 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e535 & 2147483648u))), _e534, _e537) * select(0.00000011920929f, 1f, _e537));
+                        if _e526 {
+                            phi_948_ = _e485[0];
                         } else {
-                            phi_882_ = _e459[1];
+                            phi_948_ = _e485[1];
                         }
-                        let _e531 = phi_882_;
-                        let _e532 = (_e435 == 2u);
-                        if _e532 {
-                            phi_888_ = _e459[2];
+                        let _e553 = phi_948_;
+                        if _e531 {
+                            phi_954_ = _e485[2];
                         } else {
-                            phi_888_ = _e531;
+                            phi_954_ = _e553;
                         }
-                        let _e535 = phi_888_;
-                        let _e536 = bitcast<u32>(_e535);
-                        let _e538 = ((_e536 & 2139095040u) != 0u);
-                        let _e550 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e536 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e536 & 2147483648u))), _e535, _e538) * select(0.00000011920929f, 1f, _e538));
-                        if _e527 {
-                            phi_928_ = _e484[0];
+                        let _e556 = phi_954_;
+                        let _e557 = bitcast<u32>(_e556);
+                        let _e559 = ((_e557 & 2139095040u) != 0u);
+                        let _e573 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e557 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e557 & 2147483648u))), _e556, _e559) * _e449) * select(0.00000011920929f, 1f, _e559)) * _e455);
+                        let _e577 = (bitcast<f32>((bitcast<u32>(_e573) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e580 = bitcast<f32>((bitcast<u32>(_e549) & 2147483647u));
+                        let _e581 = (_e580 * 0.00000011920929f);
+                        let _e584 = select(select(0.00000000000011368684f, _e581, (_e581 > 0.00000000000011368684f)), 0f, _e577);
+                        let _e585 = select(0f, _e573, _e577);
+                        let _e586 = (_e549 + _e584);
+                        let _e587 = (_e549 - _e584);
+                        let _e589 = select(38685626000000000000000000f, (1f / _e573), _e577);
+                        let _e590 = (_e438 == 0u);
+                        if _e590 {
+                            phi_1027_ = _e460[0];
                         } else {
-                            phi_928_ = _e484[1];
+                            phi_1027_ = _e460[1];
                         }
-                        let _e554 = phi_928_;
-                        if _e532 {
-                            phi_934_ = _e484[2];
+                        let _e594 = phi_1027_;
+                        let _e595 = (_e438 == 2u);
+                        if _e595 {
+                            phi_1033_ = _e460[2];
                         } else {
-                            phi_934_ = _e554;
+                            phi_1033_ = _e594;
                         }
-                        let _e557 = phi_934_;
-                        let _e558 = bitcast<u32>(_e557);
-                        let _e560 = ((_e558 & 2139095040u) != 0u);
-                        let _e574 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e558 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e558 & 2147483648u))), _e557, _e560) * _e448) * select(0.00000011920929f, 1f, _e560)) * _e454);
-                        let _e578 = (bitcast<f32>((bitcast<u32>(_e574) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e578 {
-                            let _e582 = (bitcast<f32>((bitcast<u32>(_e550) & 2147483647u)) * 0.00000011920929f);
-                            phi_986_ = select(0.00000000000011368684f, _e582, (_e582 > 0.00000000000011368684f));
+                        let _e598 = phi_1033_;
+                        let _e599 = bitcast<u32>(_e598);
+                        let _e601 = ((_e599 & 2139095040u) != 0u);
+                        let _e613 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e599 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e599 & 2147483648u))), _e598, _e601) * select(0.00000011920929f, 1f, _e601));
+                        if _e590 {
+                            phi_1073_ = _e485[0];
                         } else {
-                            phi_986_ = 0f;
+                            phi_1073_ = _e485[1];
                         }
-                        let _e586 = phi_986_;
-                        let _e587 = (_e550 + _e586);
-                        let _e588 = (_e550 - _e586);
-                        let _e589 = select(_e574, 0f, _e578);
-                        if _e578 {
-                            phi_998_ = 38685626000000000000000000f;
+                        let _e617 = phi_1073_;
+                        if _e595 {
+                            phi_1079_ = _e485[2];
                         } else {
-                            phi_998_ = (1f / _e574);
+                            phi_1079_ = _e617;
                         }
-                        let _e592 = phi_998_;
-                        let _e593 = (_e437 == 0u);
-                        if _e593 {
-                            phi_1007_ = _e459[0];
-                        } else {
-                            phi_1007_ = _e459[1];
-                        }
-                        let _e597 = phi_1007_;
-                        let _e598 = (_e437 == 2u);
-                        if _e598 {
-                            phi_1013_ = _e459[2];
-                        } else {
-                            phi_1013_ = _e597;
-                        }
-                        let _e601 = phi_1013_;
-                        let _e602 = bitcast<u32>(_e601);
-                        let _e604 = ((_e602 & 2139095040u) != 0u);
-                        let _e616 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e602 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e602 & 2147483648u))), _e601, _e604) * select(0.00000011920929f, 1f, _e604));
-                        if _e593 {
-                            phi_1053_ = _e484[0];
-                        } else {
-                            phi_1053_ = _e484[1];
-                        }
-                        let _e620 = phi_1053_;
-                        if _e598 {
-                            phi_1059_ = _e484[2];
-                        } else {
-                            phi_1059_ = _e620;
-                        }
-                        let _e623 = phi_1059_;
-                        let _e624 = bitcast<u32>(_e623);
-                        let _e626 = ((_e624 & 2139095040u) != 0u);
-                        let _e640 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e624 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e624 & 2147483648u))), _e623, _e626) * _e448) * select(0.00000011920929f, 1f, _e626)) * _e454);
-                        let _e644 = (bitcast<f32>((bitcast<u32>(_e640) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e644 {
-                            let _e648 = (bitcast<f32>((bitcast<u32>(_e616) & 2147483647u)) * 0.00000011920929f);
-                            phi_1111_ = select(0.00000000000011368684f, _e648, (_e648 > 0.00000000000011368684f));
-                        } else {
-                            phi_1111_ = 0f;
-                        }
-                        let _e652 = phi_1111_;
-                        let _e653 = (_e616 + _e652);
-                        let _e654 = (_e616 - _e652);
-                        let _e655 = select(_e640, 0f, _e644);
-                        if _e644 {
-                            phi_1123_ = 38685626000000000000000000f;
-                        } else {
-                            phi_1123_ = (1f / _e640);
-                        }
-                        let _e658 = phi_1123_;
-                        let _e661 = bitcast<f32>((bitcast<u32>(_e483) & 2147483647u));
-                        let _e664 = bitcast<f32>((bitcast<u32>(_e550) & 2147483647u));
-                        let _e666 = select(_e664, _e661, (_e661 > _e664));
-                        let _e669 = bitcast<f32>((bitcast<u32>(_e616) & 2147483647u));
-                        if (_e398 && (select(_e669, _e666, (_e666 > _e669)) <= 1099511600000f)) {
-                            let _e681 = ((_e389 & 8388607u) | (select(0u, 1u, ((_e389 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e684 = bitcast<i32>((_e389 >> bitcast<u32>(23i)));
-                            let _e688 = (_e681 == 0u);
-                            let _e691 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e681)), 32u, _e688)) - 8i);
-                            if (_e684 == 255i) {
-                                phi_1178_ = 255i;
+                        let _e620 = phi_1079_;
+                        let _e621 = bitcast<u32>(_e620);
+                        let _e623 = ((_e621 & 2139095040u) != 0u);
+                        let _e637 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e621 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e621 & 2147483648u))), _e620, _e623) * _e449) * select(0.00000011920929f, 1f, _e623)) * _e455);
+                        let _e641 = (bitcast<f32>((bitcast<u32>(_e637) & 2147483647u)) >= 0.00000000000000000086736174f);
+                        let _e644 = bitcast<f32>((bitcast<u32>(_e613) & 2147483647u));
+                        let _e645 = (_e644 * 0.00000011920929f);
+                        let _e648 = select(select(0.00000000000011368684f, _e645, (_e645 > 0.00000000000011368684f)), 0f, _e641);
+                        let _e649 = select(0f, _e637, _e641);
+                        let _e650 = (_e613 + _e648);
+                        let _e651 = (_e613 - _e648);
+                        let _e653 = select(38685626000000000000000000f, (1f / _e637), _e641);
+                        let _e655 = select(_e580, _e516, (_e516 > _e580));
+                        if (_e399 && (select(_e644, _e655, (_e655 > _e644)) <= 1099511600000f)) {
+                            let _e667 = ((_e390 & 8388607u) | (select(0u, 1u, ((_e390 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e670 = bitcast<i32>((_e390 >> bitcast<u32>(23i)));
+                            let _e674 = (_e667 == 0u);
+                            let _e677 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e667)), 32u, _e674)) - 8i);
+                            if (_e670 == 255i) {
+                                phi_1198_ = 255i;
                             } else {
-                                phi_1178_ = (((_e684 + select(0i, 1i, (_e684 == 0i))) - _e691) + _e417);
+                                phi_1198_ = (((_e670 + select(0i, 1i, (_e670 == 0i))) - _e677) + _e418);
                             }
-                            let _e699 = phi_1178_;
-                            let _e709 = (_e699 <= 0i);
-                            if _e709 {
-                                phi_1201_ = u32();
+                            let _e685 = phi_1198_;
+                            let _e695 = (_e685 <= 0i);
+                            if _e695 {
+                                phi_1221_ = u32();
                             } else {
-                                if _e688 {
-                                    phi_1200_ = u32();
+                                if _e674 {
+                                    phi_1220_ = u32();
                                 } else {
-                                    phi_1200_ = select(((bitcast<u32>(_e699) << bitcast<u32>(23i)) | ((_e681 << bitcast<u32>(((_e691 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e699 >= 255i));
+                                    phi_1220_ = select(((bitcast<u32>(_e685) << bitcast<u32>(23i)) | ((_e667 << bitcast<u32>(((_e677 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e685 >= 255i));
                                 }
-                                let _e713 = phi_1200_;
-                                phi_1201_ = _e713;
+                                let _e699 = phi_1220_;
+                                phi_1221_ = _e699;
                             }
-                            let _e715 = phi_1201_;
-                            let _e727 = ((_e394 & 8388607u) | (select(0u, 1u, ((_e394 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                            let _e730 = bitcast<i32>((_e394 >> bitcast<u32>(23i)));
-                            let _e734 = (_e727 == 0u);
-                            let _e737 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e727)), 32u, _e734)) - 8i);
-                            if (_e730 == 255i) {
-                                phi_1238_ = 255i;
+                            let _e701 = phi_1221_;
+                            let _e713 = ((_e395 & 8388607u) | (select(0u, 1u, ((_e395 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                            let _e716 = bitcast<i32>((_e395 >> bitcast<u32>(23i)));
+                            let _e720 = (_e713 == 0u);
+                            let _e723 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e713)), 32u, _e720)) - 8i);
+                            if (_e716 == 255i) {
+                                phi_1258_ = 255i;
                             } else {
-                                phi_1238_ = (((_e730 + select(0i, 1i, (_e730 == 0i))) - _e737) + _e417);
+                                phi_1258_ = (((_e716 + select(0i, 1i, (_e716 == 0i))) - _e723) + _e418);
                             }
-                            let _e745 = phi_1238_;
-                            let _e755 = (_e745 <= 0i);
-                            if _e755 {
-                                phi_1261_ = u32();
+                            let _e731 = phi_1258_;
+                            let _e741 = (_e731 <= 0i);
+                            if _e741 {
+                                phi_1281_ = u32();
                             } else {
-                                if _e734 {
-                                    phi_1260_ = u32();
+                                if _e720 {
+                                    phi_1280_ = u32();
                                 } else {
-                                    phi_1260_ = select(((bitcast<u32>(_e745) << bitcast<u32>(23i)) | ((_e727 << bitcast<u32>(((_e737 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e745 >= 255i));
+                                    phi_1280_ = select(((bitcast<u32>(_e731) << bitcast<u32>(23i)) | ((_e713 << bitcast<u32>(((_e723 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e731 >= 255i));
                                 }
-                                let _e759 = phi_1260_;
-                                phi_1261_ = _e759;
+                                let _e745 = phi_1280_;
+                                phi_1281_ = _e745;
                             }
-                            let _e761 = phi_1261_;
-                            phi_1269_ = bitcast<f32>(((_e393 & 2147483648u) | select(_e761, 0u, select(_e734, true, _e755))));
-                            phi_1270_ = bitcast<f32>(((_e388 & 2147483648u) | select(_e715, 0u, select(_e688, true, _e709))));
+                            let _e747 = phi_1281_;
+                            phi_1289_ = bitcast<f32>(((_e394 & 2147483648u) | select(_e747, 0u, select(_e720, true, _e741))));
+                            phi_1290_ = bitcast<f32>(((_e389 & 2147483648u) | select(_e701, 0u, select(_e674, true, _e695))));
                         } else {
-                            phi_1269_ = 0f;
-                            phi_1270_ = 1f;
+                            phi_1289_ = 0f;
+                            phi_1290_ = 1f;
                         }
-                        let _e767 = phi_1269_;
-                        let _e769 = phi_1270_;
+                        let _e753 = phi_1289_;
+                        let _e755 = phi_1290_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -694,1435 +658,1412 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e773 = (_e436 % 3u);
-                        let _e774 = (_e773 < 3u);
-                        if _e774 {
+                        let _e759 = (_e437 % 3u);
+                        let _e760 = (_e759 < 3u);
+                        if _e760 {
                         } else {
                             break;
                         }
-                        let _e776 = local_1[_e773];
-                        let _e779 = (_e435 % 3u);
-                        let _e780 = (_e779 < 3u);
-                        if _e780 {
+                        let _e762 = local_1[_e759];
+                        let _e765 = (_e436 % 3u);
+                        let _e766 = (_e765 < 3u);
+                        if _e766 {
                         } else {
                             break;
                         }
-                        let _e782 = local_1[_e779];
-                        let _e785 = (_e437 % 3u);
-                        let _e786 = (_e785 < 3u);
-                        if _e786 {
+                        let _e768 = local_1[_e765];
+                        let _e771 = (_e438 % 3u);
+                        let _e772 = (_e771 < 3u);
+                        if _e772 {
                         } else {
                             break;
                         }
-                        let _e788 = local_1[_e785];
-                        if _e774 {
+                        let _e774 = local_1[_e771];
+                        if _e760 {
                         } else {
                             break;
                         }
-                        let _e793 = local[_e773];
-                        if _e780 {
+                        let _e779 = local[_e759];
+                        if _e766 {
                         } else {
                             break;
                         }
-                        let _e797 = local[_e779];
-                        if _e786 {
+                        let _e783 = local[_e765];
+                        if _e772 {
                         } else {
                             break;
                         }
-                        let _e801 = local[_e785];
-                        phi_5045_ = false;
-                        phi_1366_ = type_42(_e767, false);
-                        phi_1369_ = ((3u * _e103) + 1u);
-                        phi_1371_ = (_e769 <= _e767);
-                        phi_1373_ = 0u;
-                        phi_1375_ = type_58(type_30(vec4<f32>((f32(_e776) * _e162), (f32(_e782) * _e162), (f32(_e788) * _e162), 0f), vec4<f32>((f32(_e793) * _e162), (f32(_e797) * _e162), (f32(_e801) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
+                        let _e787 = local[_e771];
+                        phi_5142_ = false;
+                        phi_1386_ = type_43(_e753, false);
+                        phi_1389_ = ((3u * _e104) + 1u);
+                        phi_1391_ = (_e755 <= _e753);
+                        phi_1393_ = 0u;
+                        phi_1395_ = type_59(type_30(vec4<f32>((f32(_e762) * _e163), (f32(_e768) * _e163), (f32(_e774) * _e163), 0f), vec4<f32>((f32(_e779) * _e163), (f32(_e783) * _e163), (f32(_e787) * _e163), 0f)), select(0u, 2147483648u, (_e104 == 0u)));
                         loop {
-                            let _e811 = phi_5045_;
-                            let _e813 = phi_1366_;
-                            let _e815 = phi_1369_;
-                            let _e817 = phi_1371_;
-                            let _e819 = phi_1373_;
-                            let _e821 = phi_1375_;
-                            local_10 = _e813;
-                            if _e817 {
-                                phi_1386_ = true;
+                            let _e797 = phi_5142_;
+                            let _e799 = phi_1386_;
+                            let _e801 = phi_1389_;
+                            let _e803 = phi_1391_;
+                            let _e805 = phi_1393_;
+                            let _e807 = phi_1395_;
+                            local_10 = _e799;
+                            if _e803 {
+                                phi_1406_ = true;
                             } else {
-                                phi_1386_ = (_e819 > 0u);
+                                phi_1406_ = (_e805 > 0u);
                             }
-                            let _e824 = phi_1386_;
-                            if _e824 {
-                                let _e825 = (_e815 > 0u);
-                                if _e825 {
-                                    if _e817 {
-                                        phi_1472_ = _e817;
-                                        phi_1473_ = _e819;
-                                        phi_1474_ = _e821;
+                            let _e810 = phi_1406_;
+                            if _e810 {
+                                let _e811 = (_e801 > 0u);
+                                if _e811 {
+                                    if _e803 {
+                                        phi_1492_ = _e803;
+                                        phi_1493_ = _e805;
+                                        phi_1494_ = _e807;
                                     } else {
-                                        let _e826 = (_e819 - 1u);
-                                        let _e827 = (_e826 % 128u);
-                                        let _e828 = (_e827 < 128u);
-                                        if _e828 {
+                                        let _e812 = (_e805 - 1u);
+                                        let _e813 = (_e812 % 128u);
+                                        let _e814 = (_e813 < 128u);
+                                        if _e814 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e830 = local_7[_e827];
-                                        if _e828 {
+                                        let _e816 = local_7[_e813];
+                                        if _e814 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e832 = local_6[_e827];
-                                        if _e828 {
+                                        let _e818 = local_6[_e813];
+                                        if _e814 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e834 = local_5[_e827];
-                                        if _e828 {
+                                        let _e820 = local_5[_e813];
+                                        if _e814 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e836 = local_4[_e827];
-                                        if _e828 {
+                                        let _e822 = local_4[_e813];
+                                        if _e814 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e838 = local_3[_e827];
-                                        if _e828 {
+                                        let _e824 = local_3[_e813];
+                                        if _e814 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e840 = local_2[_e827];
-                                        if _e828 {
+                                        let _e826 = local_2[_e813];
+                                        if _e814 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e845 = local_8[_e827];
-                                        if _e828 {
+                                        let _e831 = local_8[_e813];
+                                        if _e814 {
                                         } else {
-                                            phi_5278_ = true;
+                                            phi_5380_ = true;
                                             break;
                                         }
-                                        let _e848 = local_9[_e827];
-                                        phi_1472_ = (_e848 <= _e813.member);
-                                        phi_1473_ = _e826;
-                                        phi_1474_ = type_58(type_30(vec4<f32>(_e830, _e832, _e834, 0f), vec4<f32>(_e836, _e838, _e840, 0f)), _e845);
+                                        let _e834 = local_9[_e813];
+                                        phi_1492_ = (_e834 <= _e799.member);
+                                        phi_1493_ = _e812;
+                                        phi_1494_ = type_59(type_30(vec4<f32>(_e816, _e818, _e820, 0f), vec4<f32>(_e822, _e824, _e826, 0f)), _e831);
                                     }
-                                    let _e852 = phi_1472_;
-                                    let _e854 = phi_1473_;
-                                    let _e856 = phi_1474_;
-                                    if _e852 {
-                                        let _e860 = ((_e856.member_1 & 2147483648u) != 0u);
-                                        let _e861 = (_e856.member_1 & 268435455u);
-                                        if _e860 {
-                                            phi_1493_ = _e813;
-                                            phi_1496_ = type_8(0u, ((_e856.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e838 = phi_1492_;
+                                    let _e840 = phi_1493_;
+                                    let _e842 = phi_1494_;
+                                    if _e838 {
+                                        let _e846 = ((_e842.member_1 & 2147483648u) != 0u);
+                                        let _e847 = (_e842.member_1 & 268435455u);
+                                        if _e846 {
+                                            phi_1513_ = _e799;
+                                            phi_1516_ = type_8(0u, ((_e842.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e868 = phi_1493_;
-                                                let _e870 = phi_1496_;
-                                                local_11 = _e868;
-                                                if (_e870.member < _e870.member_1) {
-                                                    phi_1497_ = type_8((_e870.member + 1u), _e870.member_1);
-                                                    phi_1519_ = type_8(1u, _e870.member);
+                                                let _e854 = phi_1513_;
+                                                let _e856 = phi_1516_;
+                                                local_11 = _e854;
+                                                if (_e856.member < _e856.member_1) {
+                                                    phi_1517_ = type_8((_e856.member + 1u), _e856.member_1);
+                                                    phi_1539_ = type_8(1u, _e856.member);
                                                 } else {
-                                                    phi_1497_ = _e870;
-                                                    phi_1519_ = type_8(0u, type_8().member_1);
+                                                    phi_1517_ = _e856;
+                                                    phi_1539_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e883 = phi_1497_;
-                                                let _e885 = phi_1519_;
-                                                let _e889 = (bitcast<i32>(_e885.member) != 0i);
-                                                if _e889 {
-                                                    let _e894 = (_e856.member.member_1.x - _e856.member.member.x);
-                                                    let _e897 = (_e856.member.member_1.y - _e856.member.member.y);
-                                                    let _e900 = (_e856.member.member_1.z - _e856.member.member.z);
-                                                    let _e902 = select(_e897, _e894, (_e894 > _e897));
-                                                    let _e904 = select(_e900, _e902, (_e902 > _e900));
-                                                    let _e906 = (_e904 < (1024f * _e162));
-                                                    if _e906 {
-                                                        phi_1560_ = 0u;
+                                                let _e869 = phi_1517_;
+                                                let _e871 = phi_1539_;
+                                                let _e875 = (bitcast<i32>(_e871.member) != 0i);
+                                                if _e875 {
+                                                    let _e880 = (_e842.member.member_1.x - _e842.member.member.x);
+                                                    let _e883 = (_e842.member.member_1.y - _e842.member.member.y);
+                                                    let _e886 = (_e842.member.member_1.z - _e842.member.member.z);
+                                                    let _e888 = select(_e883, _e880, (_e880 > _e883));
+                                                    let _e890 = select(_e886, _e888, (_e888 > _e886));
+                                                    let _e892 = (_e890 < (1024f * _e163));
+                                                    if _e892 {
+                                                        phi_1580_ = 0u;
                                                     } else {
-                                                        phi_1560_ = select(2u, 1u, (_e904 < (2097152f * _e162)));
+                                                        phi_1580_ = select(2u, 1u, (_e890 < (2097152f * _e163)));
                                                     }
-                                                    let _e911 = phi_1560_;
-                                                    switch bitcast<i32>(_e911) {
+                                                    let _e897 = phi_1580_;
+                                                    switch bitcast<i32>(_e897) {
                                                         case 0: {
-                                                            phi_1566_ = 1u;
+                                                            phi_1586_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1566_ = 2u;
+                                                            phi_1586_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1566_ = 3u;
+                                                            phi_1586_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1566_ = u32();
+                                                            phi_1586_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e914 = phi_1566_;
-                                                    switch bitcast<i32>(_e911) {
+                                                    let _e900 = phi_1586_;
+                                                    switch bitcast<i32>(_e897) {
                                                         case 0: {
-                                                            phi_1576_ = 1u;
+                                                            phi_1596_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1576_ = 2u;
+                                                            phi_1596_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1576_ = 3u;
+                                                            phi_1596_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1576_ = u32();
+                                                            phi_1596_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e921 = phi_1576_;
-                                                    let _e923 = ((_e861 + (_e885.member_1 * ((3u * _e914) + 1u))) + (3u * _e921));
-                                                    let _e924 = (_e923 < _e106);
-                                                    if _e924 {
-                                                        if _e924 {
+                                                    let _e907 = phi_1596_;
+                                                    let _e909 = ((_e847 + (_e871.member_1 * ((3u * _e900) + 1u))) + (3u * _e907));
+                                                    let _e910 = (_e909 < _e107);
+                                                    if _e910 {
+                                                        if _e910 {
                                                         } else {
-                                                            phi_5039_ = true;
+                                                            phi_5136_ = true;
                                                             break;
                                                         }
-                                                        let _e926 = global_10.member[_e923];
-                                                        phi_1592_ = _e926;
+                                                        let _e912 = global_10.member[_e909];
+                                                        phi_1612_ = _e912;
                                                     } else {
-                                                        phi_1592_ = 4294967295u;
+                                                        phi_1612_ = 4294967295u;
                                                     }
-                                                    let _e928 = phi_1592_;
-                                                    if _e906 {
-                                                        phi_1625_ = 0u;
+                                                    let _e914 = phi_1612_;
+                                                    if _e892 {
+                                                        phi_1645_ = 0u;
                                                     } else {
-                                                        phi_1625_ = select(2u, 1u, (_e904 < (2097152f * _e162)));
+                                                        phi_1645_ = select(2u, 1u, (_e890 < (2097152f * _e163)));
                                                     }
-                                                    let _e933 = phi_1625_;
-                                                    switch bitcast<i32>(_e933) {
+                                                    let _e919 = phi_1645_;
+                                                    switch bitcast<i32>(_e919) {
                                                         case 0: {
-                                                            phi_1631_ = 1u;
+                                                            phi_1651_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1631_ = 2u;
+                                                            phi_1651_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1631_ = 3u;
+                                                            phi_1651_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1631_ = u32();
+                                                            phi_1651_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e936 = phi_1631_;
-                                                    let _e940 = (_e861 + (_e885.member_1 * ((3u * _e936) + 1u)));
-                                                    switch bitcast<i32>(_e933) {
+                                                    let _e922 = phi_1651_;
+                                                    let _e926 = (_e847 + (_e871.member_1 * ((3u * _e922) + 1u)));
+                                                    switch bitcast<i32>(_e919) {
                                                         case 0: {
-                                                            let _e1215 = (_e940 < _e106);
-                                                            if _e1215 {
-                                                                if _e1215 {
+                                                            let _e1201 = (_e926 < _e107);
+                                                            if _e1201 {
+                                                                if _e1201 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1217 = global_10.member[_e940];
-                                                                phi_1658_ = _e1217;
+                                                                let _e1203 = global_10.member[_e926];
+                                                                phi_1678_ = _e1203;
                                                             } else {
-                                                                phi_1658_ = 0u;
+                                                                phi_1678_ = 0u;
                                                             }
-                                                            let _e1219 = phi_1658_;
-                                                            let _e1221 = ((10u * _e436) & 31u);
-                                                            let _e1231 = ((10u * _e435) & 31u);
-                                                            let _e1241 = ((10u * _e437) & 31u);
-                                                            let _e1251 = (_e940 + 1u);
-                                                            let _e1252 = (_e1251 < _e106);
-                                                            if _e1252 {
-                                                                if _e1252 {
+                                                            let _e1205 = phi_1678_;
+                                                            let _e1207 = ((10u * _e437) & 31u);
+                                                            let _e1217 = ((10u * _e436) & 31u);
+                                                            let _e1227 = ((10u * _e438) & 31u);
+                                                            let _e1237 = (_e926 + 1u);
+                                                            let _e1238 = (_e1237 < _e107);
+                                                            if _e1238 {
+                                                                if _e1238 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1254 = global_10.member[_e1251];
-                                                                phi_1707_ = _e1254;
+                                                                let _e1240 = global_10.member[_e1237];
+                                                                phi_1727_ = _e1240;
                                                             } else {
-                                                                phi_1707_ = 0u;
+                                                                phi_1727_ = 0u;
                                                             }
-                                                            let _e1256 = phi_1707_;
-                                                            let _e1282 = (_e940 + 2u);
-                                                            let _e1283 = (_e1282 < _e106);
-                                                            if _e1283 {
-                                                                if _e1283 {
+                                                            let _e1242 = phi_1727_;
+                                                            let _e1268 = (_e926 + 2u);
+                                                            let _e1269 = (_e1268 < _e107);
+                                                            if _e1269 {
+                                                                if _e1269 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1285 = global_10.member[_e1282];
-                                                                phi_1756_ = _e1285;
+                                                                let _e1271 = global_10.member[_e1268];
+                                                                phi_1776_ = _e1271;
                                                             } else {
-                                                                phi_1756_ = 0u;
+                                                                phi_1776_ = 0u;
                                                             }
-                                                            let _e1287 = phi_1756_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1219 >> bitcast<u32>(_e1221)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1219 >> bitcast<u32>(_e1231)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1219 >> bitcast<u32>(_e1241)) & 1023u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1256 >> bitcast<u32>(_e1221)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1256 >> bitcast<u32>(_e1231)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1256 >> bitcast<u32>(_e1241)) & 1023u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | ((_e1287 >> bitcast<u32>(_e1221)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | ((_e1287 >> bitcast<u32>(_e1231)) & 1023u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | ((_e1287 >> bitcast<u32>(_e1241)) & 1023u))) - 8388608f) * _e162))));
+                                                            let _e1273 = phi_1776_;
+                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((_e842.member.member.x + ((bitcast<f32>((1258291200u | ((_e1205 >> bitcast<u32>(_e1207)) & 1023u))) - 8388608f) * _e163)), (_e842.member.member.y + ((bitcast<f32>((1258291200u | ((_e1205 >> bitcast<u32>(_e1217)) & 1023u))) - 8388608f) * _e163)), (_e842.member.member.z + ((bitcast<f32>((1258291200u | ((_e1205 >> bitcast<u32>(_e1227)) & 1023u))) - 8388608f) * _e163))), array<f32, 3>((_e842.member.member.x + ((bitcast<f32>((1258291200u | ((_e1242 >> bitcast<u32>(_e1207)) & 1023u))) - 8388608f) * _e163)), (_e842.member.member.y + ((bitcast<f32>((1258291200u | ((_e1242 >> bitcast<u32>(_e1217)) & 1023u))) - 8388608f) * _e163)), (_e842.member.member.z + ((bitcast<f32>((1258291200u | ((_e1242 >> bitcast<u32>(_e1227)) & 1023u))) - 8388608f) * _e163))), array<f32, 3>((_e842.member.member.x + ((bitcast<f32>((1258291200u | ((_e1273 >> bitcast<u32>(_e1207)) & 1023u))) - 8388608f) * _e163)), (_e842.member.member.y + ((bitcast<f32>((1258291200u | ((_e1273 >> bitcast<u32>(_e1217)) & 1023u))) - 8388608f) * _e163)), (_e842.member.member.z + ((bitcast<f32>((1258291200u | ((_e1273 >> bitcast<u32>(_e1227)) & 1023u))) - 8388608f) * _e163))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1029 = (_e940 < _e106);
-                                                            if _e1029 {
-                                                                if _e1029 {
+                                                            let _e1015 = (_e926 < _e107);
+                                                            if _e1015 {
+                                                                if _e1015 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1031 = global_10.member[_e940];
-                                                                phi_1805_ = _e1031;
+                                                                let _e1017 = global_10.member[_e926];
+                                                                phi_1825_ = _e1017;
                                                             } else {
-                                                                phi_1805_ = 0u;
+                                                                phi_1825_ = 0u;
                                                             }
-                                                            let _e1033 = phi_1805_;
-                                                            let _e1034 = (_e940 + 1u);
-                                                            let _e1035 = (_e1034 < _e106);
-                                                            if _e1035 {
-                                                                if _e1035 {
+                                                            let _e1019 = phi_1825_;
+                                                            let _e1020 = (_e926 + 1u);
+                                                            let _e1021 = (_e1020 < _e107);
+                                                            if _e1021 {
+                                                                if _e1021 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1037 = global_10.member[_e1034];
-                                                                phi_1820_ = _e1037;
+                                                                let _e1023 = global_10.member[_e1020];
+                                                                phi_1840_ = _e1023;
                                                             } else {
-                                                                phi_1820_ = 0u;
+                                                                phi_1840_ = 0u;
                                                             }
-                                                            let _e1039 = phi_1820_;
-                                                            let _e1040 = (_e436 == 1u);
-                                                            if _e1040 {
-                                                                phi_1830_ = ((_e1033 >> bitcast<u32>(21i)) | (_e1039 << bitcast<u32>(11i)));
+                                                            let _e1025 = phi_1840_;
+                                                            let _e1026 = (_e437 == 1u);
+                                                            if _e1026 {
+                                                                phi_1850_ = ((_e1019 >> bitcast<u32>(21i)) | (_e1025 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1830_ = (_e1039 >> bitcast<u32>(10i));
+                                                                phi_1850_ = (_e1025 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1049 = phi_1830_;
-                                                            let _e1057 = (_e435 == 1u);
-                                                            if _e1057 {
-                                                                phi_1851_ = ((_e1033 >> bitcast<u32>(21i)) | (_e1039 << bitcast<u32>(11i)));
+                                                            let _e1035 = phi_1850_;
+                                                            let _e1043 = (_e436 == 1u);
+                                                            if _e1043 {
+                                                                phi_1871_ = ((_e1019 >> bitcast<u32>(21i)) | (_e1025 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1851_ = (_e1039 >> bitcast<u32>(10i));
+                                                                phi_1871_ = (_e1025 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1066 = phi_1851_;
-                                                            let _e1074 = (_e437 == 1u);
-                                                            if _e1074 {
-                                                                phi_1872_ = ((_e1033 >> bitcast<u32>(21i)) | (_e1039 << bitcast<u32>(11i)));
+                                                            let _e1052 = phi_1871_;
+                                                            let _e1060 = (_e438 == 1u);
+                                                            if _e1060 {
+                                                                phi_1892_ = ((_e1019 >> bitcast<u32>(21i)) | (_e1025 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1872_ = (_e1039 >> bitcast<u32>(10i));
+                                                                phi_1892_ = (_e1025 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1083 = phi_1872_;
-                                                            let _e1092 = (_e940 + 2u);
-                                                            let _e1093 = (_e1092 < _e106);
-                                                            if _e1093 {
-                                                                if _e1093 {
+                                                            let _e1069 = phi_1892_;
+                                                            let _e1078 = (_e926 + 2u);
+                                                            let _e1079 = (_e1078 < _e107);
+                                                            if _e1079 {
+                                                                if _e1079 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1095 = global_10.member[_e1092];
-                                                                phi_1902_ = _e1095;
+                                                                let _e1081 = global_10.member[_e1078];
+                                                                phi_1922_ = _e1081;
                                                             } else {
-                                                                phi_1902_ = 0u;
+                                                                phi_1922_ = 0u;
                                                             }
-                                                            let _e1097 = phi_1902_;
-                                                            let _e1098 = (_e940 + 3u);
-                                                            let _e1099 = (_e1098 < _e106);
-                                                            if _e1099 {
-                                                                if _e1099 {
+                                                            let _e1083 = phi_1922_;
+                                                            let _e1084 = (_e926 + 3u);
+                                                            let _e1085 = (_e1084 < _e107);
+                                                            if _e1085 {
+                                                                if _e1085 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1101 = global_10.member[_e1098];
-                                                                phi_1917_ = _e1101;
+                                                                let _e1087 = global_10.member[_e1084];
+                                                                phi_1937_ = _e1087;
                                                             } else {
-                                                                phi_1917_ = 0u;
+                                                                phi_1937_ = 0u;
                                                             }
-                                                            let _e1103 = phi_1917_;
-                                                            if _e1040 {
-                                                                phi_1927_ = ((_e1097 >> bitcast<u32>(21i)) | (_e1103 << bitcast<u32>(11i)));
+                                                            let _e1089 = phi_1937_;
+                                                            if _e1026 {
+                                                                phi_1947_ = ((_e1083 >> bitcast<u32>(21i)) | (_e1089 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1927_ = (_e1103 >> bitcast<u32>(10i));
+                                                                phi_1947_ = (_e1089 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1112 = phi_1927_;
-                                                            if _e1057 {
-                                                                phi_1948_ = ((_e1097 >> bitcast<u32>(21i)) | (_e1103 << bitcast<u32>(11i)));
+                                                            let _e1098 = phi_1947_;
+                                                            if _e1043 {
+                                                                phi_1968_ = ((_e1083 >> bitcast<u32>(21i)) | (_e1089 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1948_ = (_e1103 >> bitcast<u32>(10i));
+                                                                phi_1968_ = (_e1089 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1128 = phi_1948_;
-                                                            if _e1074 {
-                                                                phi_1969_ = ((_e1097 >> bitcast<u32>(21i)) | (_e1103 << bitcast<u32>(11i)));
+                                                            let _e1114 = phi_1968_;
+                                                            if _e1060 {
+                                                                phi_1989_ = ((_e1083 >> bitcast<u32>(21i)) | (_e1089 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1969_ = (_e1103 >> bitcast<u32>(10i));
+                                                                phi_1989_ = (_e1089 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1144 = phi_1969_;
-                                                            let _e1153 = (_e940 + 4u);
-                                                            let _e1154 = (_e1153 < _e106);
-                                                            if _e1154 {
-                                                                if _e1154 {
+                                                            let _e1130 = phi_1989_;
+                                                            let _e1139 = (_e926 + 4u);
+                                                            let _e1140 = (_e1139 < _e107);
+                                                            if _e1140 {
+                                                                if _e1140 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1156 = global_10.member[_e1153];
-                                                                phi_1999_ = _e1156;
+                                                                let _e1142 = global_10.member[_e1139];
+                                                                phi_2019_ = _e1142;
                                                             } else {
-                                                                phi_1999_ = 0u;
+                                                                phi_2019_ = 0u;
                                                             }
-                                                            let _e1158 = phi_1999_;
-                                                            let _e1159 = (_e940 + 5u);
-                                                            let _e1160 = (_e1159 < _e106);
-                                                            if _e1160 {
-                                                                if _e1160 {
+                                                            let _e1144 = phi_2019_;
+                                                            let _e1145 = (_e926 + 5u);
+                                                            let _e1146 = (_e1145 < _e107);
+                                                            if _e1146 {
+                                                                if _e1146 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1162 = global_10.member[_e1159];
-                                                                phi_2014_ = _e1162;
+                                                                let _e1148 = global_10.member[_e1145];
+                                                                phi_2034_ = _e1148;
                                                             } else {
-                                                                phi_2014_ = 0u;
+                                                                phi_2034_ = 0u;
                                                             }
-                                                            let _e1164 = phi_2014_;
-                                                            if _e1040 {
-                                                                phi_2024_ = ((_e1158 >> bitcast<u32>(21i)) | (_e1164 << bitcast<u32>(11i)));
+                                                            let _e1150 = phi_2034_;
+                                                            if _e1026 {
+                                                                phi_2044_ = ((_e1144 >> bitcast<u32>(21i)) | (_e1150 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2024_ = (_e1164 >> bitcast<u32>(10i));
+                                                                phi_2044_ = (_e1150 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1173 = phi_2024_;
-                                                            if _e1057 {
-                                                                phi_2045_ = ((_e1158 >> bitcast<u32>(21i)) | (_e1164 << bitcast<u32>(11i)));
+                                                            let _e1159 = phi_2044_;
+                                                            if _e1043 {
+                                                                phi_2065_ = ((_e1144 >> bitcast<u32>(21i)) | (_e1150 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2045_ = (_e1164 >> bitcast<u32>(10i));
+                                                                phi_2065_ = (_e1150 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1189 = phi_2045_;
-                                                            if _e1074 {
-                                                                phi_2066_ = ((_e1158 >> bitcast<u32>(21i)) | (_e1164 << bitcast<u32>(11i)));
+                                                            let _e1175 = phi_2065_;
+                                                            if _e1060 {
+                                                                phi_2086_ = ((_e1144 >> bitcast<u32>(21i)) | (_e1150 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2066_ = (_e1164 >> bitcast<u32>(10i));
+                                                                phi_2086_ = (_e1150 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1205 = phi_2066_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1049, _e1033, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1066, _e1033, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1083, _e1033, _e593) & 2097151u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1112, _e1097, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1128, _e1097, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1144, _e1097, _e593) & 2097151u))) - 8388608f) * _e162))), array<f32, 3>((_e856.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1173, _e1158, _e460) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1189, _e1158, _e527) & 2097151u))) - 8388608f) * _e162)), (_e856.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1205, _e1158, _e593) & 2097151u))) - 8388608f) * _e162))));
+                                                            let _e1191 = phi_2086_;
+                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((_e842.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1035, _e1019, _e461) & 2097151u))) - 8388608f) * _e163)), (_e842.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1052, _e1019, _e526) & 2097151u))) - 8388608f) * _e163)), (_e842.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1069, _e1019, _e590) & 2097151u))) - 8388608f) * _e163))), array<f32, 3>((_e842.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1098, _e1083, _e461) & 2097151u))) - 8388608f) * _e163)), (_e842.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1114, _e1083, _e526) & 2097151u))) - 8388608f) * _e163)), (_e842.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1130, _e1083, _e590) & 2097151u))) - 8388608f) * _e163))), array<f32, 3>((_e842.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1159, _e1144, _e461) & 2097151u))) - 8388608f) * _e163)), (_e842.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1175, _e1144, _e526) & 2097151u))) - 8388608f) * _e163)), (_e842.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1191, _e1144, _e590) & 2097151u))) - 8388608f) * _e163))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e942 = (_e940 + _e436);
-                                                            let _e943 = (_e942 < _e106);
-                                                            if _e943 {
-                                                                if _e943 {
+                                                            let _e928 = (_e926 + _e437);
+                                                            let _e929 = (_e928 < _e107);
+                                                            if _e929 {
+                                                                if _e929 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e945 = global_10.member[_e942];
-                                                                phi_2097_ = _e945;
+                                                                let _e931 = global_10.member[_e928];
+                                                                phi_2117_ = _e931;
                                                             } else {
-                                                                phi_2097_ = 0u;
+                                                                phi_2117_ = 0u;
                                                             }
-                                                            let _e947 = phi_2097_;
-                                                            let _e951 = (_e940 + _e435);
-                                                            let _e952 = (_e951 < _e106);
-                                                            if _e952 {
-                                                                if _e952 {
+                                                            let _e933 = phi_2117_;
+                                                            let _e937 = (_e926 + _e436);
+                                                            let _e938 = (_e937 < _e107);
+                                                            if _e938 {
+                                                                if _e938 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e954 = global_10.member[_e951];
-                                                                phi_2115_ = _e954;
+                                                                let _e940 = global_10.member[_e937];
+                                                                phi_2135_ = _e940;
                                                             } else {
-                                                                phi_2115_ = 0u;
+                                                                phi_2135_ = 0u;
                                                             }
-                                                            let _e956 = phi_2115_;
-                                                            let _e960 = (_e940 + _e437);
-                                                            let _e961 = (_e960 < _e106);
-                                                            if _e961 {
-                                                                if _e961 {
+                                                            let _e942 = phi_2135_;
+                                                            let _e946 = (_e926 + _e438);
+                                                            let _e947 = (_e946 < _e107);
+                                                            if _e947 {
+                                                                if _e947 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e963 = global_10.member[_e960];
-                                                                phi_2133_ = _e963;
+                                                                let _e949 = global_10.member[_e946];
+                                                                phi_2153_ = _e949;
                                                             } else {
-                                                                phi_2133_ = 0u;
+                                                                phi_2153_ = 0u;
                                                             }
-                                                            let _e965 = phi_2133_;
-                                                            let _e970 = (_e940 + 3u);
-                                                            let _e971 = (_e970 + _e436);
-                                                            let _e972 = (_e971 < _e106);
-                                                            if _e972 {
-                                                                if _e972 {
+                                                            let _e951 = phi_2153_;
+                                                            let _e956 = (_e926 + 3u);
+                                                            let _e957 = (_e956 + _e437);
+                                                            let _e958 = (_e957 < _e107);
+                                                            if _e958 {
+                                                                if _e958 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e974 = global_10.member[_e971];
-                                                                phi_2156_ = _e974;
+                                                                let _e960 = global_10.member[_e957];
+                                                                phi_2176_ = _e960;
                                                             } else {
-                                                                phi_2156_ = 0u;
+                                                                phi_2176_ = 0u;
                                                             }
-                                                            let _e976 = phi_2156_;
-                                                            let _e980 = (_e970 + _e435);
-                                                            let _e981 = (_e980 < _e106);
-                                                            if _e981 {
-                                                                if _e981 {
+                                                            let _e962 = phi_2176_;
+                                                            let _e966 = (_e956 + _e436);
+                                                            let _e967 = (_e966 < _e107);
+                                                            if _e967 {
+                                                                if _e967 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e983 = global_10.member[_e980];
-                                                                phi_2174_ = _e983;
+                                                                let _e969 = global_10.member[_e966];
+                                                                phi_2194_ = _e969;
                                                             } else {
-                                                                phi_2174_ = 0u;
+                                                                phi_2194_ = 0u;
                                                             }
-                                                            let _e985 = phi_2174_;
-                                                            let _e989 = (_e970 + _e437);
-                                                            let _e990 = (_e989 < _e106);
-                                                            if _e990 {
-                                                                if _e990 {
+                                                            let _e971 = phi_2194_;
+                                                            let _e975 = (_e956 + _e438);
+                                                            let _e976 = (_e975 < _e107);
+                                                            if _e976 {
+                                                                if _e976 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e992 = global_10.member[_e989];
-                                                                phi_2192_ = _e992;
+                                                                let _e978 = global_10.member[_e975];
+                                                                phi_2212_ = _e978;
                                                             } else {
-                                                                phi_2192_ = 0u;
+                                                                phi_2212_ = 0u;
                                                             }
-                                                            let _e994 = phi_2192_;
-                                                            let _e999 = (_e940 + 6u);
-                                                            let _e1000 = (_e999 + _e436);
-                                                            let _e1001 = (_e1000 < _e106);
-                                                            if _e1001 {
-                                                                if _e1001 {
+                                                            let _e980 = phi_2212_;
+                                                            let _e985 = (_e926 + 6u);
+                                                            let _e986 = (_e985 + _e437);
+                                                            let _e987 = (_e986 < _e107);
+                                                            if _e987 {
+                                                                if _e987 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1003 = global_10.member[_e1000];
-                                                                phi_2215_ = _e1003;
+                                                                let _e989 = global_10.member[_e986];
+                                                                phi_2235_ = _e989;
                                                             } else {
-                                                                phi_2215_ = 0u;
+                                                                phi_2235_ = 0u;
                                                             }
-                                                            let _e1005 = phi_2215_;
-                                                            let _e1009 = (_e999 + _e435);
-                                                            let _e1010 = (_e1009 < _e106);
-                                                            if _e1010 {
-                                                                if _e1010 {
+                                                            let _e991 = phi_2235_;
+                                                            let _e995 = (_e985 + _e436);
+                                                            let _e996 = (_e995 < _e107);
+                                                            if _e996 {
+                                                                if _e996 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1012 = global_10.member[_e1009];
-                                                                phi_2233_ = _e1012;
+                                                                let _e998 = global_10.member[_e995];
+                                                                phi_2253_ = _e998;
                                                             } else {
-                                                                phi_2233_ = 0u;
+                                                                phi_2253_ = 0u;
                                                             }
-                                                            let _e1014 = phi_2233_;
-                                                            let _e1018 = (_e999 + _e437);
-                                                            let _e1019 = (_e1018 < _e106);
-                                                            if _e1019 {
-                                                                if _e1019 {
+                                                            let _e1000 = phi_2253_;
+                                                            let _e1004 = (_e985 + _e438);
+                                                            let _e1005 = (_e1004 < _e107);
+                                                            if _e1005 {
+                                                                if _e1005 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1021 = global_10.member[_e1018];
-                                                                phi_2251_ = _e1021;
+                                                                let _e1007 = global_10.member[_e1004];
+                                                                phi_2271_ = _e1007;
                                                             } else {
-                                                                phi_2251_ = 0u;
+                                                                phi_2271_ = 0u;
                                                             }
-                                                            let _e1023 = phi_2251_;
-                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e947)) * _e162), (f32(bitcast<i32>(_e956)) * _e162), (f32(bitcast<i32>(_e965)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e976)) * _e162), (f32(bitcast<i32>(_e985)) * _e162), (f32(bitcast<i32>(_e994)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1005)) * _e162), (f32(bitcast<i32>(_e1014)) * _e162), (f32(bitcast<i32>(_e1023)) * _e162)));
+                                                            let _e1009 = phi_2271_;
+                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e933)) * _e163), (f32(bitcast<i32>(_e942)) * _e163), (f32(bitcast<i32>(_e951)) * _e163)), array<f32, 3>((f32(bitcast<i32>(_e962)) * _e163), (f32(bitcast<i32>(_e971)) * _e163), (f32(bitcast<i32>(_e980)) * _e163)), array<f32, 3>((f32(bitcast<i32>(_e991)) * _e163), (f32(bitcast<i32>(_e1000)) * _e163), (f32(bitcast<i32>(_e1009)) * _e163)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2257_ = array<array<f32, 3>, 3>();
+                                                            phi_2277_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1315 = phi_2257_;
-                                                    let _e1323 = (_e1315[0][2] - _e616);
-                                                    let _e1326 = (((_e1315[0][0] - _e483) * _e655) - (_e1323 * _e523));
-                                                    let _e1329 = (((_e1315[0][1] - _e550) * _e655) - (_e1323 * _e589));
-                                                    let _e1336 = (_e1315[1][2] - _e616);
-                                                    let _e1339 = (((_e1315[1][0] - _e483) * _e655) - (_e1336 * _e523));
-                                                    let _e1342 = (((_e1315[1][1] - _e550) * _e655) - (_e1336 * _e589));
-                                                    let _e1349 = (_e1315[2][2] - _e616);
-                                                    let _e1352 = (((_e1315[2][0] - _e483) * _e655) - (_e1349 * _e523));
-                                                    let _e1355 = (((_e1315[2][1] - _e550) * _e655) - (_e1349 * _e589));
-                                                    let _e1356 = (_e1352 * _e1342);
-                                                    let _e1357 = (_e1355 * _e1339);
-                                                    let _e1358 = (_e1326 * _e1355);
-                                                    let _e1359 = (_e1329 * _e1352);
-                                                    let _e1360 = (_e1339 * _e1329);
-                                                    let _e1361 = (_e1342 * _e1326);
-                                                    let _e1366 = (((_e1356 >= _e1357) && (_e1358 >= _e1359)) && (_e1360 >= _e1361));
-                                                    if (_e1366 || (((_e1356 <= _e1357) && (_e1358 <= _e1359)) && (_e1360 <= _e1361))) {
-                                                        let _e1373 = select(-1f, 1f, _e1366);
-                                                        let _e1375 = ((_e1356 - _e1357) * _e1373);
-                                                        let _e1377 = select(0f, _e1375, (_e1375 > 0f));
-                                                        let _e1379 = ((_e1358 - _e1359) * _e1373);
-                                                        let _e1381 = select(0f, _e1379, (_e1379 > 0f));
-                                                        let _e1383 = ((_e1360 - _e1361) * _e1373);
-                                                        let _e1385 = select(0f, _e1383, (_e1383 > 0f));
-                                                        let _e1387 = ((_e1377 + _e1381) + _e1385);
-                                                        if (_e1387 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_3141_ = type_21();
-                                                            phi_3142_ = true;
-                                                            phi_3143_ = false;
+                                                    let _e1301 = phi_2277_;
+                                                    let _e1317 = (_e1301[0][2] - _e613);
+                                                    let _e1320 = (((_e1301[0][0] - _e484) * _e649) - (_e1317 * _e521));
+                                                    let _e1323 = (((_e1301[0][1] - _e549) * _e649) - (_e1317 * _e585));
+                                                    let _e1326 = (_e1301[1][2] - _e613);
+                                                    let _e1329 = (((_e1301[1][0] - _e484) * _e649) - (_e1326 * _e521));
+                                                    let _e1332 = (((_e1301[1][1] - _e549) * _e649) - (_e1326 * _e585));
+                                                    let _e1335 = (_e1301[2][2] - _e613);
+                                                    let _e1338 = (((_e1301[2][0] - _e484) * _e649) - (_e1335 * _e521));
+                                                    let _e1341 = (((_e1301[2][1] - _e549) * _e649) - (_e1335 * _e585));
+                                                    let _e1342 = (_e1338 * _e1332);
+                                                    let _e1343 = (_e1341 * _e1329);
+                                                    let _e1344 = (_e1320 * _e1341);
+                                                    let _e1345 = (_e1323 * _e1338);
+                                                    let _e1346 = (_e1329 * _e1323);
+                                                    let _e1347 = (_e1332 * _e1320);
+                                                    let _e1352 = (((_e1342 >= _e1343) && (_e1344 >= _e1345)) && (_e1346 >= _e1347));
+                                                    let _e1358 = (_e1352 || (((_e1342 <= _e1343) && (_e1344 <= _e1345)) && (_e1346 <= _e1347)));
+                                                    if _e1358 {
+                                                        let _e1360 = select(-1f, 1f, _e1352);
+                                                        let _e1362 = ((_e1342 - _e1343) * _e1360);
+                                                        let _e1364 = select(0f, _e1362, (_e1362 > 0f));
+                                                        let _e1366 = ((_e1344 - _e1345) * _e1360);
+                                                        let _e1368 = select(0f, _e1366, (_e1366 > 0f));
+                                                        let _e1370 = ((_e1346 - _e1347) * _e1360);
+                                                        let _e1372 = select(0f, _e1370, (_e1370 > 0f));
+                                                        let _e1374 = ((_e1364 + _e1368) + _e1372);
+                                                        let _e1376 = select(_e1301[1][0], _e1301[0][0], (_e1301[0][0] < _e1301[1][0]));
+                                                        let _e1380 = select(_e1301[1][0], _e1301[0][0], (_e1301[0][0] > _e1301[1][0]));
+                                                        let _e1384 = select(_e1301[1][1], _e1301[0][1], (_e1301[0][1] < _e1301[1][1]));
+                                                        let _e1388 = select(_e1301[1][1], _e1301[0][1], (_e1301[0][1] > _e1301[1][1]));
+                                                        let _e1392 = select(_e1301[1][2], _e1301[0][2], (_e1301[0][2] < _e1301[1][2]));
+                                                        let _e1396 = select(_e1301[1][2], _e1301[0][2], (_e1301[0][2] > _e1301[1][2]));
+                                                        let _e1401 = ((select(_e1301[2][0], _e1376, (_e1376 < _e1301[2][0])) - _e522) * _e525);
+                                                        let _e1402 = ((select(_e1301[2][0], _e1380, (_e1380 > _e1301[2][0])) - _e523) * _e525);
+                                                        let _e1405 = ((select(_e1301[2][1], _e1384, (_e1384 < _e1301[2][1])) - _e586) * _e589);
+                                                        let _e1406 = ((select(_e1301[2][1], _e1388, (_e1388 > _e1301[2][1])) - _e587) * _e589);
+                                                        let _e1409 = ((select(_e1301[2][2], _e1392, (_e1392 < _e1301[2][2])) - _e650) * _e653);
+                                                        let _e1410 = ((select(_e1301[2][2], _e1396, (_e1396 > _e1301[2][2])) - _e651) * _e653);
+                                                        let _e1412 = select(_e1410, _e1409, (_e1409 < _e1410));
+                                                        let _e1414 = select(_e1410, _e1409, (_e1409 > _e1410));
+                                                        let _e1416 = select(_e1402, _e1401, (_e1401 < _e1402));
+                                                        let _e1418 = select(_e1406, _e1405, (_e1405 < _e1406));
+                                                        let _e1420 = select(_e1418, _e1416, (_e1416 > _e1418));
+                                                        let _e1422 = select(_e1412, _e1420, (_e1420 > _e1412));
+                                                        let _e1424 = select(_e1402, _e1401, (_e1401 > _e1402));
+                                                        let _e1426 = select(_e1406, _e1405, (_e1405 > _e1406));
+                                                        let _e1428 = select(_e1426, _e1424, (_e1424 < _e1426));
+                                                        let _e1430 = select(_e1414, _e1428, (_e1428 < _e1414));
+                                                        let _e1431 = -(_e1412);
+                                                        let _e1437 = select(_e755, _e1422, (_e1422 > _e755));
+                                                        let _e1441 = select(_e1329, _e1320, (_e1320 < _e1329));
+                                                        let _e1446 = select(_e1329, _e1320, (_e1320 > _e1329));
+                                                        let _e1453 = select(_e1332, _e1323, (_e1323 < _e1332));
+                                                        let _e1458 = select(_e1332, _e1323, (_e1323 > _e1332));
+                                                        let _e1467 = (((((_e1358 && (_e1374 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1338, _e1441, (_e1441 < _e1338)) <= 0f) && (select(_e1338, _e1446, (_e1446 > _e1338)) >= 0f))) && ((select(_e1341, _e1453, (_e1453 < _e1341)) <= 0f) && (select(_e1341, _e1458, (_e1458 > _e1341)) >= 0f))) && (_e1437 <= (_e1430 + (select(_e1431, _e1414, (_e1414 > _e1431)) * 0.0000019073523f)))) && (_e1437 <= _e854.member));
+                                                        if _e1467 {
+                                                            let _e1472 = (_e1301[1][0] - _e1301[0][0]);
+                                                            let _e1473 = (_e1301[1][1] - _e1301[0][1]);
+                                                            let _e1474 = (_e1301[1][2] - _e1301[0][2]);
+                                                            let _e1475 = vec3<f32>(_e1472, _e1473, _e1474);
+                                                            let _e1476 = (_e1301[2][0] - _e1301[1][0]);
+                                                            let _e1477 = (_e1301[2][1] - _e1301[1][1]);
+                                                            let _e1478 = (_e1301[2][2] - _e1301[1][2]);
+                                                            let _e1479 = vec3<f32>(_e1476, _e1477, _e1478);
+                                                            let _e1480 = (_e1301[0][0] - _e1301[2][0]);
+                                                            let _e1481 = (_e1301[0][1] - _e1301[2][1]);
+                                                            let _e1482 = (_e1301[0][2] - _e1301[2][2]);
+                                                            let _e1483 = vec3<f32>(_e1480, _e1481, _e1482);
+                                                            let _e1484 = abs(_e1472);
+                                                            let _e1485 = abs(_e1473);
+                                                            if (_e1484 != _e1484) {
+                                                                phi_4777_ = true;
+                                                            } else {
+                                                                phi_4777_ = (_e1485 >= _e1484);
+                                                            }
+                                                            let _e1489 = phi_4777_;
+                                                            let _e1490 = select(_e1484, _e1485, _e1489);
+                                                            let _e1491 = abs(_e1474);
+                                                            if (_e1490 != _e1490) {
+                                                                phi_4792_ = true;
+                                                            } else {
+                                                                phi_4792_ = (_e1491 >= _e1490);
+                                                            }
+                                                            let _e1495 = phi_4792_;
+                                                            let _e1496 = select(_e1490, _e1491, _e1495);
+                                                            let _e1497 = abs(_e1476);
+                                                            let _e1498 = abs(_e1477);
+                                                            if (_e1497 != _e1497) {
+                                                                phi_4807_ = true;
+                                                            } else {
+                                                                phi_4807_ = (_e1498 >= _e1497);
+                                                            }
+                                                            let _e1502 = phi_4807_;
+                                                            let _e1503 = select(_e1497, _e1498, _e1502);
+                                                            let _e1504 = abs(_e1478);
+                                                            if (_e1503 != _e1503) {
+                                                                phi_4822_ = true;
+                                                            } else {
+                                                                phi_4822_ = (_e1504 >= _e1503);
+                                                            }
+                                                            let _e1508 = phi_4822_;
+                                                            let _e1509 = select(_e1503, _e1504, _e1508);
+                                                            let _e1510 = abs(_e1480);
+                                                            let _e1511 = abs(_e1481);
+                                                            if (_e1510 != _e1510) {
+                                                                phi_4837_ = true;
+                                                            } else {
+                                                                phi_4837_ = (_e1511 >= _e1510);
+                                                            }
+                                                            let _e1515 = phi_4837_;
+                                                            let _e1516 = select(_e1510, _e1511, _e1515);
+                                                            let _e1517 = abs(_e1482);
+                                                            if (_e1516 != _e1516) {
+                                                                phi_4852_ = true;
+                                                            } else {
+                                                                phi_4852_ = (_e1517 >= _e1516);
+                                                            }
+                                                            let _e1521 = phi_4852_;
+                                                            let _e1522 = select(_e1516, _e1517, _e1521);
+                                                            let _e1524 = select(_e1509, _e1496, (_e1496 > _e1509));
+                                                            let _e1526 = select(_e1522, _e1524, (_e1524 > _e1522));
+                                                            if (_e1496 == _e1526) {
+                                                                phi_2819_ = _e1332;
+                                                                phi_2820_ = _e1329;
+                                                                phi_2821_ = _e1323;
+                                                                phi_2822_ = _e1320;
+                                                                phi_2823_ = vec3<f32>(_e1301[0][0], _e1301[0][1], _e1301[0][2]);
+                                                                phi_2824_ = _e1483;
+                                                                phi_2825_ = _e1479;
+                                                                phi_2826_ = _e1475;
+                                                            } else {
+                                                                let _e1528 = (_e1509 == _e1526);
+                                                                let _e1533 = vec3(_e1528);
+                                                                phi_2819_ = select(_e1323, _e1341, _e1528);
+                                                                phi_2820_ = select(_e1320, _e1338, _e1528);
+                                                                phi_2821_ = select(_e1341, _e1332, _e1528);
+                                                                phi_2822_ = select(_e1338, _e1329, _e1528);
+                                                                phi_2823_ = select(vec3<f32>(_e1301[2][0], _e1301[2][1], _e1301[2][2]), vec3<f32>(_e1301[1][0], _e1301[1][1], _e1301[1][2]), _e1533);
+                                                                phi_2824_ = select(_e1479, _e1475, _e1533);
+                                                                phi_2825_ = select(_e1475, _e1483, _e1533);
+                                                                phi_2826_ = select(_e1483, _e1479, _e1533);
+                                                            }
+                                                            let _e1539 = phi_2819_;
+                                                            let _e1541 = phi_2820_;
+                                                            let _e1543 = phi_2821_;
+                                                            let _e1545 = phi_2822_;
+                                                            let _e1547 = phi_2823_;
+                                                            let _e1549 = phi_2824_;
+                                                            let _e1551 = phi_2825_;
+                                                            let _e1553 = phi_2826_;
+                                                            let _e1560 = ((_e1551.y * _e1549.z) - (_e1549.y * _e1551.z));
+                                                            let _e1565 = ((_e1551.z * _e1549.x) - (_e1549.z * _e1551.x));
+                                                            let _e1568 = ((_e1551.x * _e1549.y) - (_e1549.x * _e1551.y));
+                                                            let _e1571 = ((_e1364 >= _e1368) && (_e1364 >= _e1372));
+                                                            let _e1572 = (_e1368 >= _e1372);
+                                                            let _e1586 = (((_e1560 * (select(select(_e1301[2][0], _e1301[1][0], _e1572), _e1301[0][0], _e1571) - _e484)) + (_e1565 * (select(select(_e1301[2][1], _e1301[1][1], _e1572), _e1301[0][1], _e1571) - _e549))) + (_e1568 * (select(select(_e1301[2][2], _e1301[1][2], _e1572), _e1301[0][2], _e1571) - _e613)));
+                                                            let _e1591 = (((_e1560 * _e521) + (_e1565 * _e585)) + (_e1568 * _e649));
+                                                            let _e1592 = (_e1541 - _e1545);
+                                                            let _e1593 = (_e1539 - _e1543);
+                                                            let _e1596 = ((_e1592 * _e1592) + (_e1593 * _e1593));
+                                                            let _e1603 = (-(((_e1545 * _e1592) + (_e1543 * _e1593))) / select(0.000000000000000000000000000000000000011754944f, _e1596, (_e1596 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1605 = select(1f, _e1603, (_e1603 < 1f));
+                                                            let _e1607 = select(0f, _e1605, (_e1605 > 0f));
+                                                            let _e1616 = ((_e1547.x + (_e1553.x * _e1607)) - _e484);
+                                                            let _e1619 = ((_e1547.y + (_e1553.y * _e1607)) - _e549);
+                                                            let _e1622 = ((_e1547.z + (_e1553.z * _e1607)) - _e613);
+                                                            let _e1625 = bitcast<f32>((bitcast<u32>(_e1616) & 2147483647u));
+                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1619) & 2147483647u));
+                                                            let _e1630 = select(_e1628, _e1625, (_e1625 > _e1628));
+                                                            let _e1633 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
+                                                            let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
+                                                            let _e1639 = abs(_e1560);
+                                                            let _e1640 = abs(_e1565);
+                                                            if (_e1639 != _e1639) {
+                                                                phi_4867_ = true;
+                                                            } else {
+                                                                phi_4867_ = (_e1640 >= _e1639);
+                                                            }
+                                                            let _e1644 = phi_4867_;
+                                                            let _e1645 = select(_e1639, _e1640, _e1644);
+                                                            let _e1646 = abs(_e1568);
+                                                            if (_e1645 != _e1645) {
+                                                                phi_4882_ = true;
+                                                            } else {
+                                                                phi_4882_ = (_e1646 >= _e1645);
+                                                            }
+                                                            let _e1650 = phi_4882_;
+                                                            let _e1666 = abs(_e1551.x);
+                                                            let _e1667 = abs(_e1551.y);
+                                                            if (_e1666 != _e1666) {
+                                                                phi_4897_ = true;
+                                                            } else {
+                                                                phi_4897_ = (_e1667 >= _e1666);
+                                                            }
+                                                            let _e1671 = phi_4897_;
+                                                            let _e1672 = select(_e1666, _e1667, _e1671);
+                                                            let _e1673 = abs(_e1551.z);
+                                                            if (_e1672 != _e1672) {
+                                                                phi_4912_ = true;
+                                                            } else {
+                                                                phi_4912_ = (_e1673 >= _e1672);
+                                                            }
+                                                            let _e1677 = phi_4912_;
+                                                            let _e1680 = abs(_e1549.x);
+                                                            let _e1681 = abs(_e1549.y);
+                                                            if (_e1680 != _e1680) {
+                                                                phi_4927_ = true;
+                                                            } else {
+                                                                phi_4927_ = (_e1681 >= _e1680);
+                                                            }
+                                                            let _e1685 = phi_4927_;
+                                                            let _e1686 = select(_e1680, _e1681, _e1685);
+                                                            let _e1687 = abs(_e1549.z);
+                                                            if (_e1686 != _e1686) {
+                                                                phi_4942_ = true;
+                                                            } else {
+                                                                phi_4942_ = (_e1687 >= _e1686);
+                                                            }
+                                                            let _e1691 = phi_4942_;
+                                                            let _e1696 = ((bitcast<f32>((bitcast<u32>(((((_e1560 * _e1616) + (_e1565 * _e1619)) + (_e1568 * _e1622)) - _e1586)) & 2147483647u)) <= ((0.0000009536743f * select(_e1526, _e1635, (_e1635 > _e1526))) * select(_e1645, _e1646, _e1650))) && !((bitcast<f32>((bitcast<u32>(_e1591) & 2147483647u)) <= ((0.0000038146973f * select(_e1672, _e1673, _e1677)) * select(_e1686, _e1687, _e1691)))));
+                                                            let _e1697 = (_e1586 / _e1591);
+                                                            if (_e1467 && !(_e1696)) {
+                                                                let _e1700 = (_e1622 / _e649);
+                                                                let _e1708 = (((_e1560 * (_e1616 - (_e521 * _e1700))) + (_e1565 * (_e1619 - (_e585 * _e1700)))) / _e1591);
+                                                                phi_3034_ = select(select(_e1700, (_e1700 + _e1708), (bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u)) <= _e1526)), _e1697, _e1696);
+                                                            } else {
+                                                                phi_3034_ = _e1697;
+                                                            }
+                                                            let _e1717 = phi_3034_;
+                                                            let _e1719 = select(_e1430, _e1717, (_e1717 < _e1430));
+                                                            let _e1721 = select(_e1422, _e1719, (_e1719 > _e1422));
+                                                            let _e1722 = (1f / _e1374);
+                                                            phi_3054_ = type_42(_e1721, (_e1368 * _e1722), (_e1372 * _e1722), ((_e1467 && (_e1721 >= _e755)) && (_e1721 <= _e854.member)));
+                                                            phi_3055_ = type_42();
                                                         } else {
-                                                            let _e1390 = select(_e1339, _e1326, (_e1326 < _e1339));
-                                                            if (select(_e1352, _e1390, (_e1390 < _e1352)) > 0f) {
-                                                                phi_2409_ = true;
-                                                            } else {
-                                                                let _e1395 = select(_e1339, _e1326, (_e1326 > _e1339));
-                                                                phi_2409_ = (select(_e1352, _e1395, (_e1395 > _e1352)) < 0f);
-                                                            }
-                                                            let _e1400 = phi_2409_;
-                                                            if _e1400 {
-                                                                phi_3138_ = type_21();
-                                                                phi_3139_ = true;
-                                                                phi_3140_ = false;
-                                                            } else {
-                                                                let _e1402 = select(_e1342, _e1329, (_e1329 < _e1342));
-                                                                if (select(_e1355, _e1402, (_e1402 < _e1355)) > 0f) {
-                                                                    phi_2438_ = true;
-                                                                } else {
-                                                                    let _e1407 = select(_e1342, _e1329, (_e1329 > _e1342));
-                                                                    phi_2438_ = (select(_e1355, _e1407, (_e1407 > _e1355)) < 0f);
-                                                                }
-                                                                let _e1412 = phi_2438_;
-                                                                if _e1412 {
-                                                                    phi_3136_ = type_21();
-                                                                    phi_3137_ = false;
-                                                                } else {
-                                                                    let _e1414 = select(_e1315[1][0], _e1315[0][0], (_e1315[0][0] < _e1315[1][0]));
-                                                                    let _e1418 = select(_e1315[1][0], _e1315[0][0], (_e1315[0][0] > _e1315[1][0]));
-                                                                    let _e1422 = select(_e1315[1][1], _e1315[0][1], (_e1315[0][1] < _e1315[1][1]));
-                                                                    let _e1426 = select(_e1315[1][1], _e1315[0][1], (_e1315[0][1] > _e1315[1][1]));
-                                                                    let _e1430 = select(_e1315[1][2], _e1315[0][2], (_e1315[0][2] < _e1315[1][2]));
-                                                                    let _e1434 = select(_e1315[1][2], _e1315[0][2], (_e1315[0][2] > _e1315[1][2]));
-                                                                    let _e1439 = ((select(_e1315[2][0], _e1414, (_e1414 < _e1315[2][0])) - _e521) * _e526);
-                                                                    let _e1440 = ((select(_e1315[2][0], _e1418, (_e1418 > _e1315[2][0])) - _e522) * _e526);
-                                                                    let _e1443 = ((select(_e1315[2][1], _e1422, (_e1422 < _e1315[2][1])) - _e587) * _e592);
-                                                                    let _e1444 = ((select(_e1315[2][1], _e1426, (_e1426 > _e1315[2][1])) - _e588) * _e592);
-                                                                    let _e1447 = ((select(_e1315[2][2], _e1430, (_e1430 < _e1315[2][2])) - _e653) * _e658);
-                                                                    let _e1448 = ((select(_e1315[2][2], _e1434, (_e1434 > _e1315[2][2])) - _e654) * _e658);
-                                                                    let _e1450 = select(_e1448, _e1447, (_e1447 < _e1448));
-                                                                    let _e1452 = select(_e1448, _e1447, (_e1447 > _e1448));
-                                                                    let _e1454 = select(_e1440, _e1439, (_e1439 < _e1440));
-                                                                    let _e1456 = select(_e1444, _e1443, (_e1443 < _e1444));
-                                                                    let _e1458 = select(_e1456, _e1454, (_e1454 > _e1456));
-                                                                    let _e1460 = select(_e1450, _e1458, (_e1458 > _e1450));
-                                                                    let _e1462 = select(_e1440, _e1439, (_e1439 > _e1440));
-                                                                    let _e1464 = select(_e1444, _e1443, (_e1443 > _e1444));
-                                                                    let _e1466 = select(_e1464, _e1462, (_e1462 < _e1464));
-                                                                    let _e1468 = select(_e1452, _e1466, (_e1466 < _e1452));
-                                                                    let _e1469 = -(_e1450);
-                                                                    let _e1475 = select(_e769, _e1460, (_e1460 > _e769));
-                                                                    if (_e1475 > (_e1468 + (select(_e1469, _e1452, (_e1452 > _e1469)) * 0.0000019073523f))) {
-                                                                        phi_3131_ = type_21();
-                                                                        phi_3132_ = true;
-                                                                    } else {
-                                                                        let _e1477 = (_e1475 > _e868.member);
-                                                                        if _e1477 {
-                                                                            phi_3130_ = type_21();
-                                                                        } else {
-                                                                            let _e1478 = vec3<f32>(_e1315[0][0], _e1315[0][1], _e1315[0][2]);
-                                                                            let _e1479 = vec3<f32>(_e1315[1][0], _e1315[1][1], _e1315[1][2]);
-                                                                            let _e1480 = vec3<f32>(_e1315[2][0], _e1315[2][1], _e1315[2][2]);
-                                                                            let _e1481 = (_e1315[1][0] - _e1315[0][0]);
-                                                                            let _e1482 = (_e1315[1][1] - _e1315[0][1]);
-                                                                            let _e1483 = (_e1315[1][2] - _e1315[0][2]);
-                                                                            let _e1484 = vec3<f32>(_e1481, _e1482, _e1483);
-                                                                            let _e1485 = (_e1315[2][0] - _e1315[1][0]);
-                                                                            let _e1486 = (_e1315[2][1] - _e1315[1][1]);
-                                                                            let _e1487 = (_e1315[2][2] - _e1315[1][2]);
-                                                                            let _e1488 = vec3<f32>(_e1485, _e1486, _e1487);
-                                                                            let _e1489 = (_e1315[0][0] - _e1315[2][0]);
-                                                                            let _e1490 = (_e1315[0][1] - _e1315[2][1]);
-                                                                            let _e1491 = (_e1315[0][2] - _e1315[2][2]);
-                                                                            let _e1492 = vec3<f32>(_e1489, _e1490, _e1491);
-                                                                            let _e1495 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
-                                                                            let _e1498 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
-                                                                            let _e1500 = select(_e1498, _e1495, (_e1495 > _e1498));
-                                                                            let _e1503 = bitcast<f32>((bitcast<u32>(_e1483) & 2147483647u));
-                                                                            let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
-                                                                            let _e1508 = bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u));
-                                                                            let _e1511 = bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u));
-                                                                            let _e1513 = select(_e1511, _e1508, (_e1508 > _e1511));
-                                                                            let _e1516 = bitcast<f32>((bitcast<u32>(_e1487) & 2147483647u));
-                                                                            let _e1518 = select(_e1516, _e1513, (_e1513 > _e1516));
-                                                                            let _e1521 = bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u));
-                                                                            let _e1524 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
-                                                                            let _e1526 = select(_e1524, _e1521, (_e1521 > _e1524));
-                                                                            let _e1529 = bitcast<f32>((bitcast<u32>(_e1491) & 2147483647u));
-                                                                            let _e1531 = select(_e1529, _e1526, (_e1526 > _e1529));
-                                                                            let _e1533 = select(_e1518, _e1505, (_e1505 > _e1518));
-                                                                            let _e1535 = select(_e1531, _e1533, (_e1533 > _e1531));
-                                                                            if (_e1505 == _e1535) {
-                                                                                phi_2857_ = _e1342;
-                                                                                phi_2858_ = _e1339;
-                                                                                phi_2859_ = _e1329;
-                                                                                phi_2860_ = _e1326;
-                                                                                phi_2861_ = _e1478;
-                                                                                phi_2862_ = _e1492;
-                                                                                phi_2863_ = _e1488;
-                                                                                phi_2864_ = _e1484;
-                                                                            } else {
-                                                                                let _e1537 = (_e1518 == _e1535);
-                                                                                let _e1542 = vec3(_e1537);
-                                                                                phi_2857_ = select(_e1329, _e1355, _e1537);
-                                                                                phi_2858_ = select(_e1326, _e1352, _e1537);
-                                                                                phi_2859_ = select(_e1355, _e1342, _e1537);
-                                                                                phi_2860_ = select(_e1352, _e1339, _e1537);
-                                                                                phi_2861_ = select(_e1480, _e1479, _e1542);
-                                                                                phi_2862_ = select(_e1488, _e1484, _e1542);
-                                                                                phi_2863_ = select(_e1484, _e1492, _e1542);
-                                                                                phi_2864_ = select(_e1492, _e1488, _e1542);
-                                                                            }
-                                                                            let _e1548 = phi_2857_;
-                                                                            let _e1550 = phi_2858_;
-                                                                            let _e1552 = phi_2859_;
-                                                                            let _e1554 = phi_2860_;
-                                                                            let _e1556 = phi_2861_;
-                                                                            let _e1558 = phi_2862_;
-                                                                            let _e1560 = phi_2863_;
-                                                                            let _e1562 = phi_2864_;
-                                                                            let _e1569 = ((_e1560.y * _e1558.z) - (_e1558.y * _e1560.z));
-                                                                            let _e1574 = ((_e1560.z * _e1558.x) - (_e1558.z * _e1560.x));
-                                                                            let _e1577 = ((_e1560.x * _e1558.y) - (_e1558.x * _e1560.y));
-                                                                            if (_e1377 >= _e1381) {
-                                                                                phi_2901_ = select(true, false, (_e1377 >= _e1385));
-                                                                            } else {
-                                                                                phi_2901_ = true;
-                                                                            }
-                                                                            let _e1582 = phi_2901_;
-                                                                            if _e1582 {
-                                                                                phi_2910_ = select(_e1480, _e1479, vec3((_e1381 >= _e1385)));
-                                                                            } else {
-                                                                                phi_2910_ = _e1478;
-                                                                            }
-                                                                            let _e1587 = phi_2910_;
-                                                                            let _e1598 = (((_e1569 * (_e1587.x - _e483)) + (_e1574 * (_e1587.y - _e550))) + (_e1577 * (_e1587.z - _e616)));
-                                                                            let _e1603 = (((_e1569 * _e523) + (_e1574 * _e589)) + (_e1577 * _e655));
-                                                                            let _e1604 = (_e1550 - _e1554);
-                                                                            let _e1605 = (_e1548 - _e1552);
-                                                                            let _e1613 = (-(((_e1554 * _e1604) + (_e1552 * _e1605))) / ((_e1604 * _e1604) + (_e1605 * _e1605)));
-                                                                            let _e1615 = select(1f, _e1613, (_e1613 < 1f));
-                                                                            let _e1617 = select(0f, _e1615, (_e1615 > 0f));
-                                                                            let _e1630 = ((_e1556.x + (_e1562.x * _e1617)) - _e483);
-                                                                            let _e1631 = ((_e1556.y + (_e1562.y * _e1617)) - _e550);
-                                                                            let _e1632 = ((_e1556.z + (_e1562.z * _e1617)) - _e616);
-                                                                            let _e1633 = (_e1632 / _e655);
-                                                                            let _e1645 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
-                                                                            let _e1648 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
-                                                                            let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
-                                                                            let _e1653 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
-                                                                            let _e1655 = select(_e1653, _e1650, (_e1650 > _e1653));
-                                                                            let _e1661 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
-                                                                            let _e1664 = bitcast<f32>((bitcast<u32>(_e1574) & 2147483647u));
-                                                                            let _e1666 = select(_e1664, _e1661, (_e1661 > _e1664));
-                                                                            let _e1669 = bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1569 * _e1630) + (_e1574 * _e1631)) + (_e1577 * _e1632)) - _e1598)) & 2147483647u)) <= ((0.0000009536743f * select(_e1535, _e1655, (_e1655 > _e1535))) * select(_e1669, _e1666, (_e1666 > _e1669)))) {
-                                                                                let _e1679 = bitcast<f32>((bitcast<u32>(_e1560.x) & 2147483647u));
-                                                                                let _e1682 = bitcast<f32>((bitcast<u32>(_e1560.y) & 2147483647u));
-                                                                                let _e1684 = select(_e1682, _e1679, (_e1679 > _e1682));
-                                                                                let _e1687 = bitcast<f32>((bitcast<u32>(_e1560.z) & 2147483647u));
-                                                                                let _e1693 = bitcast<f32>((bitcast<u32>(_e1558.x) & 2147483647u));
-                                                                                let _e1696 = bitcast<f32>((bitcast<u32>(_e1558.y) & 2147483647u));
-                                                                                let _e1698 = select(_e1696, _e1693, (_e1693 > _e1696));
-                                                                                let _e1701 = bitcast<f32>((bitcast<u32>(_e1558.z) & 2147483647u));
-                                                                                let _e1705 = (bitcast<f32>((bitcast<u32>(_e1603) & 2147483647u)) > ((0.0000038146973f * select(_e1687, _e1684, (_e1684 > _e1687))) * select(_e1701, _e1698, (_e1698 > _e1701))));
-                                                                                if _e1705 {
-                                                                                    phi_3075_ = (_e1598 / _e1603);
-                                                                                } else {
-                                                                                    phi_3075_ = f32();
-                                                                                }
-                                                                                let _e1708 = phi_3075_;
-                                                                                phi_3077_ = _e1708;
-                                                                                phi_3078_ = select(true, false, _e1705);
-                                                                            } else {
-                                                                                phi_3077_ = f32();
-                                                                                phi_3078_ = true;
-                                                                            }
-                                                                            let _e1711 = phi_3077_;
-                                                                            let _e1713 = phi_3078_;
-                                                                            if _e1713 {
-                                                                                let _e1721 = (((_e1569 * (_e1630 - (_e523 * _e1633))) + (_e1574 * (_e1631 - (_e589 * _e1633)))) / _e1603);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u)) <= _e1535) {
-                                                                                    phi_3098_ = (_e1633 + _e1721);
-                                                                                } else {
-                                                                                    phi_3098_ = _e1633;
-                                                                                }
-                                                                                let _e1728 = phi_3098_;
-                                                                                phi_3099_ = _e1728;
-                                                                            } else {
-                                                                                phi_3099_ = _e1711;
-                                                                            }
-                                                                            let _e1730 = phi_3099_;
-                                                                            let _e1732 = select(_e1468, _e1730, (_e1730 < _e1468));
-                                                                            let _e1734 = select(_e1460, _e1732, (_e1732 > _e1460));
-                                                                            if (_e1734 >= _e769) {
-                                                                                let _e1736 = (_e1734 <= _e868.member);
-                                                                                if _e1736 {
-                                                                                    let _e1737 = (1f / _e1387);
-                                                                                    phi_3122_ = type_21(_e1734, (_e1381 * _e1737), (_e1385 * _e1737), _e928);
-                                                                                } else {
-                                                                                    phi_3122_ = type_21();
-                                                                                }
-                                                                                let _e1742 = phi_3122_;
-                                                                                phi_3124_ = _e1742;
-                                                                                phi_3125_ = select(true, false, _e1736);
-                                                                            } else {
-                                                                                phi_3124_ = type_21();
-                                                                                phi_3125_ = true;
-                                                                            }
-                                                                            let _e1745 = phi_3124_;
-                                                                            let _e1747 = phi_3125_;
-                                                                            if _e1747 {
-                                                                                phi_3129_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                            } else {
-                                                                                phi_3129_ = _e1745;
-                                                                            }
-                                                                            let _e1749 = phi_3129_;
-                                                                            phi_3130_ = _e1749;
-                                                                        }
-                                                                        let _e1751 = phi_3130_;
-                                                                        phi_3131_ = _e1751;
-                                                                        phi_3132_ = _e1477;
-                                                                    }
-                                                                    let _e1753 = phi_3131_;
-                                                                    let _e1755 = phi_3132_;
-                                                                    phi_3136_ = _e1753;
-                                                                    phi_3137_ = _e1755;
-                                                                }
-                                                                let _e1757 = phi_3136_;
-                                                                let _e1759 = phi_3137_;
-                                                                phi_3138_ = _e1757;
-                                                                phi_3139_ = _e1412;
-                                                                phi_3140_ = _e1759;
-                                                            }
-                                                            let _e1761 = phi_3138_;
-                                                            let _e1763 = phi_3139_;
-                                                            let _e1765 = phi_3140_;
-                                                            phi_3141_ = _e1761;
-                                                            phi_3142_ = _e1763;
-                                                            phi_3143_ = _e1765;
+                                                            phi_3054_ = type_42();
+                                                            phi_3055_ = type_42(0f, 0f, 0f, _e1467);
                                                         }
-                                                        let _e1767 = phi_3141_;
-                                                        let _e1769 = phi_3142_;
-                                                        let _e1771 = phi_3143_;
-                                                        phi_3151_ = _e1767;
-                                                        phi_3152_ = select(_e1771, true, _e1769);
+                                                        let _e1731 = phi_3054_;
+                                                        let _e1733 = phi_3055_;
+                                                        phi_3058_ = _e1731;
+                                                        phi_3059_ = _e1733;
+                                                        phi_3060_ = select(true, false, _e1467);
                                                     } else {
-                                                        phi_3151_ = type_21();
-                                                        phi_3152_ = true;
+                                                        phi_3058_ = type_42();
+                                                        phi_3059_ = type_42(0f, 0f, 0f, _e1358);
+                                                        phi_3060_ = true;
                                                     }
-                                                    let _e1774 = phi_3151_;
-                                                    let _e1776 = phi_3152_;
-                                                    if _e1776 {
-                                                        phi_3156_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1736 = phi_3058_;
+                                                    let _e1738 = phi_3059_;
+                                                    let _e1740 = phi_3060_;
+                                                    if _e1740 {
+                                                        phi_3064_ = _e1738;
                                                     } else {
-                                                        phi_3156_ = _e1774;
+                                                        phi_3064_ = _e1736;
                                                     }
-                                                    let _e1778 = phi_3156_;
-                                                    if (_e1778.member_3 != 4294967295u) {
-                                                        if (_e928 == _e171) {
-                                                            phi_3491_ = false;
+                                                    let _e1742 = phi_3064_;
+                                                    if _e1742.member_3 {
+                                                        phi_3073_ = type_21(_e1742.member, _e1742.member_1, _e1742.member_2, _e914);
+                                                    } else {
+                                                        phi_3073_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    }
+                                                    let _e1749 = phi_3073_;
+                                                    if (_e1749.member_3 != 4294967295u) {
+                                                        if (_e914 == _e172) {
+                                                            phi_3408_ = false;
                                                         } else {
-                                                            let _e1782 = (_e928 < arrayLength((&global_5.member)));
-                                                            if _e1782 {
-                                                                if _e1782 {
+                                                            let _e1753 = (_e914 < arrayLength((&global_5.member)));
+                                                            if _e1753 {
+                                                                if _e1753 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1784 = global_5.member[_e928];
-                                                                phi_3179_ = _e1784;
+                                                                let _e1755 = global_5.member[_e914];
+                                                                phi_3096_ = _e1755;
                                                             } else {
-                                                                phi_3179_ = 4294967295u;
+                                                                phi_3096_ = 4294967295u;
                                                             }
-                                                            let _e1786 = phi_3179_;
-                                                            let _e1787 = (_e1786 < arrayLength((&global_6.member)));
-                                                            if _e1787 {
-                                                                if _e1787 {
+                                                            let _e1757 = phi_3096_;
+                                                            let _e1758 = (_e1757 < arrayLength((&global_6.member)));
+                                                            if _e1758 {
+                                                                if _e1758 {
                                                                 } else {
-                                                                    phi_5039_ = true;
+                                                                    phi_5136_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1789 = global_6.member[_e1786];
-                                                                phi_3193_ = _e1789;
+                                                                let _e1760 = global_6.member[_e1757];
+                                                                phi_3110_ = _e1760;
                                                             } else {
-                                                                phi_3193_ = 0i;
+                                                                phi_3110_ = 0i;
                                                             }
-                                                            let _e1791 = phi_3193_;
-                                                            let _e1792 = (_e1791 == 0i);
-                                                            if _e1792 {
-                                                                phi_3490_ = true;
+                                                            let _e1762 = phi_3110_;
+                                                            let _e1763 = (_e1762 == 0i);
+                                                            if _e1763 {
+                                                                phi_3407_ = true;
                                                             } else {
-                                                                if _e460 {
-                                                                    phi_3216_ = vec3<f32>(_e1315[0][0], _e1315[0][1], _e1315[0][2]);
+                                                                if _e461 {
+                                                                    phi_3133_ = vec3<f32>(_e1301[0][0], _e1301[0][1], _e1301[0][2]);
                                                                 } else {
-                                                                    if (_e436 == 1u) {
-                                                                        phi_3215_ = vec3<f32>(_e1315[0][2], _e1315[0][0], _e1315[0][1]);
+                                                                    if (_e437 == 1u) {
+                                                                        phi_3132_ = vec3<f32>(_e1301[0][2], _e1301[0][0], _e1301[0][1]);
                                                                     } else {
-                                                                        phi_3215_ = vec3<f32>(_e1315[0][1], _e1315[0][2], _e1315[0][0]);
+                                                                        phi_3132_ = vec3<f32>(_e1301[0][1], _e1301[0][2], _e1301[0][0]);
                                                                     }
-                                                                    let _e1797 = phi_3215_;
-                                                                    phi_3216_ = _e1797;
+                                                                    let _e1768 = phi_3132_;
+                                                                    phi_3133_ = _e1768;
                                                                 }
-                                                                let _e1800 = phi_3216_;
-                                                                if _e460 {
-                                                                    phi_3235_ = vec3<f32>(_e1315[1][0], _e1315[1][1], _e1315[1][2]);
+                                                                let _e1771 = phi_3133_;
+                                                                if _e461 {
+                                                                    phi_3152_ = vec3<f32>(_e1301[1][0], _e1301[1][1], _e1301[1][2]);
                                                                 } else {
-                                                                    if (_e436 == 1u) {
-                                                                        phi_3234_ = vec3<f32>(_e1315[1][2], _e1315[1][0], _e1315[1][1]);
+                                                                    if (_e437 == 1u) {
+                                                                        phi_3151_ = vec3<f32>(_e1301[1][2], _e1301[1][0], _e1301[1][1]);
                                                                     } else {
-                                                                        phi_3234_ = vec3<f32>(_e1315[1][1], _e1315[1][2], _e1315[1][0]);
+                                                                        phi_3151_ = vec3<f32>(_e1301[1][1], _e1301[1][2], _e1301[1][0]);
                                                                     }
-                                                                    let _e1805 = phi_3234_;
-                                                                    phi_3235_ = _e1805;
+                                                                    let _e1776 = phi_3151_;
+                                                                    phi_3152_ = _e1776;
                                                                 }
-                                                                let _e1808 = phi_3235_;
-                                                                if _e460 {
-                                                                    phi_3254_ = vec3<f32>(_e1315[2][0], _e1315[2][1], _e1315[2][2]);
+                                                                let _e1779 = phi_3152_;
+                                                                if _e461 {
+                                                                    phi_3171_ = vec3<f32>(_e1301[2][0], _e1301[2][1], _e1301[2][2]);
                                                                 } else {
-                                                                    if (_e436 == 1u) {
-                                                                        phi_3253_ = vec3<f32>(_e1315[2][2], _e1315[2][0], _e1315[2][1]);
+                                                                    if (_e437 == 1u) {
+                                                                        phi_3170_ = vec3<f32>(_e1301[2][2], _e1301[2][0], _e1301[2][1]);
                                                                     } else {
-                                                                        phi_3253_ = vec3<f32>(_e1315[2][1], _e1315[2][2], _e1315[2][0]);
+                                                                        phi_3170_ = vec3<f32>(_e1301[2][1], _e1301[2][2], _e1301[2][0]);
                                                                     }
-                                                                    let _e1813 = phi_3253_;
-                                                                    phi_3254_ = _e1813;
+                                                                    let _e1784 = phi_3170_;
+                                                                    phi_3171_ = _e1784;
                                                                 }
-                                                                let _e1816 = phi_3254_;
-                                                                let _e1819 = (_e1808.x - _e1800.x);
-                                                                let _e1822 = (_e1808.y - _e1800.y);
-                                                                let _e1825 = (_e1808.z - _e1800.z);
-                                                                let _e1827 = (_e1816.x - _e1800.x);
-                                                                let _e1829 = (_e1816.y - _e1800.y);
-                                                                let _e1831 = (_e1816.z - _e1800.z);
-                                                                if (_e303.member_1 == 1u) {
-                                                                    phi_3290_ = (vec3<f32>(_e303.member[0], _e303.member[1], _e303.member[2]) - _e1800);
+                                                                let _e1787 = phi_3171_;
+                                                                let _e1790 = (_e1779.x - _e1771.x);
+                                                                let _e1793 = (_e1779.y - _e1771.y);
+                                                                let _e1796 = (_e1779.z - _e1771.z);
+                                                                let _e1798 = (_e1787.x - _e1771.x);
+                                                                let _e1800 = (_e1787.y - _e1771.y);
+                                                                let _e1802 = (_e1787.z - _e1771.z);
+                                                                if (_e304.member_1 == 1u) {
+                                                                    phi_3207_ = (vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]) - _e1771);
                                                                 } else {
-                                                                    phi_3290_ = vec3<f32>(_e303.member[0], _e303.member[1], _e303.member[2]);
+                                                                    phi_3207_ = vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]);
                                                                 }
-                                                                let _e1846 = phi_3290_;
-                                                                let _e1852 = bitcast<f32>((bitcast<u32>((_e1819 * _e1829)) ^ _e303.member_3[0]));
-                                                                let _e1856 = bitcast<f32>((bitcast<u32>((_e1822 * _e1827)) ^ _e303.member_3[0]));
-                                                                let _e1860 = bitcast<f32>((bitcast<u32>((_e1822 * _e1831)) ^ _e303.member_3[0]));
-                                                                let _e1864 = bitcast<f32>((bitcast<u32>((_e1825 * _e1829)) ^ _e303.member_3[0]));
-                                                                let _e1868 = bitcast<f32>((bitcast<u32>((_e1825 * _e1827)) ^ _e303.member_3[0]));
-                                                                let _e1872 = bitcast<f32>((bitcast<u32>((_e1819 * _e1831)) ^ _e303.member_3[0]));
-                                                                let _e1873 = (_e1860 - _e1864);
-                                                                let _e1874 = (_e1868 - _e1872);
-                                                                let _e1875 = (_e1852 - _e1856);
-                                                                let _e1899 = (bitcast<f32>((bitcast<u32>(_e1860) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1864) & 2147483647u)));
-                                                                let _e1906 = (bitcast<f32>((bitcast<u32>(_e1868) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1872) & 2147483647u)));
-                                                                let _e1913 = (bitcast<f32>((bitcast<u32>(_e1852) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1856) & 2147483647u)));
-                                                                if (_e303.member_2 == 0f) {
-                                                                    phi_3472_ = 0f;
+                                                                let _e1817 = phi_3207_;
+                                                                let _e1823 = bitcast<f32>((bitcast<u32>((_e1790 * _e1800)) ^ _e304.member_3[0]));
+                                                                let _e1827 = bitcast<f32>((bitcast<u32>((_e1793 * _e1798)) ^ _e304.member_3[0]));
+                                                                let _e1831 = bitcast<f32>((bitcast<u32>((_e1793 * _e1802)) ^ _e304.member_3[0]));
+                                                                let _e1835 = bitcast<f32>((bitcast<u32>((_e1796 * _e1800)) ^ _e304.member_3[0]));
+                                                                let _e1839 = bitcast<f32>((bitcast<u32>((_e1796 * _e1798)) ^ _e304.member_3[0]));
+                                                                let _e1843 = bitcast<f32>((bitcast<u32>((_e1790 * _e1802)) ^ _e304.member_3[0]));
+                                                                let _e1844 = (_e1831 - _e1835);
+                                                                let _e1845 = (_e1839 - _e1843);
+                                                                let _e1846 = (_e1823 - _e1827);
+                                                                let _e1870 = (bitcast<f32>((bitcast<u32>(_e1831) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1835) & 2147483647u)));
+                                                                let _e1877 = (bitcast<f32>((bitcast<u32>(_e1839) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1843) & 2147483647u)));
+                                                                let _e1884 = (bitcast<f32>((bitcast<u32>(_e1823) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1827) & 2147483647u)));
+                                                                if (_e304.member_2 == 0f) {
+                                                                    phi_3389_ = 0f;
                                                                 } else {
-                                                                    let _e1943 = bitcast<f32>((bitcast<u32>(_e1873) & 2147483647u));
-                                                                    let _e1946 = bitcast<f32>((bitcast<u32>(_e1874) & 2147483647u));
-                                                                    let _e1949 = bitcast<f32>((bitcast<u32>(_e1875) & 2147483647u));
-                                                                    let _e1951 = select(_e1949, _e1946, (_e1946 > _e1949));
-                                                                    let _e1955 = select(_e1949, _e1946, (_e1946 < _e1949));
-                                                                    let _e1959 = select(_e1946, _e1943, (_e1943 < _e1946));
-                                                                    let _e1961 = select(_e1946, _e1943, (_e1943 > _e1946));
-                                                                    let _e1963 = select(_e1949, _e1961, (_e1961 < _e1949));
-                                                                    phi_3472_ = bitcast<f32>((bitcast<u32>((_e303.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1951, _e1943, (_e1943 > _e1951)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1963, _e1959, (_e1959 > _e1963)))) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1955, _e1943, (_e1943 < _e1955)))) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1899 + _e1906) + _e1913))) ^ _e303.member_3[0]))) * 1.0000005f)) ^ _e303.member_3[0])))) ^ _e303.member_3[0]));
+                                                                    let _e1914 = bitcast<f32>((bitcast<u32>(_e1844) & 2147483647u));
+                                                                    let _e1917 = bitcast<f32>((bitcast<u32>(_e1845) & 2147483647u));
+                                                                    let _e1920 = bitcast<f32>((bitcast<u32>(_e1846) & 2147483647u));
+                                                                    let _e1922 = select(_e1920, _e1917, (_e1917 > _e1920));
+                                                                    let _e1926 = select(_e1920, _e1917, (_e1917 < _e1920));
+                                                                    let _e1930 = select(_e1917, _e1914, (_e1914 < _e1917));
+                                                                    let _e1932 = select(_e1917, _e1914, (_e1914 > _e1917));
+                                                                    let _e1934 = select(_e1920, _e1932, (_e1932 < _e1920));
+                                                                    phi_3389_ = bitcast<f32>((bitcast<u32>((_e304.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1922, _e1914, (_e1914 > _e1922)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1934, _e1930, (_e1930 > _e1934)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1926, _e1914, (_e1914 < _e1926)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1870 + _e1877) + _e1884))) ^ _e304.member_3[0]))) * 1.0000005f)) ^ _e304.member_3[0])))) ^ _e304.member_3[0]));
                                                                 }
-                                                                let _e1990 = phi_3472_;
-                                                                phi_3490_ = (_e1792 || !(((((bitcast<f32>((bitcast<u32>((_e1846.x * _e1873)) ^ _e303.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1846.y * _e1874)) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1846.z * _e1875)) ^ _e303.member_3[0]))) * f32(-(_e1791))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1846.x) & 2147483647u)) * _e1899)) ^ _e303.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1846.y) & 2147483647u)) * _e1906)) ^ _e303.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1846.z) & 2147483647u)) * _e1913)) ^ _e303.member_3[0]))))) ^ _e303.member_3[0])) + _e1990) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1961 = phi_3389_;
+                                                                phi_3407_ = (_e1763 || !(((((bitcast<f32>((bitcast<u32>((_e1817.x * _e1844)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1817.y * _e1845)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1817.z * _e1846)) ^ _e304.member_3[0]))) * f32(-(_e1762))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1817.x) & 2147483647u)) * _e1870)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1817.y) & 2147483647u)) * _e1877)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1817.z) & 2147483647u)) * _e1884)) ^ _e304.member_3[0]))))) ^ _e304.member_3[0])) + _e1961) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2004 = phi_3490_;
-                                                            phi_3491_ = _e2004;
+                                                            let _e1975 = phi_3407_;
+                                                            phi_3408_ = _e1975;
                                                         }
-                                                        let _e2006 = phi_3491_;
-                                                        if _e2006 {
-                                                            phi_3496_ = type_42(_e868.member, true);
+                                                        let _e1977 = phi_3408_;
+                                                        if _e1977 {
+                                                            phi_3413_ = type_43(-340282350000000000000000000000000000000f, true);
                                                         } else {
-                                                            phi_3496_ = _e868;
+                                                            phi_3413_ = _e854;
                                                         }
-                                                        let _e2011 = phi_3496_;
-                                                        phi_3497_ = _e2011;
+                                                        let _e1979 = phi_3413_;
+                                                        phi_3414_ = _e1979;
                                                     } else {
-                                                        phi_3497_ = _e868;
+                                                        phi_3414_ = _e854;
                                                     }
-                                                    let _e2013 = phi_3497_;
-                                                    phi_1494_ = _e2013;
+                                                    let _e1981 = phi_3414_;
+                                                    phi_1514_ = _e1981;
                                                 } else {
-                                                    phi_1494_ = type_42();
+                                                    phi_1514_ = type_43();
                                                 }
-                                                let _e2015 = phi_1494_;
+                                                let _e1983 = phi_1514_;
                                                 continue;
                                                 continuing {
-                                                    phi_1493_ = _e2015;
-                                                    phi_1496_ = _e883;
-                                                    phi_5039_ = _e811;
-                                                    break if !(_e889);
+                                                    phi_1513_ = _e1983;
+                                                    phi_1516_ = _e869;
+                                                    phi_5136_ = _e797;
+                                                    break if !(_e875);
                                                 }
                                             }
-                                            let _e2018 = phi_5039_;
-                                            phi_5278_ = _e2018;
-                                            if _e2018 {
+                                            let _e1986 = phi_5136_;
+                                            phi_5380_ = _e1986;
+                                            if _e1986 {
                                                 break;
                                             }
-                                            phi_5369_ = _e2018;
-                                            let _e2724 = local_11;
-                                            phi_3498_ = _e2724;
+                                            phi_5471_ = _e1986;
+                                            let _e2679 = local_11;
+                                            phi_3415_ = _e2679;
                                         } else {
-                                            phi_5369_ = _e811;
-                                            phi_3498_ = _e813;
+                                            phi_5471_ = _e797;
+                                            phi_3415_ = _e799;
                                         }
-                                        let _e2020 = phi_5369_;
-                                        let _e2022 = phi_3498_;
-                                        if _e860 {
-                                            phi_4763_ = bool();
-                                            phi_4764_ = u32();
-                                            phi_4765_ = type_58();
+                                        let _e1988 = phi_5471_;
+                                        let _e1990 = phi_3415_;
+                                        if _e846 {
+                                            phi_4680_ = bool();
+                                            phi_4681_ = u32();
+                                            phi_4682_ = type_59();
                                         } else {
-                                            if (_e856.member_1 >= _e103) {
-                                                phi_4299_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e842.member_1 >= _e104) {
+                                                phi_4216_ = type_60(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_59(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_59(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e856.member_1 < _e103) {
+                                                if (_e842.member_1 < _e104) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2025 = (_e436 * 2u);
-                                                let _e2027 = ((1u + _e2025) % 7u);
-                                                if (_e2027 < 7u) {
+                                                let _e1993 = (_e437 * 2u);
+                                                let _e1995 = ((1u + _e1993) % 7u);
+                                                if (_e1995 < 7u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2032 = global_8.member[_e856.member_1][_e2027];
-                                                let _e2034 = ((_e2025 + 2u) % 7u);
-                                                if (_e2034 < 7u) {
+                                                let _e2000 = global_8.member[_e842.member_1][_e1995];
+                                                let _e2002 = ((_e1993 + 2u) % 7u);
+                                                if (_e2002 < 7u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2039 = global_8.member[_e856.member_1][_e2034];
-                                                let _e2040 = (_e435 * 2u);
-                                                let _e2042 = ((1u + _e2040) % 7u);
-                                                if (_e2042 < 7u) {
+                                                let _e2007 = global_8.member[_e842.member_1][_e2002];
+                                                let _e2008 = (_e436 * 2u);
+                                                let _e2010 = ((1u + _e2008) % 7u);
+                                                if (_e2010 < 7u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2047 = global_8.member[_e856.member_1][_e2042];
-                                                let _e2049 = ((_e2040 + 2u) % 7u);
-                                                if (_e2049 < 7u) {
+                                                let _e2015 = global_8.member[_e842.member_1][_e2010];
+                                                let _e2017 = ((_e2008 + 2u) % 7u);
+                                                if (_e2017 < 7u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2054 = global_8.member[_e856.member_1][_e2049];
-                                                let _e2055 = (_e437 * 2u);
-                                                let _e2057 = ((1u + _e2055) % 7u);
-                                                if (_e2057 < 7u) {
+                                                let _e2022 = global_8.member[_e842.member_1][_e2017];
+                                                let _e2023 = (_e438 * 2u);
+                                                let _e2025 = ((1u + _e2023) % 7u);
+                                                if (_e2025 < 7u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2062 = global_8.member[_e856.member_1][_e2057];
-                                                let _e2064 = ((_e2055 + 2u) % 7u);
-                                                if (_e2064 < 7u) {
+                                                let _e2030 = global_8.member[_e842.member_1][_e2025];
+                                                let _e2032 = ((_e2023 + 2u) % 7u);
+                                                if (_e2032 < 7u) {
                                                 } else {
-                                                    phi_5278_ = true;
+                                                    phi_5380_ = true;
                                                     break;
                                                 }
-                                                let _e2069 = global_8.member[_e856.member_1][_e2064];
-                                                let _e2092 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.x - _e856.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e2093 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.y - _e856.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e2094 = (bitcast<f32>((bitcast<u32>((_e856.member.member_1.z - _e856.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e2096 = select(_e162, _e2092, (_e2092 > _e162));
-                                                let _e2098 = select(_e162, _e2093, (_e2093 > _e162));
-                                                let _e2100 = select(_e162, _e2094, (_e2094 > _e162));
-                                                let _e2131 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2032 & 2097151u))) - 8388608f) * _e2096));
-                                                let _e2136 = (bitcast<i32>((_e2032 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e2139 = bitcast<f32>((_e2131 & bitcast<u32>(_e2136)));
-                                                let _e2140 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2047 & 2097151u))) - 8388608f) * _e2098));
-                                                let _e2145 = (bitcast<i32>((_e2047 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e2148 = bitcast<f32>((_e2140 & bitcast<u32>(_e2145)));
-                                                let _e2149 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2062 & 2097151u))) - 8388608f) * _e2100));
-                                                let _e2154 = (bitcast<i32>((_e2062 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e2157 = bitcast<f32>((_e2149 & bitcast<u32>(_e2154)));
-                                                let _e2161 = bitcast<f32>((_e2131 & bitcast<u32>(~(_e2136))));
-                                                let _e2165 = bitcast<f32>((_e2140 & bitcast<u32>(~(_e2145))));
-                                                let _e2169 = bitcast<f32>((_e2149 & bitcast<u32>(~(_e2154))));
-                                                let _e2170 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2039 & 2097151u))) - 8388608f) * _e2096));
-                                                let _e2175 = (bitcast<i32>((_e2039 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e2178 = bitcast<f32>((_e2170 & bitcast<u32>(_e2175)));
-                                                let _e2179 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2054 & 2097151u))) - 8388608f) * _e2098));
-                                                let _e2184 = (bitcast<i32>((_e2054 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e2187 = bitcast<f32>((_e2179 & bitcast<u32>(_e2184)));
-                                                let _e2188 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2069 & 2097151u))) - 8388608f) * _e2100));
-                                                let _e2193 = (bitcast<i32>((_e2069 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e2196 = bitcast<f32>((_e2188 & bitcast<u32>(_e2193)));
-                                                let _e2200 = bitcast<f32>((_e2170 & bitcast<u32>(~(_e2175))));
-                                                let _e2204 = bitcast<f32>((_e2179 & bitcast<u32>(~(_e2184))));
-                                                let _e2208 = bitcast<f32>((_e2188 & bitcast<u32>(~(_e2193))));
-                                                let _e2209 = (_e856.member.member.x + _e2139);
-                                                let _e2210 = (_e856.member.member.y + _e2148);
-                                                let _e2211 = (_e856.member.member.z + _e2157);
-                                                let _e2214 = (_e856.member.member_1.x - _e2178);
-                                                let _e2215 = (_e856.member.member_1.y - _e2187);
-                                                let _e2216 = (_e856.member.member_1.z - _e2196);
-                                                let _e2235 = (_e2214 - _e2209);
-                                                let _e2236 = (_e2215 - _e2210);
-                                                let _e2237 = (_e2216 - _e2211);
-                                                let _e2239 = select(_e2236, _e2235, (_e2235 > _e2236));
-                                                let _e2241 = select(_e2237, _e2239, (_e2239 > _e2237));
-                                                if (_e2241 < (1024f * _e162)) {
-                                                    phi_4000_ = 0u;
+                                                let _e2037 = global_8.member[_e842.member_1][_e2032];
+                                                let _e2060 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.x - _e842.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e2061 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.y - _e842.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e2062 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.z - _e842.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e2064 = select(_e163, _e2060, (_e2060 > _e163));
+                                                let _e2066 = select(_e163, _e2061, (_e2061 > _e163));
+                                                let _e2068 = select(_e163, _e2062, (_e2062 > _e163));
+                                                let _e2099 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2000 & 2097151u))) - 8388608f) * _e2064));
+                                                let _e2104 = (bitcast<i32>((_e2000 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2107 = bitcast<f32>((_e2099 & bitcast<u32>(_e2104)));
+                                                let _e2108 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2015 & 2097151u))) - 8388608f) * _e2066));
+                                                let _e2113 = (bitcast<i32>((_e2015 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2116 = bitcast<f32>((_e2108 & bitcast<u32>(_e2113)));
+                                                let _e2117 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2030 & 2097151u))) - 8388608f) * _e2068));
+                                                let _e2122 = (bitcast<i32>((_e2030 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2125 = bitcast<f32>((_e2117 & bitcast<u32>(_e2122)));
+                                                let _e2129 = bitcast<f32>((_e2099 & bitcast<u32>(~(_e2104))));
+                                                let _e2133 = bitcast<f32>((_e2108 & bitcast<u32>(~(_e2113))));
+                                                let _e2137 = bitcast<f32>((_e2117 & bitcast<u32>(~(_e2122))));
+                                                let _e2138 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2007 & 2097151u))) - 8388608f) * _e2064));
+                                                let _e2143 = (bitcast<i32>((_e2007 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2146 = bitcast<f32>((_e2138 & bitcast<u32>(_e2143)));
+                                                let _e2147 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2022 & 2097151u))) - 8388608f) * _e2066));
+                                                let _e2152 = (bitcast<i32>((_e2022 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2155 = bitcast<f32>((_e2147 & bitcast<u32>(_e2152)));
+                                                let _e2156 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2037 & 2097151u))) - 8388608f) * _e2068));
+                                                let _e2161 = (bitcast<i32>((_e2037 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e2164 = bitcast<f32>((_e2156 & bitcast<u32>(_e2161)));
+                                                let _e2168 = bitcast<f32>((_e2138 & bitcast<u32>(~(_e2143))));
+                                                let _e2172 = bitcast<f32>((_e2147 & bitcast<u32>(~(_e2152))));
+                                                let _e2176 = bitcast<f32>((_e2156 & bitcast<u32>(~(_e2161))));
+                                                let _e2177 = (_e842.member.member.x + _e2107);
+                                                let _e2178 = (_e842.member.member.y + _e2116);
+                                                let _e2179 = (_e842.member.member.z + _e2125);
+                                                let _e2182 = (_e842.member.member_1.x - _e2146);
+                                                let _e2183 = (_e842.member.member_1.y - _e2155);
+                                                let _e2184 = (_e842.member.member_1.z - _e2164);
+                                                let _e2203 = (_e2182 - _e2177);
+                                                let _e2204 = (_e2183 - _e2178);
+                                                let _e2205 = (_e2184 - _e2179);
+                                                let _e2207 = select(_e2204, _e2203, (_e2203 > _e2204));
+                                                let _e2209 = select(_e2205, _e2207, (_e2207 > _e2205));
+                                                if (_e2209 < (1024f * _e163)) {
+                                                    phi_3917_ = 0u;
                                                 } else {
-                                                    phi_4000_ = select(2u, 1u, (_e2241 < (2097152f * _e162)));
+                                                    phi_3917_ = select(2u, 1u, (_e2209 < (2097152f * _e163)));
                                                 }
-                                                let _e2248 = phi_4000_;
-                                                switch bitcast<i32>(_e2248) {
+                                                let _e2216 = phi_3917_;
+                                                switch bitcast<i32>(_e2216) {
                                                     case 0: {
-                                                        phi_4006_ = 1u;
+                                                        phi_3923_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_4006_ = 2u;
+                                                        phi_3923_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_4006_ = 3u;
+                                                        phi_3923_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_4006_ = u32();
+                                                        phi_3923_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e2251 = phi_4006_;
-                                                let _e2257 = global_8.member[_e856.member_1][0u];
-                                                let _e2261 = global_8.member[_e856.member_1][2u];
-                                                let _e2265 = global_8.member[_e856.member_1][4u];
-                                                let _e2269 = global_8.member[_e856.member_1][6u];
-                                                let _e2281 = (((_e2261 >> bitcast<u32>(22i)) | ((_e2265 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2269 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e2282 = (_e2257 & 268435455u);
-                                                let _e2283 = (_e2281 & 268435455u);
-                                                let _e2286 = ((_e2257 >> bitcast<u32>(28u)) & 7u);
-                                                let _e2294 = ((_e2257 >> bitcast<u32>(31i)) | (((_e2281 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e2295 = (_e2286 != 0u);
-                                                if (_e2286 == 0u) {
-                                                    phi_4261_ = _e2282;
+                                                let _e2219 = phi_3923_;
+                                                let _e2225 = global_8.member[_e842.member_1][0u];
+                                                let _e2229 = global_8.member[_e842.member_1][2u];
+                                                let _e2233 = global_8.member[_e842.member_1][4u];
+                                                let _e2237 = global_8.member[_e842.member_1][6u];
+                                                let _e2249 = (((_e2229 >> bitcast<u32>(22i)) | ((_e2233 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2237 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e2250 = (_e2225 & 268435455u);
+                                                let _e2251 = (_e2249 & 268435455u);
+                                                let _e2254 = ((_e2225 >> bitcast<u32>(28u)) & 7u);
+                                                let _e2262 = ((_e2225 >> bitcast<u32>(31i)) | (((_e2249 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e2263 = (_e2254 != 0u);
+                                                if (_e2254 == 0u) {
+                                                    phi_4178_ = _e2250;
                                                 } else {
-                                                    if (_e2286 == 7u) {
-                                                        phi_4260_ = 2147483648u;
+                                                    if (_e2254 == 7u) {
+                                                        phi_4177_ = 2147483648u;
                                                     } else {
-                                                        phi_4260_ = ((2147483648u | (_e2286 << bitcast<u32>(28u))) | (_e2283 & 268435455u));
+                                                        phi_4177_ = ((2147483648u | (_e2254 << bitcast<u32>(28u))) | (_e2251 & 268435455u));
                                                     }
-                                                    let _e2304 = phi_4260_;
-                                                    phi_4261_ = _e2304;
+                                                    let _e2272 = phi_4177_;
+                                                    phi_4178_ = _e2272;
                                                 }
-                                                let _e2306 = phi_4261_;
-                                                if _e2295 {
-                                                    let _e2307 = (_e2286 != 7u);
-                                                    if _e2307 {
-                                                        phi_4271_ = (_e2283 + (_e2286 * ((3u * _e2251) + 1u)));
+                                                let _e2274 = phi_4178_;
+                                                if _e2263 {
+                                                    let _e2275 = (_e2254 != 7u);
+                                                    if _e2275 {
+                                                        phi_4188_ = (_e2251 + (_e2254 * ((3u * _e2219) + 1u)));
                                                     } else {
-                                                        phi_4271_ = u32();
+                                                        phi_4188_ = u32();
                                                     }
-                                                    let _e2311 = phi_4271_;
-                                                    phi_4273_ = _e2311;
-                                                    phi_4274_ = select(true, false, _e2307);
+                                                    let _e2279 = phi_4188_;
+                                                    phi_4190_ = _e2279;
+                                                    phi_4191_ = select(true, false, _e2275);
                                                 } else {
-                                                    phi_4273_ = u32();
-                                                    phi_4274_ = true;
+                                                    phi_4190_ = u32();
+                                                    phi_4191_ = true;
                                                 }
-                                                let _e2314 = phi_4273_;
-                                                let _e2316 = phi_4274_;
-                                                if (_e2294 == 0u) {
-                                                    phi_4295_ = (_e2282 + select(0u, 1u, !(_e2295)));
+                                                let _e2282 = phi_4190_;
+                                                let _e2284 = phi_4191_;
+                                                if (_e2262 == 0u) {
+                                                    phi_4212_ = (_e2250 + select(0u, 1u, !(_e2263)));
                                                 } else {
-                                                    if (_e2294 == 7u) {
-                                                        phi_4294_ = 2147483648u;
+                                                    if (_e2262 == 7u) {
+                                                        phi_4211_ = 2147483648u;
                                                     } else {
-                                                        phi_4294_ = ((2147483648u | (_e2294 << bitcast<u32>(28u))) | (select(_e2314, _e2283, _e2316) & 268435455u));
+                                                        phi_4211_ = ((2147483648u | (_e2262 << bitcast<u32>(28u))) | (select(_e2282, _e2251, _e2284) & 268435455u));
                                                     }
-                                                    let _e2329 = phi_4294_;
-                                                    phi_4295_ = _e2329;
+                                                    let _e2297 = phi_4211_;
+                                                    phi_4212_ = _e2297;
                                                 }
-                                                let _e2331 = phi_4295_;
-                                                phi_4299_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e2209, (_e856.member.member.x + _e2161), _e2214, (_e856.member.member_1.x - _e2200)), vec4<f32>(_e2210, (_e856.member.member.y + _e2165), _e2215, (_e856.member.member_1.y - _e2204)), vec4<f32>(_e2211, (_e856.member.member.z + _e2169), _e2216, (_e856.member.member_1.z - _e2208))), type_58(type_30((_e856.member.member + vec4<f32>(_e2139, _e2148, _e2157, 0f)), (_e856.member.member_1 - vec4<f32>(_e2178, _e2187, _e2196, 0f))), _e2306), type_58(type_30((_e856.member.member + vec4<f32>(_e2161, _e2165, _e2169, 0f)), (_e856.member.member_1 - vec4<f32>(_e2200, _e2204, _e2208, 0f))), _e2331));
+                                                let _e2299 = phi_4212_;
+                                                phi_4216_ = type_60(array<vec4<f32>, 3>(vec4<f32>(_e2177, (_e842.member.member.x + _e2129), _e2182, (_e842.member.member_1.x - _e2168)), vec4<f32>(_e2178, (_e842.member.member.y + _e2133), _e2183, (_e842.member.member_1.y - _e2172)), vec4<f32>(_e2179, (_e842.member.member.z + _e2137), _e2184, (_e842.member.member_1.z - _e2176))), type_59(type_30((_e842.member.member + vec4<f32>(_e2107, _e2116, _e2125, 0f)), (_e842.member.member_1 - vec4<f32>(_e2146, _e2155, _e2164, 0f))), _e2274), type_59(type_30((_e842.member.member + vec4<f32>(_e2129, _e2133, _e2137, 0f)), (_e842.member.member_1 - vec4<f32>(_e2168, _e2172, _e2176, 0f))), _e2299));
                                             }
-                                            let _e2336 = phi_4299_;
-                                            let _e2348 = ((_e2336.member[0].x - _e521) * _e526);
-                                            let _e2349 = ((_e2336.member[0].y - _e521) * _e526);
-                                            let _e2350 = ((_e2336.member[0].z - _e522) * _e526);
-                                            let _e2351 = ((_e2336.member[0].w - _e522) * _e526);
-                                            let _e2361 = ((_e2336.member[1].x - _e587) * _e592);
-                                            let _e2362 = ((_e2336.member[1].y - _e587) * _e592);
-                                            let _e2363 = ((_e2336.member[1].z - _e588) * _e592);
-                                            let _e2364 = ((_e2336.member[1].w - _e588) * _e592);
-                                            let _e2374 = ((_e2336.member[2].x - _e653) * _e658);
-                                            let _e2375 = ((_e2336.member[2].y - _e653) * _e658);
-                                            let _e2376 = ((_e2336.member[2].z - _e654) * _e658);
-                                            let _e2377 = ((_e2336.member[2].w - _e654) * _e658);
-                                            let _e2379 = select(_e2376, _e2374, (_e2374 < _e2376));
-                                            let _e2381 = select(_e2377, _e2375, (_e2375 < _e2377));
-                                            let _e2383 = select(_e2376, _e2374, (_e2374 > _e2376));
-                                            let _e2385 = select(_e2377, _e2375, (_e2375 > _e2377));
-                                            let _e2387 = select(_e2350, _e2348, (_e2348 < _e2350));
-                                            let _e2389 = select(_e2351, _e2349, (_e2349 < _e2351));
-                                            let _e2391 = select(_e2363, _e2361, (_e2361 < _e2363));
-                                            let _e2393 = select(_e2364, _e2362, (_e2362 < _e2364));
-                                            let _e2395 = select(_e2391, _e2387, (_e2387 > _e2391));
-                                            let _e2397 = select(_e2393, _e2389, (_e2389 > _e2393));
-                                            let _e2399 = select(_e2379, _e2395, (_e2395 > _e2379));
-                                            let _e2401 = select(_e2381, _e2397, (_e2397 > _e2381));
-                                            let _e2403 = select(_e2350, _e2348, (_e2348 > _e2350));
-                                            let _e2405 = select(_e2351, _e2349, (_e2349 > _e2351));
-                                            let _e2407 = select(_e2363, _e2361, (_e2361 > _e2363));
-                                            let _e2409 = select(_e2364, _e2362, (_e2362 > _e2364));
-                                            let _e2411 = select(_e2407, _e2403, (_e2403 < _e2407));
-                                            let _e2413 = select(_e2409, _e2405, (_e2405 < _e2409));
-                                            let _e2418 = -(_e2379);
-                                            let _e2419 = -(_e2381);
-                                            let _e2426 = (select(_e2383, _e2411, (_e2411 < _e2383)) + (select(_e2418, _e2383, (_e2383 > _e2418)) * 0.0000019073523f));
-                                            let _e2427 = (select(_e2385, _e2413, (_e2413 < _e2385)) + (select(_e2419, _e2385, (_e2385 > _e2419)) * 0.0000019073523f));
-                                            let _e2429 = select(_e769, _e2399, (_e2399 > _e769));
-                                            let _e2431 = select(_e769, _e2401, (_e2401 > _e769));
-                                            let _e2436 = (_e2429 <= select(_e2022.member, _e2426, (_e2426 < _e2022.member)));
-                                            let _e2437 = (_e2431 <= select(_e2022.member, _e2427, (_e2427 < _e2022.member)));
-                                            let _e2438 = (_e2429 <= _e2431);
-                                            if _e2436 {
-                                                if _e2437 {
-                                                    if _e2438 {
-                                                        phi_4661_ = _e2336.member_2;
+                                            let _e2304 = phi_4216_;
+                                            let _e2316 = ((_e2304.member[0].x - _e522) * _e525);
+                                            let _e2317 = ((_e2304.member[0].y - _e522) * _e525);
+                                            let _e2318 = ((_e2304.member[0].z - _e523) * _e525);
+                                            let _e2319 = ((_e2304.member[0].w - _e523) * _e525);
+                                            let _e2329 = ((_e2304.member[1].x - _e586) * _e589);
+                                            let _e2330 = ((_e2304.member[1].y - _e586) * _e589);
+                                            let _e2331 = ((_e2304.member[1].z - _e587) * _e589);
+                                            let _e2332 = ((_e2304.member[1].w - _e587) * _e589);
+                                            let _e2342 = ((_e2304.member[2].x - _e650) * _e653);
+                                            let _e2343 = ((_e2304.member[2].y - _e650) * _e653);
+                                            let _e2344 = ((_e2304.member[2].z - _e651) * _e653);
+                                            let _e2345 = ((_e2304.member[2].w - _e651) * _e653);
+                                            let _e2347 = select(_e2344, _e2342, (_e2342 < _e2344));
+                                            let _e2349 = select(_e2345, _e2343, (_e2343 < _e2345));
+                                            let _e2351 = select(_e2344, _e2342, (_e2342 > _e2344));
+                                            let _e2353 = select(_e2345, _e2343, (_e2343 > _e2345));
+                                            let _e2355 = select(_e2318, _e2316, (_e2316 < _e2318));
+                                            let _e2357 = select(_e2319, _e2317, (_e2317 < _e2319));
+                                            let _e2359 = select(_e2331, _e2329, (_e2329 < _e2331));
+                                            let _e2361 = select(_e2332, _e2330, (_e2330 < _e2332));
+                                            let _e2363 = select(_e2359, _e2355, (_e2355 > _e2359));
+                                            let _e2365 = select(_e2361, _e2357, (_e2357 > _e2361));
+                                            let _e2367 = select(_e2347, _e2363, (_e2363 > _e2347));
+                                            let _e2369 = select(_e2349, _e2365, (_e2365 > _e2349));
+                                            let _e2371 = select(_e2318, _e2316, (_e2316 > _e2318));
+                                            let _e2373 = select(_e2319, _e2317, (_e2317 > _e2319));
+                                            let _e2375 = select(_e2331, _e2329, (_e2329 > _e2331));
+                                            let _e2377 = select(_e2332, _e2330, (_e2330 > _e2332));
+                                            let _e2379 = select(_e2375, _e2371, (_e2371 < _e2375));
+                                            let _e2381 = select(_e2377, _e2373, (_e2373 < _e2377));
+                                            let _e2386 = -(_e2347);
+                                            let _e2387 = -(_e2349);
+                                            let _e2394 = (select(_e2351, _e2379, (_e2379 < _e2351)) + (select(_e2386, _e2351, (_e2351 > _e2386)) * 0.0000019073523f));
+                                            let _e2395 = (select(_e2353, _e2381, (_e2381 < _e2353)) + (select(_e2387, _e2353, (_e2353 > _e2387)) * 0.0000019073523f));
+                                            let _e2397 = select(_e755, _e2367, (_e2367 > _e755));
+                                            let _e2399 = select(_e755, _e2369, (_e2369 > _e755));
+                                            let _e2404 = (_e2397 <= select(_e1990.member, _e2394, (_e2394 < _e1990.member)));
+                                            let _e2405 = (_e2399 <= select(_e1990.member, _e2395, (_e2395 < _e1990.member)));
+                                            let _e2406 = (_e2397 <= _e2399);
+                                            if _e2404 {
+                                                if _e2405 {
+                                                    if _e2406 {
+                                                        phi_4578_ = _e2304.member_2;
                                                     } else {
-                                                        phi_4661_ = _e2336.member_1;
+                                                        phi_4578_ = _e2304.member_1;
                                                     }
-                                                    let _e2442 = phi_4661_;
-                                                    let _e2463 = (_e854 % 128u);
-                                                    let _e2464 = (_e2463 < 128u);
-                                                    if _e2464 {
+                                                    let _e2410 = phi_4578_;
+                                                    let _e2431 = (_e840 % 128u);
+                                                    let _e2432 = (_e2431 < 128u);
+                                                    if _e2432 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e2463] = _e2442.member_1;
-                                                    if _e2464 {
+                                                    local_8[_e2431] = _e2410.member_1;
+                                                    if _e2432 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e2463] = _e2442.member.member.x;
-                                                    if _e2464 {
+                                                    local_7[_e2431] = _e2410.member.member.x;
+                                                    if _e2432 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e2463] = _e2442.member.member.y;
-                                                    if _e2464 {
+                                                    local_6[_e2431] = _e2410.member.member.y;
+                                                    if _e2432 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e2463] = _e2442.member.member.z;
-                                                    if _e2464 {
+                                                    local_5[_e2431] = _e2410.member.member.z;
+                                                    if _e2432 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e2463] = _e2442.member.member_1.x;
-                                                    if _e2464 {
+                                                    local_4[_e2431] = _e2410.member.member_1.x;
+                                                    if _e2432 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e2463] = _e2442.member.member_1.y;
-                                                    if _e2464 {
+                                                    local_3[_e2431] = _e2410.member.member_1.y;
+                                                    if _e2432 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e2463] = _e2442.member.member_1.z;
-                                                    if _e2464 {
+                                                    local_2[_e2431] = _e2410.member.member_1.z;
+                                                    if _e2432 {
                                                     } else {
-                                                        phi_5278_ = true;
+                                                        phi_5380_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e2463] = select(_e2429, _e2431, _e2438);
-                                                    if _e2438 {
-                                                        phi_4737_ = _e2336.member_1;
+                                                    local_9[_e2431] = select(_e2397, _e2399, _e2406);
+                                                    if _e2406 {
+                                                        phi_4654_ = _e2304.member_1;
                                                     } else {
-                                                        phi_4737_ = _e2336.member_2;
+                                                        phi_4654_ = _e2304.member_2;
                                                     }
-                                                    let _e2477 = phi_4737_;
-                                                    phi_4738_ = (_e854 + 1u);
-                                                    phi_4739_ = _e2477;
+                                                    let _e2445 = phi_4654_;
+                                                    phi_4655_ = (_e840 + 1u);
+                                                    phi_4656_ = _e2445;
                                                 } else {
-                                                    phi_4738_ = u32();
-                                                    phi_4739_ = type_58();
+                                                    phi_4655_ = u32();
+                                                    phi_4656_ = type_59();
                                                 }
-                                                let _e2479 = phi_4738_;
-                                                let _e2481 = phi_4739_;
-                                                phi_4741_ = _e2479;
-                                                phi_4742_ = _e2481;
-                                                phi_4743_ = select(true, false, _e2437);
+                                                let _e2447 = phi_4655_;
+                                                let _e2449 = phi_4656_;
+                                                phi_4658_ = _e2447;
+                                                phi_4659_ = _e2449;
+                                                phi_4660_ = select(true, false, _e2405);
                                             } else {
-                                                phi_4741_ = u32();
-                                                phi_4742_ = type_58();
-                                                phi_4743_ = true;
+                                                phi_4658_ = u32();
+                                                phi_4659_ = type_59();
+                                                phi_4660_ = true;
                                             }
-                                            let _e2484 = phi_4741_;
-                                            let _e2486 = phi_4742_;
-                                            let _e2488 = phi_4743_;
-                                            if _e2488 {
-                                                if _e2436 {
-                                                    phi_4752_ = _e2336.member_1;
+                                            let _e2452 = phi_4658_;
+                                            let _e2454 = phi_4659_;
+                                            let _e2456 = phi_4660_;
+                                            if _e2456 {
+                                                if _e2404 {
+                                                    phi_4669_ = _e2304.member_1;
                                                 } else {
-                                                    phi_4752_ = _e2336.member_2;
+                                                    phi_4669_ = _e2304.member_2;
                                                 }
-                                                let _e2492 = phi_4752_;
-                                                phi_4757_ = select(_e2437, true, _e2436);
-                                                phi_4759_ = _e2492;
+                                                let _e2460 = phi_4669_;
+                                                phi_4674_ = select(_e2405, true, _e2404);
+                                                phi_4676_ = _e2460;
                                             } else {
-                                                phi_4757_ = _e852;
-                                                phi_4759_ = _e2486;
+                                                phi_4674_ = _e838;
+                                                phi_4676_ = _e2454;
                                             }
-                                            let _e2495 = phi_4757_;
-                                            let _e2497 = phi_4759_;
-                                            phi_4763_ = _e2495;
-                                            phi_4764_ = select(_e2484, _e854, _e2488);
-                                            phi_4765_ = _e2497;
+                                            let _e2463 = phi_4674_;
+                                            let _e2465 = phi_4676_;
+                                            phi_4680_ = _e2463;
+                                            phi_4681_ = select(_e2452, _e840, _e2456);
+                                            phi_4682_ = _e2465;
                                         }
-                                        let _e2500 = phi_4763_;
-                                        let _e2502 = phi_4764_;
-                                        let _e2504 = phi_4765_;
-                                        if _e860 {
-                                            phi_4775_ = select(_e854, 0u, _e2022.member_1);
-                                            phi_4776_ = _e856;
+                                        let _e2468 = phi_4680_;
+                                        let _e2470 = phi_4681_;
+                                        let _e2472 = phi_4682_;
+                                        if _e846 {
+                                            phi_4692_ = select(_e840, 0u, _e1990.member_1);
+                                            phi_4693_ = _e842;
                                         } else {
-                                            phi_4775_ = _e2502;
-                                            phi_4776_ = _e2504;
+                                            phi_4692_ = _e2470;
+                                            phi_4693_ = _e2472;
                                         }
-                                        let _e2508 = phi_4775_;
-                                        let _e2510 = phi_4776_;
-                                        phi_5281_ = _e2020;
-                                        phi_4777_ = _e2022;
-                                        phi_4778_ = (_e815 - 1u);
-                                        phi_4779_ = select(_e2500, false, _e860);
-                                        phi_4780_ = _e2508;
-                                        phi_4781_ = _e2510;
+                                        let _e2476 = phi_4692_;
+                                        let _e2478 = phi_4693_;
+                                        phi_5383_ = _e1988;
+                                        phi_4694_ = _e1990;
+                                        phi_4695_ = (_e801 - 1u);
+                                        phi_4696_ = select(_e2468, false, _e846);
+                                        phi_4697_ = _e2476;
+                                        phi_4698_ = _e2478;
                                     } else {
-                                        phi_5281_ = _e811;
-                                        phi_4777_ = _e813;
-                                        phi_4778_ = _e815;
-                                        phi_4779_ = _e852;
-                                        phi_4780_ = _e854;
-                                        phi_4781_ = _e856;
+                                        phi_5383_ = _e797;
+                                        phi_4694_ = _e799;
+                                        phi_4695_ = _e801;
+                                        phi_4696_ = _e838;
+                                        phi_4697_ = _e840;
+                                        phi_4698_ = _e842;
                                     }
-                                    let _e2513 = phi_5281_;
-                                    let _e2515 = phi_4777_;
-                                    let _e2517 = phi_4778_;
-                                    let _e2519 = phi_4779_;
-                                    let _e2521 = phi_4780_;
-                                    let _e2523 = phi_4781_;
-                                    phi_5280_ = _e2513;
-                                    phi_4782_ = _e2515;
-                                    phi_4783_ = _e2517;
-                                    phi_4784_ = _e2519;
-                                    phi_4785_ = _e2521;
-                                    phi_4786_ = _e2523;
+                                    let _e2481 = phi_5383_;
+                                    let _e2483 = phi_4694_;
+                                    let _e2485 = phi_4695_;
+                                    let _e2487 = phi_4696_;
+                                    let _e2489 = phi_4697_;
+                                    let _e2491 = phi_4698_;
+                                    phi_5382_ = _e2481;
+                                    phi_4699_ = _e2483;
+                                    phi_4700_ = _e2485;
+                                    phi_4701_ = _e2487;
+                                    phi_4702_ = _e2489;
+                                    phi_4703_ = _e2491;
                                 } else {
-                                    phi_5280_ = _e811;
-                                    phi_4782_ = type_42();
-                                    phi_4783_ = u32();
-                                    phi_4784_ = bool();
-                                    phi_4785_ = u32();
-                                    phi_4786_ = type_58();
+                                    phi_5382_ = _e797;
+                                    phi_4699_ = type_43();
+                                    phi_4700_ = u32();
+                                    phi_4701_ = bool();
+                                    phi_4702_ = u32();
+                                    phi_4703_ = type_59();
                                 }
-                                let _e2525 = phi_5280_;
-                                let _e2527 = phi_4782_;
-                                let _e2529 = phi_4783_;
-                                let _e2531 = phi_4784_;
-                                let _e2533 = phi_4785_;
-                                let _e2535 = phi_4786_;
-                                phi_5279_ = _e2525;
-                                phi_1367_ = _e2527;
-                                phi_1370_ = _e2529;
-                                phi_1372_ = _e2531;
-                                phi_1374_ = _e2533;
-                                phi_1376_ = _e2535;
-                                phi_4787_ = _e825;
+                                let _e2493 = phi_5382_;
+                                let _e2495 = phi_4699_;
+                                let _e2497 = phi_4700_;
+                                let _e2499 = phi_4701_;
+                                let _e2501 = phi_4702_;
+                                let _e2503 = phi_4703_;
+                                phi_5381_ = _e2493;
+                                phi_1387_ = _e2495;
+                                phi_1390_ = _e2497;
+                                phi_1392_ = _e2499;
+                                phi_1394_ = _e2501;
+                                phi_1396_ = _e2503;
+                                phi_4704_ = _e811;
                             } else {
-                                phi_5279_ = _e811;
-                                phi_1367_ = type_42();
-                                phi_1370_ = u32();
-                                phi_1372_ = bool();
-                                phi_1374_ = u32();
-                                phi_1376_ = type_58();
-                                phi_4787_ = false;
+                                phi_5381_ = _e797;
+                                phi_1387_ = type_43();
+                                phi_1390_ = u32();
+                                phi_1392_ = bool();
+                                phi_1394_ = u32();
+                                phi_1396_ = type_59();
+                                phi_4704_ = false;
                             }
-                            let _e2537 = phi_5279_;
-                            let _e2539 = phi_1367_;
-                            let _e2541 = phi_1370_;
-                            let _e2543 = phi_1372_;
-                            let _e2545 = phi_1374_;
-                            let _e2547 = phi_1376_;
-                            let _e2549 = phi_4787_;
+                            let _e2505 = phi_5381_;
+                            let _e2507 = phi_1387_;
+                            let _e2509 = phi_1390_;
+                            let _e2511 = phi_1392_;
+                            let _e2513 = phi_1394_;
+                            let _e2515 = phi_1396_;
+                            let _e2517 = phi_4704_;
                             continue;
                             continuing {
-                                phi_5045_ = _e2537;
-                                phi_1366_ = _e2539;
-                                phi_1369_ = _e2541;
-                                phi_1371_ = _e2543;
-                                phi_1373_ = _e2545;
-                                phi_1375_ = _e2547;
-                                phi_5278_ = _e2537;
-                                break if !(_e2549);
+                                phi_5142_ = _e2505;
+                                phi_1386_ = _e2507;
+                                phi_1389_ = _e2509;
+                                phi_1391_ = _e2511;
+                                phi_1393_ = _e2513;
+                                phi_1395_ = _e2515;
+                                phi_5380_ = _e2505;
+                                break if !(_e2517);
                             }
                         }
-                        let _e2552 = phi_5278_;
-                        if _e2552 {
+                        let _e2520 = phi_5380_;
+                        if _e2520 {
                             break;
                         }
-                        let _e2554 = local_10;
-                        if _e2554.member_1 {
+                        let _e2522 = local_10;
+                        if _e2522.member_1 {
                         } else {
-                            if _e304 {
+                            if _e305 {
                             } else {
                                 break;
                             }
-                            let _e2558 = global_2.member[_e150];
-                            if _e165 {
+                            let _e2526 = global_2.member[_e151];
+                            if _e166 {
                             } else {
                                 break;
                             }
-                            let _e2562 = global_9.member[_e150].member_1;
-                            if _e304 {
+                            let _e2530 = global_9.member[_e151].member_1;
+                            if _e305 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e150] = type_23(_e2558.member, _e2558.member_1, _e2558.member_2, array<f32, 3>((_e2558.member_3[0] + (_e2562[0] * _e2558.member_1[0])), (_e2558.member_3[1] + (_e2562[1] * _e2558.member_1[1])), (_e2558.member_3[2] + (_e2562[2] * _e2558.member_1[2]))), _e2558.member_4);
+                            global_2.member[_e151] = type_23(_e2526.member, _e2526.member_1, _e2526.member_2, array<f32, 3>((_e2526.member_3[0] + (_e2530[0] * _e2526.member_1[0])), (_e2526.member_3[1] + (_e2530[1] * _e2526.member_1[1])), (_e2526.member_3[2] + (_e2530[2] * _e2526.member_1[2]))), _e2526.member_4);
                         }
                     }
                 }

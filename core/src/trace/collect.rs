@@ -2,9 +2,12 @@
 
 use crate::ray::Hit;
 
+/// The limit where no hit can change the answer: below all t.
+pub const FINAL: f32 = f32::MIN;
+
 /// Gathers hits, and says how far away a hit still matters.
 pub trait Collector {
-    /// The largest t, in prepared units, at which a hit may still change the answer: minus infinity where none can.
+    /// The largest t, in prepared units, at which a hit may still change the answer; [`FINAL`] where none can.
     fn limit(&self) -> f32;
 
     /// Takes a hit with `t <= limit`.
@@ -100,7 +103,7 @@ impl Collector for ClosestOrAny {
     fn offer(&mut self, hit: Hit) {
         self.closest.offer(hit);
         if self.any_will_do {
-            self.closest.limit = f32::NEG_INFINITY;
+            self.closest.limit = FINAL;
         }
     }
 
@@ -139,7 +142,7 @@ impl Collector for AnyHit {
     #[inline(always)]
     fn offer(&mut self, _hit: Hit) {
         self.found = true;
-        self.limit = f32::NEG_INFINITY;
+        self.limit = FINAL;
     }
 
     #[inline(always)]

@@ -29,7 +29,6 @@ use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
-use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
@@ -43,8 +42,8 @@ use slimbvh_core::sort::{
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, ClosestHit, Lane, LeafTriangles, PacketStacks, PlainNodes, any_hit, closest_hit,
-    nearest_hits, trace_packet,
+    BruteForce, ClosestHit, Lane, LeafTriangles, PacketStacks, PlainNodes, PreparedRays, any_hit,
+    closest_hit, nearest_hits, trace_packet,
 };
 use slimbvh_core::{
     Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
@@ -307,6 +306,7 @@ pub fn trace_together(
     stacks: (
         &mut PacketStacks<NodeRef, Each<8>>,
         &mut PacketStacks<LatticeCursor, Each<8>>,
+        &mut PreparedRays<Each<8>, 8>,
     ),
     to: Out<[[Lane<Except, ClosestHit>; 8]; 2]>,
 ) {
@@ -316,19 +316,22 @@ pub fn trace_together(
         root: root.lattice(),
         step: 0.5,
     };
+    let (first, second, prepared) = stacks;
+    prepared.prepare(rays, 3);
     for packet in to.iter_mut() {
-        for (lane, ray) in packet.iter_mut().zip(rays) {
-            let ray = PreparedRay::new(ray, 3);
+        for (lane, t_max) in packet.iter_mut().zip(prepared.t_max()) {
             *lane = Lane {
-                ray,
                 rule: Except(4),
-                collector: ClosestHit::new(ray.t_max),
+                collector: ClosestHit::new(*t_max),
             };
         }
     }
     let [plain, other] = to;
-    trace_packet(stacks.0, &PlainNodes(nodes), &triangles, plain);
-    trace_packet(stacks.1, &coded, &triangles, other);
+    trace_packet(first, &PlainNodes(nodes), &triangles, prepared, plain);
+    trace_packet(second, &coded, &triangles, prepared, other);
+    for (i, lane) in plain.iter_mut().enumerate() {
+        lane.collector.hit = prepared.restore(i, lane.collector.hit);
+    }
 }
 
 #[unsafe(no_mangle)]

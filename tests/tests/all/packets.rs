@@ -11,7 +11,7 @@ use slimbvh_core::lanes::Each;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{
     ClosestHit, Collector, Counted, Lane, LeafTriangles, NodeSource, PacketStacks, PlainNodes,
-    trace_alone, trace_packet,
+    PreparedRays, trace_alone, trace_packet,
 };
 use slimbvh_core::{Hit, Node, NodeRef, Ray};
 use slimbvh_tests::parity::same_bits;
@@ -233,22 +233,35 @@ fn a_tree_with_circles_is_left() {
     let mut nodes = vec![node(1, 1); 3000];
     nodes[0] = first;
     let sources = (PlainNodes(&nodes), LeafTriangles(&[]));
-    let lane = |x: f32| {
-        let ray = PreparedRay::new(&Ray::new([x, 0.0, 0.9], [0.0, 0.0, -1.0]), 0);
-        Lane {
-            ray,
-            rule: Except::NOTHING,
-            collector: Counted::new(ClosestHit::new(ray.t_max)),
-        }
+    let ray = |x: f32| Ray::new([x, 0.0, 0.9], [0.0, 0.0, -1.0]);
+    let first = PreparedRay::new(&ray(-0.52), 0);
+    let lane = Lane {
+        rule: Except::NOTHING,
+        collector: Counted::new(ClosestHit::new(first.t_max)),
     };
-    let mut alone = lane(-0.52);
+    let mut alone = lane;
     let mut stacks: PacketStacks<NodeRef, Each<8>> = PacketStacks::EMPTY;
-    trace_alone(&mut stacks.alone, &sources.0, &sources.1, &mut alone);
+    trace_alone(
+        &mut stacks.alone,
+        &sources.0,
+        &sources.1,
+        &first,
+        &mut alone,
+    );
     let limit = sources.0.step_limit();
     assert_eq!(alone.collector.node_count, limit);
-    let mut packet = [lane(-0.49); 8];
-    packet[0] = lane(-0.52);
-    trace_packet(&mut stacks, &sources.0, &sources.1, &mut packet);
+    let mut rays = [ray(-0.49); 8];
+    rays[0] = ray(-0.52);
+    let mut prepared = PreparedRays::NOTHING;
+    prepared.prepare(&rays, 0);
+    let mut packet = [lane; 8];
+    trace_packet(
+        &mut stacks,
+        &sources.0,
+        &sources.1,
+        &mut prepared,
+        &mut packet,
+    );
     let steps: u32 = packet.iter().map(|lane| lane.collector.node_count).sum();
     assert!(limit <= steps && steps <= 8 * limit, "{steps}");
 }
