@@ -153,3 +153,48 @@ fn numbered(rays: &[Ray]) -> impl Iterator<Item = (usize, Ray, u32)> {
     let rays = rays.iter().enumerate();
     rays.map(|(i, ray)| (i, *ray, NO_PRIMITIVE))
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{BuildConfig, Builder, Hit, LatticeBits, Mesh, NodeCodec, Ray};
+    use proptest::array::uniform3;
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    fn point() -> impl Strategy<Value = [f32; 3]> {
+        uniform3(-1.0f32..1.0)
+    }
+
+    proptest! {
+        /// Here as well as in tests/, as this needs no more than the library: quickly built for one processor or another.
+        #[test]
+        fn rays_together_answer_as_each_alone(
+            vertices in vec(point(), 3..60),
+            indices in vec(uniform3(any::<prop::sample::Index>()), 1..80),
+            (origin, spread) in (point(), -8..2i32),
+            offsets in vec([point(), point()], 1..40),
+        ) {
+            let indices: Vec<_> = indices.iter().map(|c| c.map(|i| i.index(vertices.len()) as u32)).collect();
+            let mesh = Mesh { vertices, indices, ..Mesh::default() };
+            // Beside each other, more or less; each third through a vertex.
+            let ray = |(i, [off, way]): (usize, &[[f32; 3]; 2])| {
+                let by = |x: f32| x * 2f32.powi(spread);
+                let from = [0, 1, 2].map(|axis| 3.0 * origin[axis] + by(off[axis]));
+                let to = mesh.vertices[i / 3 % mesh.vertices.len()];
+                let to = if i % 3 == 0 { to } else { way.map(by) };
+                Ray::new(from, [0, 1, 2].map(|axis| to[axis] - from[axis]))
+            };
+            let rays: Vec<Ray> = offsets.iter().enumerate().map(ray).collect();
+            for nodes in [NodeCodec::F32, NodeCodec::Printed, NodeCodec::Lattice(LatticeBits::Q10)] {
+                let bvh = Builder::new(BuildConfig { nodes, ..BuildConfig::default() }).build(&mesh);
+                let bvh = bvh.map_err(|error| TestCaseError::fail(error.to_string()))?;
+                let (mut hits, mut found) = (Vec::new(), Vec::new());
+                bvh.closest_hits(&rays, &mut hits);
+                bvh.any_hits(&rays, &mut found);
+                let alone: Vec<Hit> = rays.iter().map(|ray| bvh.closest_hit(ray)).collect();
+                prop_assert_eq!(bytemuck::cast_slice::<Hit, u32>(&hits), bytemuck::cast_slice(&alone));
+                prop_assert_eq!(found, rays.iter().map(|ray| bvh.any_hit(ray)).collect::<Vec<_>>());
+            }
+        }
+    }
+}
