@@ -105,8 +105,8 @@ impl Lanes for f32 {
 
 /// Numbers of several rays, 32 at most.
 ///
-/// Each lane computes what `f32` does, to the bit, but for `min` and `max` of what is no number. Hosts have types of their
-/// own, as wide as a processor's registers; [`Each`] is what they are held to.
+/// Each lane computes what `f32` does, to the bit. Hosts have types of their own, as wide as a processor's registers; [`Each`]
+/// is what they are held to.
 #[cfg(not(target_arch = "spirv"))]
 pub trait Wide<const LANES: usize>: Lanes {
     /// A number for each lane.

@@ -267,14 +267,13 @@ impl<P: Planes<Numbers = L>, L: Lanes> Axis<P> {
     /// In the scene's magnitude, and in that of directions.
     #[inline(always)]
     pub fn new(origin: L, direction: L) -> Self {
-        let zero = L::splat(0.0);
         let is_slanted = direction.abs().at_least(L::splat(PARALLEL));
         // At least one step of the float grid to both sides.
         let step = origin.abs() * L::splat(power_of_two(-23));
-        let shift = L::select(is_slanted, zero, step.max(L::splat(PARALLEL_SHIFT)));
+        let shift = L::select(is_slanted, L::ZERO, step.max(L::splat(PARALLEL_SHIFT)));
         Self {
             origin,
-            direction: L::select(is_slanted, direction, zero),
+            direction: L::select(is_slanted, direction, L::ZERO),
             plane_origins: P::new(origin + shift, origin - shift),
             inverse: L::select(
                 is_slanted,

@@ -99,16 +99,18 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
     corners: &[[f32; 3]; 3],
     limit: L,
 ) -> Meeting<L> {
-    let zero = L::splat(0.0);
     let [v0, v1, v2] = *corners;
-    let spread = [spread(v0), spread(v1), spread(v2)];
-    let passage = pass(rays.origin, rays.direction, spread);
+    let passage = pass(
+        rays.origin,
+        rays.direction,
+        [spread(v0), spread(v1), spread(v2)],
+    );
     let inside = passage.front | passage.back;
     if !L::any(inside) {
         return Meeting {
-            t: zero,
-            u: zero,
-            v: zero,
+            t: L::ZERO,
+            u: L::ZERO,
+            v: L::ZERO,
             met: inside,
         };
     }
@@ -117,9 +119,9 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
 
     // A fused difference may have the other sign: clamp it to the side that the comparison chose.
     let sign = L::select(passage.front, L::splat(1.0), L::splat(-1.0));
-    let e0 = ((p0 - q0) * sign).max(zero);
-    let e1 = ((p1 - q1) * sign).max(zero);
-    let e2 = ((p2 - q2) * sign).max(zero);
+    let e0 = ((p0 - q0) * sign).max(L::ZERO);
+    let e1 = ((p1 - q1) * sign).max(L::ZERO);
+    let e2 = ((p2 - q2) * sign).max(L::ZERO);
     let area = e0 + e1 + e2;
 
     // The triangle's own box has the last word.
@@ -139,9 +141,9 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
         & first.at_most(limit);
     if !L::any(candidates) {
         return Meeting {
-            t: zero,
-            u: zero,
-            v: zero,
+            t: L::ZERO,
+            u: L::ZERO,
+            v: L::ZERO,
             met: candidates,
         };
     }
@@ -162,8 +164,7 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
 /// Of surfaces that hang together one triangle holds the ray exactly, and is never beside it.
 #[inline(always)]
 fn reaches<L: Lanes>(a: L, b: L, c: L) -> L::Mask {
-    let zero = L::splat(0.0);
-    a.min(b).min(c).at_most(zero) & a.max(b).max(c).at_least(zero)
+    a.min(b).min(c).at_most(L::ZERO) & a.max(b).max(c).at_least(L::ZERO)
 }
 
 /// Where the ray's line meets the triangle's plane: `n·p / n·d`. `sheared` are the corners as they are seen along the ray,
@@ -218,9 +219,10 @@ fn plane_t<P: Planes<Numbers = L>, L: Lanes>(
 
     // The point on the longest side that the ray passes at a right angle, as seen along it.
     let (x, y) = (end.x - at.x, end.y - at.y);
+    // Squares of very small numbers are 0.
     let square = (x * x + y * y).max(L::splat(f32::MIN_POSITIVE));
     let share = -(at.x * x + at.y * y) / square;
-    let share = share.min(L::splat(1.0)).max(L::splat(0.0));
+    let share = share.min(L::splat(1.0)).max(L::ZERO);
     let (from, side) = (spread::<L>(from.to_array()), spread::<L>(side.to_array()));
     let p = [
         from[0] + side[0] * share - origin[0],

@@ -2,7 +2,7 @@
 
 use crate::ray::Hit;
 
-/// The limit where no hit can change the answer: below all t.
+/// The limit where no hit can change the answer: no t is below it.
 pub const FINAL: f32 = f32::MIN;
 
 /// Gathers hits, and says how far away a hit still matters.
@@ -13,17 +13,17 @@ pub trait Collector {
     /// Takes a hit with `t <= limit`.
     fn offer(&mut self, hit: Hit);
 
-    /// Whether the answer is final.
+    /// Whether the answer is final. Then the limit is [`FINAL`], which is all that rays ask who walk together.
     #[inline(always)]
     fn is_done(&self) -> bool {
         false
     }
 
-    /// Called for each inner node that is opened.
+    /// Called for each inner node that is opened by a ray that walks alone.
     #[inline(always)]
     fn count_node(&mut self) {}
 
-    /// Called for each triangle that is tested.
+    /// Called for each triangle that is tested by a ray that walks alone.
     #[inline(always)]
     fn count_triangle(&mut self) {}
 }
@@ -277,6 +277,10 @@ mod tests {
         let mut any = ClosestOrAny::any(7.0);
         offered(&mut any, &hits);
         assert!(any.is_done() && any.closest.hit.primitive == 1);
+        let mut first = Counted::new(AnyHit::new(7.0));
+        first.offer(any.closest.hit);
+        assert!(first.is_done());
+        assert_eq!([any.limit(), first.limit()], [FINAL; 2]);
         let mut none = ClosestOrAny::any(7.0);
         offered(&mut none, &hits[4..]);
         assert!(!none.is_done() && !none.closest.hit.is_hit());

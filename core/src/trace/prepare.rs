@@ -13,11 +13,10 @@ const APART: f32 = 1.0 / 16.0;
 const SHORTEST: i32 = -60;
 const LONGEST: i32 = 60;
 
-/// Numbers that are smaller, before or after they are scaled by a power of two, may lose bits.
+/// Ends of ranges that are smaller, before or after they are scaled by a power of two, may lose bits.
 const SMALLEST: f32 = power_of_two(-100);
 
 /// Several rays, as the tracer uses them. Each is what [`PreparedRay::new`] makes of it, to the bit.
-#[derive(Clone, Copy)]
 pub struct PreparedRays<W: Lanes, const LANES: usize> {
     /// The order of axes of those that may walk together.
     pub(super) axes: [u32; 3],
@@ -33,7 +32,7 @@ pub struct PreparedRays<W: Lanes, const LANES: usize> {
 }
 
 impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
-    /// None yet.
+    /// None yet: they hit nothing.
     pub const NOTHING: Self = Self {
         axes: [0, 1, 2],
         lanes: RayLanes {
@@ -50,7 +49,7 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
         t_max: [0.0; LANES],
         t_exponent: [0; LANES],
         alone: [PreparedRay::NOTHING; LANES],
-        ready: 0,
+        ready: u32::MAX,
     };
 
     /// [`PreparedRay::new`] of each, in the place of those that were here.
@@ -70,28 +69,22 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
             W::splat(power_of_two(exponent_in_range)),
             W::splat(1.0) / unit,
         );
-        let (origin, is_exact) = scaled(origin, scale);
-        let [ox, oy, oz] = origin.map(W::abs);
-        let farthest = ox.max(oy).max(oz);
-        let ordinary = is_exact & farthest.at_most(W::splat(FARTHEST_ORIGIN));
-        let (direction, is_exact) = scaled(direction, to_unit);
-        let ordinary = ordinary
-            & is_exact
-            & longest.at_least(W::splat(power_of_two(SHORTEST)))
-            & longest.at_most(W::splat(power_of_two(LONGEST)));
-        let (ends, is_exact) = scaled([t_min, t_max], scale * unit);
-        let ordinary =
-            ordinary & is_exact & t_min.abs().at_most(W::splat(f32::MAX)) & t_max.at_least(W::ZERO);
-        // Beyond the range they are as large as can be.
-        let [t_min, t_max] = ends.map(|t| t.max(W::splat(f32::MIN)).min(W::splat(f32::MAX)));
+        let origin = origin.map(|x| x * scale);
+        // As numbers are compared that may be none: the largest of them need not tell.
+        let [ox, oy, oz] = origin.map(|x| x.abs().at_most(W::splat(FARTHEST_ORIGIN)));
+        let [dx, dy, dz] = [dx, dy, dz].map(|x| x.at_most(W::splat(power_of_two(LONGEST))));
+        let is_long = longest.at_least(W::splat(power_of_two(SHORTEST)));
+        let ([t_min, t_max], is_exact) = scaled_ends([t_min, t_max], scale * unit);
+        let ordinary = ox & oy & oz & dx & dy & dz & is_long & is_exact;
         let ordinary = if exponent_in_range == scene_exponent {
             W::bits(ordinary)
         } else {
             0
         };
+        let asked = ordinary & W::bits(t_min.at_most(t_max));
 
         // The first one's axes, and all who share them.
-        let first = ordinary.trailing_zeros() as usize % LANES;
+        let first = asked.trailing_zeros() as usize % LANES;
         let (is_x, is_y) = (W::bits(is_x), W::bits(is_y));
         let (last, alike) = if is_x >> first & 1 == 1 {
             (0, is_x)
@@ -101,7 +94,10 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
             (2, !(is_x | is_y))
         };
         let alike = ordinary & alike;
-        let (origin, direction) = (turned(origin, last), turned(direction, last));
+        let (origin, direction) = (
+            turned(origin, last),
+            turned(direction.map(|x| x * to_unit), last),
+        );
         let near = near(origin, first) & near(direction, first);
         let axis = |i: usize| Axis::new(origin[i], direction[i]);
         let [a, b, c] = [axis(0), axis(1), axis(2)];
@@ -113,7 +109,7 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
             inverse: [a.inverse, b.inverse, c.inverse],
             t_min,
         };
-        self.members = alike & near & W::bits(t_min.at_most(t_max));
+        self.members = asked & alike & near;
         self.t_max = t_max.to_array();
         let unit = unit.to_array();
         for (to, unit) in self.t_exponent.iter_mut().zip(unit) {
@@ -185,16 +181,22 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
     }
 }
 
-/// Numbers times powers of two, and where all of them are exact or too large.
+/// Both ends of ranges times a power of two, the largest number where they are beyond it; and where neither is so small that bits
+/// are lost. What is lost as a whole is 0, as it should be.
 #[inline(always)]
-fn scaled<W: Lanes, const N: usize>(numbers: [W; N], factor: W) -> ([W; N], W::Mask) {
-    let mut is_exact = W::ZERO.at_most(W::ZERO);
-    let scaled = numbers.map(|x| {
-        let scaled = x * factor;
-        is_exact = is_exact & is_zero_or_large(x) & is_zero_or_large(scaled);
-        scaled
-    });
-    (scaled, is_exact)
+fn scaled_ends<W: Lanes>([t_min, t_max]: [W; 2], factor: W) -> ([W; 2], W::Mask) {
+    let [near_end, far_end] = [t_min * factor, t_max * factor];
+    let is_exact = is_zero_or_large(t_min)
+        & is_zero_or_large(t_max)
+        & is_zero_or_large(near_end)
+        & is_zero_or_large(far_end)
+        // An infinite one is no beginning.
+        & t_min.abs().at_most(W::splat(f32::MAX));
+    let ends = [near_end, far_end];
+    (
+        ends.map(|t| t.max(W::splat(f32::MIN)).min(W::splat(f32::MAX))),
+        is_exact,
+    )
 }
 
 #[inline(always)]

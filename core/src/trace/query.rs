@@ -70,21 +70,6 @@ impl<E: Enter> Opened<E> {
     }
 }
 
-/// Tests a triangle with one ray.
-#[inline(always)]
-pub(super) fn test_one<R: Rule, C: Collector>(
-    ray: &PreparedRay,
-    rule: &R,
-    collector: &mut C,
-    corners: &[[f32; 3]; 3],
-    primitive: u32,
-) {
-    let hit = intersect(ray, *corners, collector.limit(), primitive);
-    if hit.is_hit() && rule.counts(primitive, corners, ray.axes) {
-        collector.offer(hit);
-    }
-}
-
 /// One ray.
 pub(super) struct Single<'a, R, C> {
     pub ray: &'a PreparedRay,
@@ -130,7 +115,10 @@ impl<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector> Query<N,
         self.collector.count_triangle();
         let primitive = triangles.primitive(place);
         let corners = triangles.corners(place, self.ray.axes);
-        test_one(self.ray, self.rule, self.collector, &corners, primitive);
+        let hit = intersect(self.ray, corners, self.collector.limit(), primitive);
+        if hit.is_hit() && self.rule.counts(primitive, &corners, self.ray.axes) {
+            self.collector.offer(hit);
+        }
     }
 
     #[inline(always)]
