@@ -268,8 +268,9 @@ mod tests {
             let usual = (place, way, end(size - length), end(size - length));
             let any = || uniform3(any_number());
             let unusual = (any(), any(), any_number(), any_number());
-            let rays = prop_oneof![9 => usual.prop_map(ray), 1 => unusual.prop_map(ray)];
-            proptest::array::uniform8(rays)
+            let ray = prop_oneof![9 => usual.prop_map(ray), 1 => unusual.prop_map(ray)];
+            let rays = proptest::collection::vec(ray.boxed(), 8);
+            rays.prop_map(|rays| core::array::from_fn(|i| rays[i]))
         })
     }
 
