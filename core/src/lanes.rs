@@ -117,6 +117,7 @@ pub trait Wide<const LANES: usize>: Lanes {
 
     /// Of a row of numbers for each lane: what stands first in all rows, and so on.
     #[inline(always)]
+    #[must_use]
     fn columns(rows: [[f32; 8]; LANES]) -> [Self; 8] {
         from_fn(|column| Self::from_array(from_fn(|lane| rows[lane][column])))
     }
