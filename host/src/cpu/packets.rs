@@ -192,7 +192,7 @@ mod tests {
                 bvh.closest_hits(&rays, &mut hits);
                 bvh.any_hits(&rays, &mut found);
                 let alone: Vec<Hit> = rays.iter().map(|ray| bvh.closest_hit(ray)).collect();
-                prop_assert_eq!(bytemuck::cast_slice::<Hit, u32>(&hits), bytemuck::cast_slice(&alone));
+                prop_assert_eq!(bytemuck::cast_slice::<Hit, u32>(&hits), bytemuck::cast_slice::<Hit, u32>(&alone));
                 prop_assert_eq!(found, rays.iter().map(|ray| bvh.any_hit(ray)).collect::<Vec<_>>());
             }
         }
