@@ -4,8 +4,8 @@ use crate::aabb::Aabb;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
-/// Triangles that a leaf holds at most. Measured against 1, 2, 3 and 6: ARCHITECTURE.md.
-pub const LEAF_SIZE: u32 = 4;
+/// Triangles that a leaf holds at most. Measured against others: ARCHITECTURE.md.
+pub const LEAF_SIZE: u32 = 6;
 
 /// Names a child: an inner node by its index, or a leaf by its run of triangles.
 ///

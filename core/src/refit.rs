@@ -11,7 +11,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::Vec4;
 
 /// Triangles in an entry of the pyramid's level 0.
-pub const GROUP_SIZE: u32 = 4;
+pub const GROUP_SIZE: u32 = 8;
 
 /// An entry of the pyramid. 32 bytes: min, unused, max, unused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]

@@ -117,33 +117,31 @@ pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Col
     rule: &R,
     collector: &mut C,
 ) {
-    let root = nodes.root(ray.axes);
-    let mut query = Single {
+    let query = Single {
         ray,
         rule,
         collector,
     };
-    let mut steps = nodes.step_limit();
-    walk(stack, nodes, triangles, root, &mut query, &mut steps);
+    walk(stack, nodes, triangles, query);
 }
 
-/// Walks the tree below a node, near child first, and lets the query test every triangle on the way.
+/// Walks the tree from the root, near child first, and lets the query test every triangle on the way.
 ///
-/// A node is passed over only if all rays miss its box or enter it beyond their collectors' limits. Ends where no steps are left.
+/// A node is passed over only if all rays miss its box or enter it beyond their collectors' limits. Ends after as many steps as a
+/// sound tree takes at most.
 #[inline(always)]
 fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
     stack: &mut Stack<N::Cursor, Q::Enter>,
     nodes: &N,
     triangles: &T,
-    root: N::Cursor,
-    query: &mut Q,
-    steps: &mut u32,
+    mut query: Q,
 ) {
-    let mut cursor = root;
+    let mut steps = nodes.step_limit();
+    let mut cursor = nodes.root(query.axes());
     let mut depth = 0usize;
     let mut at_node = query.begin();
 
-    while (at_node || depth > 0) && *steps > 0 {
+    while (at_node || depth > 0) && steps > 0 {
         if !at_node {
             // Take the nearest node that waits, unless hits have been found before it.
             depth -= 1;
@@ -151,7 +149,7 @@ fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
             at_node = query.is_due(stack.enter(depth));
         }
         if at_node {
-            *steps -= 1;
+            steps -= 1;
             let run = nodes.leaf(cursor);
             if run.is_leaf {
                 for number in 0..run.count {
@@ -162,8 +160,6 @@ fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
                     };
                     query.test(triangles, &place);
                 }
-            }
-            if run.is_leaf || query.divide(nodes, triangles, cursor) {
                 at_node = false;
                 if query.is_done() {
                     depth = 0;

@@ -75,6 +75,19 @@ pub(crate) struct Meeting<L: Lanes> {
     pub met: L::Mask,
 }
 
+impl<L: Lanes> Meeting<L> {
+    /// Where no ray does.
+    #[inline(always)]
+    fn nowhere(none: L::Mask) -> Self {
+        Self {
+            t: L::ZERO,
+            u: L::ZERO,
+            v: L::ZERO,
+            met: none,
+        }
+    }
+}
+
 /// Where the ray meets the triangle, its corners in the order of the ray's axes, within `t_min..=limit`, in prepared t;
 /// [`Hit::MISS`] otherwise. Both sides count.
 #[inline(always)]
@@ -107,12 +120,7 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
     );
     let inside = passage.front | passage.back;
     if !L::any(inside) {
-        return Meeting {
-            t: L::ZERO,
-            u: L::ZERO,
-            v: L::ZERO,
-            met: inside,
-        };
+        return Meeting::nowhere(inside);
     }
     let [a, b, c] = passage.corners;
     let [[p0, q0], [p1, q1], [p2, q2]] = passage.products;
@@ -140,12 +148,7 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
         & first.at_most(own_box.padded_exit.low())
         & first.at_most(limit);
     if !L::any(candidates) {
-        return Meeting {
-            t: L::ZERO,
-            u: L::ZERO,
-            v: L::ZERO,
-            met: candidates,
-        };
+        return Meeting::nowhere(candidates);
     }
     let t = plane_t(rays, corners, ([a, b, c], [e0, e1, e2]), candidates);
     let t = t.min(exit).max(enter);
@@ -192,6 +195,7 @@ fn plane_t<P: Planes<Numbers = L>, L: Lanes>(
     ];
     let [at_a, at_b, at_c] = sheared;
     let (ab, bc, ca) = (b - a, c - b, a - c);
+    let size = |v: Vec3| largest(v.to_array());
     let (size_ab, size_bc, size_ca) = (size(ab), size(bc), size(ca));
     let longest = max(max(size_ab, size_bc), size_ca);
     let (e, f, from, side, at, end) = if size_ab == longest {
@@ -229,8 +233,7 @@ fn plane_t<P: Planes<Numbers = L>, L: Lanes>(
         from[1] + side[1] * share - origin[1],
         from[2] + side[2] * share - origin[2],
     ];
-    let reach = p[0].abs().max(p[1].abs()).max(p[2].abs());
-    let slack = L::splat(PLANE_SLACK) * reach.max(L::splat(longest)) * L::splat(size(n));
+    let slack = L::splat(PLANE_SLACK) * largest(p).max(L::splat(longest)) * L::splat(size(n));
     let is_on_plane = (dot(normal, p) - height).abs().at_most(slack);
     let is_edge_on = slope.abs().at_most(L::splat(EDGE_ON * size(e) * size(f)));
     let is_sure = is_on_plane & !is_edge_on;
@@ -259,8 +262,8 @@ const PLANE_SLACK: f32 = 16.0 * UNIT_ROUNDOFF;
 
 /// The magnitude of the largest component.
 #[inline(always)]
-fn size(v: Vec3) -> f32 {
-    v.x.abs().max(v.y.abs()).max(v.z.abs())
+fn largest<L: Lanes>([x, y, z]: [L; 3]) -> L {
+    x.abs().max(y.abs()).max(z.abs())
 }
 
 /// The planes around three coordinates.

@@ -60,7 +60,7 @@ fn function_() {
             if _e39 {
                 let _e40 = (_e38 < arrayLength((&global_3.member)));
                 if _e40 {
-                    if (_e34 <= 4u) {
+                    if (_e34 <= 6u) {
                         phi_291_ = select(0u, 1u, (_e38 == 0u));
                     } else {
                         phi_87_ = type_8(0u, 32u);
@@ -171,7 +171,7 @@ fn function_() {
                                         phi_231_ = type_15(-1i, _e93);
                                     }
                                     let _e125 = phi_231_;
-                                    let _e130 = (_e66 + bitcast<u32>((_e125.member * 4i)));
+                                    let _e130 = (_e66 + bitcast<u32>((_e125.member * 6i)));
                                     if (_e130 < _e34) {
                                         let _e132 = (_e66 < _e27);
                                         if _e132 {

@@ -70,7 +70,7 @@ fn function_() {
             if _e42 {
                 let _e43 = (_e41 < arrayLength((&global_3.member)));
                 if _e43 {
-                    if (_e37 <= 4u) {
+                    if (_e37 <= 6u) {
                         phi_333_ = select(0u, 1u, (_e41 == 0u));
                     } else {
                         phi_96_ = type_7(0u, 32u);
@@ -201,7 +201,7 @@ fn function_() {
                                         phi_262_ = type_20(-1i, _e106);
                                     }
                                     let _e148 = phi_262_;
-                                    let _e153 = (_e69 + bitcast<u32>((_e148.member * 4i)));
+                                    let _e153 = (_e69 + bitcast<u32>((_e148.member * 6i)));
                                     if (_e153 < _e37) {
                                         let _e155 = (_e69 < _e30);
                                         if _e155 {

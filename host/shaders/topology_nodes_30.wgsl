@@ -48,627 +48,627 @@ var<storage> global_5: type_4;
 var<storage, read_write> global_6: type_4;
 
 fn function_() {
-    var phi_115_: u32;
-    var phi_136_: u32;
-    var phi_153_: u32;
-    var phi_201_: u32;
-    var phi_215_: u32;
-    var phi_223_: u32;
-    var phi_230_: i32;
-    var phi_250_: u32;
-    var phi_264_: u32;
-    var phi_272_: u32;
-    var phi_279_: i32;
-    var phi_286_: type_23;
-    var phi_292_: type_8;
-    var phi_295_: i32;
+    var phi_116_: u32;
+    var phi_137_: u32;
+    var phi_154_: u32;
+    var phi_202_: u32;
+    var phi_216_: u32;
+    var phi_224_: u32;
+    var phi_231_: i32;
+    var phi_251_: u32;
+    var phi_265_: u32;
+    var phi_273_: u32;
+    var phi_280_: i32;
+    var phi_287_: type_23;
     var phi_293_: type_8;
-    var phi_318_: type_8;
-    var phi_346_: u32;
-    var phi_360_: u32;
-    var phi_368_: u32;
-    var phi_375_: i32;
-    var phi_381_: i32;
     var phi_296_: i32;
-    var phi_383_: bool;
-    var phi_804_: bool;
+    var phi_294_: type_8;
+    var phi_319_: type_8;
+    var phi_347_: u32;
+    var phi_361_: u32;
+    var phi_369_: u32;
+    var phi_376_: i32;
+    var phi_382_: i32;
+    var phi_297_: i32;
+    var phi_384_: bool;
+    var phi_805_: bool;
     var local: i32;
-    var phi_393_: type_8;
-    var phi_396_: i32;
-    var phi_398_: i32;
     var phi_394_: type_8;
-    var phi_421_: type_8;
-    var phi_453_: u32;
-    var phi_467_: u32;
-    var phi_475_: u32;
-    var phi_482_: i32;
-    var phi_496_: i32;
-    var phi_497_: i32;
     var phi_397_: i32;
     var phi_399_: i32;
-    var phi_499_: bool;
-    var phi_825_: bool;
+    var phi_395_: type_8;
+    var phi_422_: type_8;
+    var phi_454_: u32;
+    var phi_468_: u32;
+    var phi_476_: u32;
+    var phi_483_: i32;
+    var phi_497_: i32;
+    var phi_498_: i32;
+    var phi_398_: i32;
+    var phi_400_: i32;
+    var phi_500_: bool;
+    var phi_826_: bool;
     var local_1: i32;
-    var phi_520_: u32;
-    var phi_534_: u32;
-    var phi_542_: u32;
-    var phi_549_: i32;
-    var phi_552_: type_8;
-    var phi_555_: i32;
-    var phi_557_: i32;
+    var phi_521_: u32;
+    var phi_535_: u32;
+    var phi_543_: u32;
+    var phi_550_: i32;
     var phi_553_: type_8;
-    var phi_580_: type_8;
-    var phi_616_: u32;
-    var phi_630_: u32;
-    var phi_638_: u32;
-    var phi_645_: i32;
-    var phi_657_: i32;
     var phi_556_: i32;
-    var phi_658_: bool;
+    var phi_558_: i32;
+    var phi_554_: type_8;
+    var phi_581_: type_8;
+    var phi_617_: u32;
+    var phi_631_: u32;
+    var phi_639_: u32;
+    var phi_646_: i32;
+    var phi_658_: i32;
+    var phi_557_: i32;
     var phi_659_: bool;
-    var phi_835_: bool;
-    var phi_803_: bool;
-    var phi_801_: i32;
+    var phi_660_: bool;
+    var phi_836_: bool;
+    var phi_804_: bool;
+    var phi_802_: i32;
     var local_2: i32;
-    var phi_697_: u32;
-    var phi_714_: u32;
-    var phi_720_: u32;
-    var phi_739_: u32;
-    var phi_756_: u32;
-    var phi_763_: u32;
-    var phi_180_: u32;
-    var phi_767_: type_24;
+    var phi_698_: u32;
+    var phi_715_: u32;
+    var phi_721_: u32;
+    var phi_740_: u32;
+    var phi_757_: u32;
+    var phi_764_: u32;
+    var phi_181_: u32;
+    var phi_768_: type_24;
     var local_3: i32;
     var local_4: i32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e39 = global;
-            let _e42 = arrayLength((&global_3.member));
-            let _e44 = arrayLength((&global_4.member));
-            let _e46 = arrayLength((&global_5.member));
-            let _e54 = (_e39.x + (_e39.y * 2097152u));
-            let _e57 = global_1.member[0u];
-            let _e59 = (_e54 >> bitcast<u32>(5i));
-            let _e60 = (_e59 < _e44);
-            if _e60 {
-                if _e60 {
+            let _e40 = global;
+            let _e43 = arrayLength((&global_3.member));
+            let _e45 = arrayLength((&global_4.member));
+            let _e47 = arrayLength((&global_5.member));
+            let _e55 = (_e40.x + (_e40.y * 2097152u));
+            let _e58 = global_1.member[0u];
+            let _e60 = (_e55 >> bitcast<u32>(5i));
+            let _e61 = (_e60 < _e45);
+            if _e61 {
+                if _e61 {
                 } else {
                     break;
                 }
-                let _e63 = global_4.member[_e59];
-                phi_115_ = _e63;
+                let _e64 = global_4.member[_e60];
+                phi_116_ = _e64;
             } else {
-                phi_115_ = 0u;
+                phi_116_ = 0u;
             }
-            let _e65 = phi_115_;
-            let _e67 = ((_e54 & 31u) & 31u);
-            if (((_e65 >> bitcast<u32>(_e67)) & 1u) == 1u) {
-                if _e60 {
-                    if _e60 {
+            let _e66 = phi_116_;
+            let _e68 = ((_e55 & 31u) & 31u);
+            if (((_e66 >> bitcast<u32>(_e68)) & 1u) == 1u) {
+                if _e61 {
+                    if _e61 {
                     } else {
                         break;
                     }
-                    let _e74 = global_4.member[_e59];
-                    phi_136_ = _e74;
+                    let _e75 = global_4.member[_e60];
+                    phi_137_ = _e75;
                 } else {
-                    phi_136_ = 0u;
+                    phi_137_ = 0u;
                 }
-                let _e76 = phi_136_;
-                let _e81 = (_e59 < _e46);
-                if _e81 {
-                    if _e81 {
+                let _e77 = phi_137_;
+                let _e82 = (_e60 < _e47);
+                if _e82 {
+                    if _e82 {
                     } else {
                         break;
                     }
-                    let _e84 = global_5.member[_e59];
-                    phi_153_ = _e84;
+                    let _e85 = global_5.member[_e60];
+                    phi_154_ = _e85;
                 } else {
-                    phi_153_ = 0u;
+                    phi_154_ = 0u;
                 }
-                let _e86 = phi_153_;
-                let _e88 = (_e86 + countOneBits((_e76 & ~((4294967295u << bitcast<u32>(_e67))))));
-                if (_e57 <= 4u) {
-                    let _e475 = (2147483648u | (_e57 << bitcast<u32>(28u)));
-                    if ((_e475 & 2147483648u) != 0u) {
-                        phi_180_ = (((_e475 & 268435455u) + ((_e475 >> bitcast<u32>(28u)) & 7u)) - 1u);
+                let _e87 = phi_154_;
+                let _e89 = (_e87 + countOneBits((_e77 & ~((4294967295u << bitcast<u32>(_e68))))));
+                if (_e58 <= 6u) {
+                    let _e476 = (2147483648u | (_e58 << bitcast<u32>(28u)));
+                    if ((_e476 & 2147483648u) != 0u) {
+                        phi_181_ = (((_e476 & 268435455u) + ((_e476 >> bitcast<u32>(28u)) & 7u)) - 1u);
                     } else {
-                        phi_180_ = 0u;
+                        phi_181_ = 0u;
                     }
-                    let _e489 = phi_180_;
-                    phi_767_ = type_24(type_18(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e475, 2147483648u, 0u, (_e57 - select(0u, 1u, (_e57 > 0u)))), _e489);
+                    let _e490 = phi_181_;
+                    phi_768_ = type_24(type_18(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e476, 2147483648u, 0u, (_e58 - select(0u, 1u, (_e58 > 0u)))), _e490);
                 } else {
-                    let _e90 = (_e54 + 1u);
-                    if (_e90 < _e57) {
-                        let _e92 = (_e54 < _e42);
-                        if _e92 {
-                            if _e92 {
+                    let _e91 = (_e55 + 1u);
+                    if (_e91 < _e58) {
+                        let _e93 = (_e55 < _e43);
+                        if _e93 {
+                            if _e93 {
                             } else {
                                 break;
                             }
-                            let _e94 = global_3.member[_e54];
-                            phi_201_ = _e94;
+                            let _e95 = global_3.member[_e55];
+                            phi_202_ = _e95;
                         } else {
-                            phi_201_ = 0u;
+                            phi_202_ = 0u;
                         }
-                        let _e96 = phi_201_;
-                        let _e97 = (_e90 < _e42);
-                        if _e97 {
-                            if _e97 {
+                        let _e97 = phi_202_;
+                        let _e98 = (_e91 < _e43);
+                        if _e98 {
+                            if _e98 {
                             } else {
                                 break;
                             }
-                            let _e99 = global_3.member[_e90];
-                            phi_215_ = _e99;
+                            let _e100 = global_3.member[_e91];
+                            phi_216_ = _e100;
                         } else {
-                            phi_215_ = 0u;
+                            phi_216_ = 0u;
                         }
-                        let _e101 = phi_215_;
-                        let _e102 = (_e96 ^ _e101);
-                        let _e103 = (_e102 == 0u);
-                        if _e103 {
-                            phi_223_ = (_e54 ^ _e90);
+                        let _e102 = phi_216_;
+                        let _e103 = (_e97 ^ _e102);
+                        let _e104 = (_e103 == 0u);
+                        if _e104 {
+                            phi_224_ = (_e55 ^ _e91);
                         } else {
-                            phi_223_ = _e102;
+                            phi_224_ = _e103;
                         }
-                        let _e106 = phi_223_;
-                        phi_230_ = (select(0i, 32i, _e103) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e106)), 32u, (_e106 == 0u))));
+                        let _e107 = phi_224_;
+                        phi_231_ = (select(0i, 32i, _e104) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e107)), 32u, (_e107 == 0u))));
                     } else {
-                        phi_230_ = -1i;
+                        phi_231_ = -1i;
                     }
-                    let _e116 = phi_230_;
-                    let _e117 = (_e54 + 4294967295u);
-                    if (_e117 < _e57) {
-                        let _e119 = (_e54 < _e42);
-                        if _e119 {
-                            if _e119 {
+                    let _e117 = phi_231_;
+                    let _e118 = (_e55 + 4294967295u);
+                    if (_e118 < _e58) {
+                        let _e120 = (_e55 < _e43);
+                        if _e120 {
+                            if _e120 {
                             } else {
                                 break;
                             }
-                            let _e121 = global_3.member[_e54];
-                            phi_250_ = _e121;
+                            let _e122 = global_3.member[_e55];
+                            phi_251_ = _e122;
                         } else {
-                            phi_250_ = 0u;
+                            phi_251_ = 0u;
                         }
-                        let _e123 = phi_250_;
-                        let _e124 = (_e117 < _e42);
-                        if _e124 {
-                            if _e124 {
+                        let _e124 = phi_251_;
+                        let _e125 = (_e118 < _e43);
+                        if _e125 {
+                            if _e125 {
                             } else {
                                 break;
                             }
-                            let _e126 = global_3.member[_e117];
-                            phi_264_ = _e126;
+                            let _e127 = global_3.member[_e118];
+                            phi_265_ = _e127;
                         } else {
-                            phi_264_ = 0u;
+                            phi_265_ = 0u;
                         }
-                        let _e128 = phi_264_;
-                        let _e129 = (_e123 ^ _e128);
-                        let _e130 = (_e129 == 0u);
-                        if _e130 {
-                            phi_272_ = (_e54 ^ _e117);
+                        let _e129 = phi_265_;
+                        let _e130 = (_e124 ^ _e129);
+                        let _e131 = (_e130 == 0u);
+                        if _e131 {
+                            phi_273_ = (_e55 ^ _e118);
                         } else {
-                            phi_272_ = _e129;
+                            phi_273_ = _e130;
                         }
-                        let _e133 = phi_272_;
-                        phi_279_ = (select(0i, 32i, _e130) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e133)), 32u, (_e133 == 0u))));
+                        let _e134 = phi_273_;
+                        phi_280_ = (select(0i, 32i, _e131) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e134)), 32u, (_e134 == 0u))));
                     } else {
-                        phi_279_ = -1i;
+                        phi_280_ = -1i;
                     }
-                    let _e143 = phi_279_;
-                    if (_e116 > _e143) {
-                        phi_286_ = type_23(1i, _e143);
+                    let _e144 = phi_280_;
+                    if (_e117 > _e144) {
+                        phi_287_ = type_23(1i, _e144);
                     } else {
-                        phi_286_ = type_23(-1i, _e116);
+                        phi_287_ = type_23(-1i, _e117);
                     }
-                    let _e148 = phi_286_;
-                    phi_292_ = type_8(0u, 31u);
-                    phi_295_ = 4i;
+                    let _e149 = phi_287_;
+                    phi_293_ = type_8(0u, 31u);
+                    phi_296_ = 4i;
                     loop {
-                        let _e152 = phi_292_;
-                        let _e154 = phi_295_;
-                        local = _e154;
-                        local_3 = _e154;
-                        if (_e152.member < _e152.member_1) {
-                            phi_293_ = type_8((_e152.member + 1u), _e152.member_1);
-                            phi_318_ = type_8(1u, _e152.member);
+                        let _e153 = phi_293_;
+                        let _e155 = phi_296_;
+                        local = _e155;
+                        local_3 = _e155;
+                        if (_e153.member < _e153.member_1) {
+                            phi_294_ = type_8((_e153.member + 1u), _e153.member_1);
+                            phi_319_ = type_8(1u, _e153.member);
                         } else {
-                            phi_293_ = _e152;
-                            phi_318_ = type_8(0u, type_8().member_1);
+                            phi_294_ = _e153;
+                            phi_319_ = type_8(0u, type_8().member_1);
                         }
-                        let _e167 = phi_293_;
-                        let _e169 = phi_318_;
-                        if (bitcast<i32>(_e169.member) != 0i) {
-                            let _e176 = (_e54 + bitcast<u32>(((2i * _e154) * _e148.member)));
-                            if (_e176 < _e57) {
-                                let _e178 = (_e54 < _e42);
-                                if _e178 {
-                                    if _e178 {
+                        let _e168 = phi_294_;
+                        let _e170 = phi_319_;
+                        if (bitcast<i32>(_e170.member) != 0i) {
+                            let _e177 = (_e55 + bitcast<u32>(((2i * _e155) * _e149.member)));
+                            if (_e177 < _e58) {
+                                let _e179 = (_e55 < _e43);
+                                if _e179 {
+                                    if _e179 {
                                     } else {
-                                        phi_804_ = true;
+                                        phi_805_ = true;
                                         break;
                                     }
-                                    let _e180 = global_3.member[_e54];
-                                    phi_346_ = _e180;
+                                    let _e181 = global_3.member[_e55];
+                                    phi_347_ = _e181;
                                 } else {
-                                    phi_346_ = 0u;
+                                    phi_347_ = 0u;
                                 }
-                                let _e182 = phi_346_;
-                                let _e183 = (_e176 < _e42);
-                                if _e183 {
-                                    if _e183 {
+                                let _e183 = phi_347_;
+                                let _e184 = (_e177 < _e43);
+                                if _e184 {
+                                    if _e184 {
                                     } else {
-                                        phi_804_ = true;
+                                        phi_805_ = true;
                                         break;
                                     }
-                                    let _e185 = global_3.member[_e176];
-                                    phi_360_ = _e185;
+                                    let _e186 = global_3.member[_e177];
+                                    phi_361_ = _e186;
                                 } else {
-                                    phi_360_ = 0u;
+                                    phi_361_ = 0u;
                                 }
-                                let _e187 = phi_360_;
-                                let _e188 = (_e182 ^ _e187);
-                                let _e189 = (_e188 == 0u);
-                                if _e189 {
-                                    phi_368_ = (_e54 ^ _e176);
+                                let _e188 = phi_361_;
+                                let _e189 = (_e183 ^ _e188);
+                                let _e190 = (_e189 == 0u);
+                                if _e190 {
+                                    phi_369_ = (_e55 ^ _e177);
                                 } else {
-                                    phi_368_ = _e188;
+                                    phi_369_ = _e189;
                                 }
-                                let _e192 = phi_368_;
-                                phi_375_ = (select(0i, 32i, _e189) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e192)), 32u, (_e192 == 0u))));
+                                let _e193 = phi_369_;
+                                phi_376_ = (select(0i, 32i, _e190) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e193)), 32u, (_e193 == 0u))));
                             } else {
-                                phi_375_ = -1i;
+                                phi_376_ = -1i;
                             }
-                            let _e202 = phi_375_;
-                            let _e203 = (_e202 <= _e148.member_1);
-                            if _e203 {
-                                phi_381_ = i32();
+                            let _e203 = phi_376_;
+                            let _e204 = (_e203 <= _e149.member_1);
+                            if _e204 {
+                                phi_382_ = i32();
                             } else {
-                                phi_381_ = (_e154 * 2i);
+                                phi_382_ = (_e155 * 2i);
                             }
-                            let _e206 = phi_381_;
-                            phi_296_ = _e206;
-                            phi_383_ = select(true, false, _e203);
+                            let _e207 = phi_382_;
+                            phi_297_ = _e207;
+                            phi_384_ = select(true, false, _e204);
                         } else {
-                            phi_296_ = i32();
-                            phi_383_ = false;
+                            phi_297_ = i32();
+                            phi_384_ = false;
                         }
-                        let _e209 = phi_296_;
-                        let _e211 = phi_383_;
+                        let _e210 = phi_297_;
+                        let _e212 = phi_384_;
                         continue;
                         continuing {
-                            phi_292_ = _e167;
-                            phi_295_ = _e209;
-                            phi_804_ = false;
-                            break if !(_e211);
+                            phi_293_ = _e168;
+                            phi_296_ = _e210;
+                            phi_805_ = false;
+                            break if !(_e212);
                         }
                     }
-                    let _e214 = phi_804_;
-                    if _e214 {
+                    let _e215 = phi_805_;
+                    if _e215 {
                         break;
                     }
-                    let _e216 = local;
-                    phi_393_ = type_8(0u, 31u);
-                    phi_396_ = (_e216 / 2i);
-                    let _e530 = local_3;
-                    phi_398_ = _e530;
+                    let _e217 = local;
+                    phi_394_ = type_8(0u, 31u);
+                    phi_397_ = (_e217 / 2i);
+                    let _e531 = local_3;
+                    phi_399_ = _e531;
                     loop {
-                        let _e219 = phi_393_;
-                        let _e221 = phi_396_;
-                        let _e223 = phi_398_;
-                        local_1 = _e223;
-                        local_4 = _e223;
-                        if (_e219.member < _e219.member_1) {
-                            phi_394_ = type_8((_e219.member + 1u), _e219.member_1);
-                            phi_421_ = type_8(1u, _e219.member);
+                        let _e220 = phi_394_;
+                        let _e222 = phi_397_;
+                        let _e224 = phi_399_;
+                        local_1 = _e224;
+                        local_4 = _e224;
+                        if (_e220.member < _e220.member_1) {
+                            phi_395_ = type_8((_e220.member + 1u), _e220.member_1);
+                            phi_422_ = type_8(1u, _e220.member);
                         } else {
-                            phi_394_ = _e219;
-                            phi_421_ = type_8(0u, type_8().member_1);
+                            phi_395_ = _e220;
+                            phi_422_ = type_8(0u, type_8().member_1);
                         }
-                        let _e236 = phi_394_;
-                        let _e238 = phi_421_;
-                        if (bitcast<i32>(_e238.member) != 0i) {
-                            let _e242 = (_e221 == 0i);
-                            if _e242 {
-                                phi_496_ = i32();
+                        let _e237 = phi_395_;
+                        let _e239 = phi_422_;
+                        if (bitcast<i32>(_e239.member) != 0i) {
+                            let _e243 = (_e222 == 0i);
+                            if _e243 {
                                 phi_497_ = i32();
+                                phi_498_ = i32();
                             } else {
-                                let _e243 = (_e223 + _e221);
-                                let _e246 = (_e54 + bitcast<u32>((_e243 * _e148.member)));
-                                if (_e246 < _e57) {
-                                    let _e248 = (_e54 < _e42);
-                                    if _e248 {
-                                        if _e248 {
+                                let _e244 = (_e224 + _e222);
+                                let _e247 = (_e55 + bitcast<u32>((_e244 * _e149.member)));
+                                if (_e247 < _e58) {
+                                    let _e249 = (_e55 < _e43);
+                                    if _e249 {
+                                        if _e249 {
                                         } else {
-                                            phi_825_ = true;
+                                            phi_826_ = true;
                                             break;
                                         }
-                                        let _e250 = global_3.member[_e54];
-                                        phi_453_ = _e250;
+                                        let _e251 = global_3.member[_e55];
+                                        phi_454_ = _e251;
                                     } else {
-                                        phi_453_ = 0u;
+                                        phi_454_ = 0u;
                                     }
-                                    let _e252 = phi_453_;
-                                    let _e253 = (_e246 < _e42);
-                                    if _e253 {
-                                        if _e253 {
+                                    let _e253 = phi_454_;
+                                    let _e254 = (_e247 < _e43);
+                                    if _e254 {
+                                        if _e254 {
                                         } else {
-                                            phi_825_ = true;
+                                            phi_826_ = true;
                                             break;
                                         }
-                                        let _e255 = global_3.member[_e246];
-                                        phi_467_ = _e255;
+                                        let _e256 = global_3.member[_e247];
+                                        phi_468_ = _e256;
                                     } else {
-                                        phi_467_ = 0u;
+                                        phi_468_ = 0u;
                                     }
-                                    let _e257 = phi_467_;
-                                    let _e258 = (_e252 ^ _e257);
-                                    let _e259 = (_e258 == 0u);
-                                    if _e259 {
-                                        phi_475_ = (_e54 ^ _e246);
+                                    let _e258 = phi_468_;
+                                    let _e259 = (_e253 ^ _e258);
+                                    let _e260 = (_e259 == 0u);
+                                    if _e260 {
+                                        phi_476_ = (_e55 ^ _e247);
                                     } else {
-                                        phi_475_ = _e258;
+                                        phi_476_ = _e259;
                                     }
-                                    let _e262 = phi_475_;
-                                    phi_482_ = (select(0i, 32i, _e259) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e262)), 32u, (_e262 == 0u))));
+                                    let _e263 = phi_476_;
+                                    phi_483_ = (select(0i, 32i, _e260) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e263)), 32u, (_e263 == 0u))));
                                 } else {
-                                    phi_482_ = -1i;
+                                    phi_483_ = -1i;
                                 }
-                                let _e272 = phi_482_;
-                                phi_496_ = (_e221 / 2i);
-                                phi_497_ = select(_e223, _e243, (_e272 > _e148.member_1));
+                                let _e273 = phi_483_;
+                                phi_497_ = (_e222 / 2i);
+                                phi_498_ = select(_e224, _e244, (_e273 > _e149.member_1));
                             }
-                            let _e277 = phi_496_;
-                            let _e279 = phi_497_;
-                            phi_397_ = _e277;
-                            phi_399_ = _e279;
-                            phi_499_ = select(true, false, _e242);
+                            let _e278 = phi_497_;
+                            let _e280 = phi_498_;
+                            phi_398_ = _e278;
+                            phi_400_ = _e280;
+                            phi_500_ = select(true, false, _e243);
                         } else {
-                            phi_397_ = i32();
-                            phi_399_ = i32();
-                            phi_499_ = false;
+                            phi_398_ = i32();
+                            phi_400_ = i32();
+                            phi_500_ = false;
                         }
-                        let _e282 = phi_397_;
-                        let _e284 = phi_399_;
-                        let _e286 = phi_499_;
+                        let _e283 = phi_398_;
+                        let _e285 = phi_400_;
+                        let _e287 = phi_500_;
                         continue;
                         continuing {
-                            phi_393_ = _e236;
-                            phi_396_ = _e282;
-                            phi_398_ = _e284;
-                            phi_825_ = _e214;
-                            break if !(_e286);
+                            phi_394_ = _e237;
+                            phi_397_ = _e283;
+                            phi_399_ = _e285;
+                            phi_826_ = _e215;
+                            break if !(_e287);
                         }
                     }
-                    let _e289 = phi_825_;
-                    if _e289 {
+                    let _e290 = phi_826_;
+                    if _e290 {
                         break;
                     }
-                    let _e291 = local_1;
-                    let _e294 = (_e54 + bitcast<u32>((_e291 * _e148.member)));
-                    if (_e294 < _e57) {
-                        let _e296 = (_e54 < _e42);
-                        if _e296 {
-                            if _e296 {
+                    let _e292 = local_1;
+                    let _e295 = (_e55 + bitcast<u32>((_e292 * _e149.member)));
+                    if (_e295 < _e58) {
+                        let _e297 = (_e55 < _e43);
+                        if _e297 {
+                            if _e297 {
                             } else {
                                 break;
                             }
-                            let _e298 = global_3.member[_e54];
-                            phi_520_ = _e298;
+                            let _e299 = global_3.member[_e55];
+                            phi_521_ = _e299;
                         } else {
-                            phi_520_ = 0u;
+                            phi_521_ = 0u;
                         }
-                        let _e300 = phi_520_;
-                        let _e301 = (_e294 < _e42);
-                        if _e301 {
-                            if _e301 {
+                        let _e301 = phi_521_;
+                        let _e302 = (_e295 < _e43);
+                        if _e302 {
+                            if _e302 {
                             } else {
                                 break;
                             }
-                            let _e303 = global_3.member[_e294];
-                            phi_534_ = _e303;
+                            let _e304 = global_3.member[_e295];
+                            phi_535_ = _e304;
                         } else {
-                            phi_534_ = 0u;
+                            phi_535_ = 0u;
                         }
-                        let _e305 = phi_534_;
-                        let _e306 = (_e300 ^ _e305);
-                        let _e307 = (_e306 == 0u);
-                        if _e307 {
-                            phi_542_ = (_e54 ^ _e294);
+                        let _e306 = phi_535_;
+                        let _e307 = (_e301 ^ _e306);
+                        let _e308 = (_e307 == 0u);
+                        if _e308 {
+                            phi_543_ = (_e55 ^ _e295);
                         } else {
-                            phi_542_ = _e306;
+                            phi_543_ = _e307;
                         }
-                        let _e310 = phi_542_;
-                        phi_549_ = (select(0i, 32i, _e307) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e310)), 32u, (_e310 == 0u))));
+                        let _e311 = phi_543_;
+                        phi_550_ = (select(0i, 32i, _e308) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e311)), 32u, (_e311 == 0u))));
                     } else {
-                        phi_549_ = -1i;
+                        phi_550_ = -1i;
                     }
-                    let _e320 = phi_549_;
-                    phi_552_ = type_8(0u, 32u);
-                    let _e551 = local_4;
-                    phi_555_ = _e551;
-                    phi_557_ = 0i;
+                    let _e321 = phi_550_;
+                    phi_553_ = type_8(0u, 32u);
+                    let _e552 = local_4;
+                    phi_556_ = _e552;
+                    phi_558_ = 0i;
                     loop {
-                        let _e322 = phi_552_;
-                        let _e324 = phi_555_;
-                        let _e326 = phi_557_;
-                        local_2 = _e326;
-                        if (_e322.member < _e322.member_1) {
-                            phi_553_ = type_8((_e322.member + 1u), _e322.member_1);
-                            phi_580_ = type_8(1u, _e322.member);
+                        let _e323 = phi_553_;
+                        let _e325 = phi_556_;
+                        let _e327 = phi_558_;
+                        local_2 = _e327;
+                        if (_e323.member < _e323.member_1) {
+                            phi_554_ = type_8((_e323.member + 1u), _e323.member_1);
+                            phi_581_ = type_8(1u, _e323.member);
                         } else {
-                            phi_553_ = _e322;
-                            phi_580_ = type_8(0u, type_8().member_1);
+                            phi_554_ = _e323;
+                            phi_581_ = type_8(0u, type_8().member_1);
                         }
-                        let _e339 = phi_553_;
-                        let _e341 = phi_580_;
-                        if (bitcast<i32>(_e341.member) != 0i) {
-                            let _e346 = ((_e324 + 1i) / 2i);
-                            let _e347 = (_e326 + _e346);
-                            let _e350 = (_e54 + bitcast<u32>((_e347 * _e148.member)));
-                            if (_e350 < _e57) {
-                                let _e352 = (_e54 < _e42);
-                                if _e352 {
-                                    if _e352 {
+                        let _e340 = phi_554_;
+                        let _e342 = phi_581_;
+                        if (bitcast<i32>(_e342.member) != 0i) {
+                            let _e347 = ((_e325 + 1i) / 2i);
+                            let _e348 = (_e327 + _e347);
+                            let _e351 = (_e55 + bitcast<u32>((_e348 * _e149.member)));
+                            if (_e351 < _e58) {
+                                let _e353 = (_e55 < _e43);
+                                if _e353 {
+                                    if _e353 {
                                     } else {
-                                        phi_835_ = true;
-                                        phi_803_ = bool();
-                                        phi_801_ = i32();
+                                        phi_836_ = true;
+                                        phi_804_ = bool();
+                                        phi_802_ = i32();
                                         break;
                                     }
-                                    let _e354 = global_3.member[_e54];
-                                    phi_616_ = _e354;
+                                    let _e355 = global_3.member[_e55];
+                                    phi_617_ = _e355;
                                 } else {
-                                    phi_616_ = 0u;
+                                    phi_617_ = 0u;
                                 }
-                                let _e356 = phi_616_;
-                                let _e357 = (_e350 < _e42);
-                                if _e357 {
-                                    if _e357 {
+                                let _e357 = phi_617_;
+                                let _e358 = (_e351 < _e43);
+                                if _e358 {
+                                    if _e358 {
                                     } else {
-                                        phi_835_ = true;
-                                        phi_803_ = bool();
-                                        phi_801_ = i32();
+                                        phi_836_ = true;
+                                        phi_804_ = bool();
+                                        phi_802_ = i32();
                                         break;
                                     }
-                                    let _e359 = global_3.member[_e350];
-                                    phi_630_ = _e359;
+                                    let _e360 = global_3.member[_e351];
+                                    phi_631_ = _e360;
                                 } else {
-                                    phi_630_ = 0u;
+                                    phi_631_ = 0u;
                                 }
-                                let _e361 = phi_630_;
-                                let _e362 = (_e356 ^ _e361);
-                                let _e363 = (_e362 == 0u);
-                                if _e363 {
-                                    phi_638_ = (_e54 ^ _e350);
+                                let _e362 = phi_631_;
+                                let _e363 = (_e357 ^ _e362);
+                                let _e364 = (_e363 == 0u);
+                                if _e364 {
+                                    phi_639_ = (_e55 ^ _e351);
                                 } else {
-                                    phi_638_ = _e362;
+                                    phi_639_ = _e363;
                                 }
-                                let _e366 = phi_638_;
-                                phi_645_ = (select(0i, 32i, _e363) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e366)), 32u, (_e366 == 0u))));
+                                let _e367 = phi_639_;
+                                phi_646_ = (select(0i, 32i, _e364) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e367)), 32u, (_e367 == 0u))));
                             } else {
-                                phi_645_ = -1i;
+                                phi_646_ = -1i;
                             }
-                            let _e376 = phi_645_;
-                            let _e379 = (_e346 <= 1i);
-                            phi_657_ = select(_e326, _e347, (_e376 > _e320));
-                            phi_556_ = _e346;
-                            phi_658_ = select(true, false, _e379);
-                            phi_659_ = _e379;
+                            let _e377 = phi_646_;
+                            let _e380 = (_e347 <= 1i);
+                            phi_658_ = select(_e327, _e348, (_e377 > _e321));
+                            phi_557_ = _e347;
+                            phi_659_ = select(true, false, _e380);
+                            phi_660_ = _e380;
                         } else {
-                            phi_657_ = i32();
-                            phi_556_ = i32();
-                            phi_658_ = false;
+                            phi_658_ = i32();
+                            phi_557_ = i32();
                             phi_659_ = false;
+                            phi_660_ = false;
                         }
-                        let _e382 = phi_657_;
-                        let _e384 = phi_556_;
-                        let _e386 = phi_658_;
-                        let _e388 = phi_659_;
+                        let _e383 = phi_658_;
+                        let _e385 = phi_557_;
+                        let _e387 = phi_659_;
+                        let _e389 = phi_660_;
                         continue;
                         continuing {
-                            phi_552_ = _e339;
-                            phi_555_ = _e384;
-                            phi_557_ = _e382;
-                            phi_835_ = _e289;
-                            phi_803_ = _e388;
-                            phi_801_ = _e382;
-                            break if !(_e386);
+                            phi_553_ = _e340;
+                            phi_556_ = _e385;
+                            phi_558_ = _e383;
+                            phi_836_ = _e290;
+                            phi_804_ = _e389;
+                            phi_802_ = _e383;
+                            break if !(_e387);
                         }
                     }
-                    let _e391 = phi_835_;
-                    let _e393 = phi_803_;
-                    let _e395 = phi_801_;
-                    if _e391 {
+                    let _e392 = phi_836_;
+                    let _e394 = phi_804_;
+                    let _e396 = phi_802_;
+                    if _e392 {
                         break;
                     }
-                    let _e397 = local_2;
-                    let _e399 = (_e148.member > 0i);
-                    let _e400 = select(_e294, _e54, _e399);
-                    let _e401 = select(_e54, _e294, _e399);
-                    let _e407 = ((_e54 + bitcast<u32>((select(_e397, _e395, _e393) * _e148.member))) - select(0u, 1u, (_e148.member < 0i)));
-                    let _e409 = ((_e407 - _e400) + 1u);
-                    if (_e409 > 4u) {
-                        let _e416 = (_e407 >> bitcast<u32>(5i));
-                        let _e417 = (_e416 < _e44);
-                        if _e417 {
-                            if _e417 {
+                    let _e398 = local_2;
+                    let _e400 = (_e149.member > 0i);
+                    let _e401 = select(_e295, _e55, _e400);
+                    let _e402 = select(_e55, _e295, _e400);
+                    let _e408 = ((_e55 + bitcast<u32>((select(_e398, _e396, _e394) * _e149.member))) - select(0u, 1u, (_e149.member < 0i)));
+                    let _e410 = ((_e408 - _e401) + 1u);
+                    if (_e410 > 6u) {
+                        let _e417 = (_e408 >> bitcast<u32>(5i));
+                        let _e418 = (_e417 < _e45);
+                        if _e418 {
+                            if _e418 {
                             } else {
                                 break;
                             }
-                            let _e420 = global_4.member[_e416];
-                            phi_697_ = _e420;
+                            let _e421 = global_4.member[_e417];
+                            phi_698_ = _e421;
                         } else {
-                            phi_697_ = 0u;
+                            phi_698_ = 0u;
                         }
-                        let _e422 = phi_697_;
-                        let _e429 = (_e416 < _e46);
-                        if _e429 {
-                            if _e429 {
+                        let _e423 = phi_698_;
+                        let _e430 = (_e417 < _e47);
+                        if _e430 {
+                            if _e430 {
                             } else {
                                 break;
                             }
-                            let _e432 = global_5.member[_e416];
-                            phi_714_ = _e432;
+                            let _e433 = global_5.member[_e417];
+                            phi_715_ = _e433;
                         } else {
-                            phi_714_ = 0u;
+                            phi_715_ = 0u;
                         }
-                        let _e434 = phi_714_;
-                        phi_720_ = (_e434 + countOneBits((_e422 & ~((4294967295u << bitcast<u32>(((_e407 & 31u) & 31u)))))));
+                        let _e435 = phi_715_;
+                        phi_721_ = (_e435 + countOneBits((_e423 & ~((4294967295u << bitcast<u32>(((_e408 & 31u) & 31u)))))));
                     } else {
-                        phi_720_ = ((2147483648u | (_e409 << bitcast<u32>(28u))) | _e400);
+                        phi_721_ = ((2147483648u | (_e410 << bitcast<u32>(28u))) | _e401);
                     }
-                    let _e438 = phi_720_;
-                    let _e439 = (_e401 - _e407);
-                    if (_e439 > 4u) {
-                        let _e446 = (_e407 + 1u);
-                        let _e448 = (_e446 >> bitcast<u32>(5i));
-                        let _e449 = (_e448 < _e44);
-                        if _e449 {
-                            if _e449 {
+                    let _e439 = phi_721_;
+                    let _e440 = (_e402 - _e408);
+                    if (_e440 > 6u) {
+                        let _e447 = (_e408 + 1u);
+                        let _e449 = (_e447 >> bitcast<u32>(5i));
+                        let _e450 = (_e449 < _e45);
+                        if _e450 {
+                            if _e450 {
                             } else {
                                 break;
                             }
-                            let _e452 = global_4.member[_e448];
-                            phi_739_ = _e452;
+                            let _e453 = global_4.member[_e449];
+                            phi_740_ = _e453;
                         } else {
-                            phi_739_ = 0u;
+                            phi_740_ = 0u;
                         }
-                        let _e454 = phi_739_;
-                        let _e461 = (_e448 < _e46);
-                        if _e461 {
-                            if _e461 {
+                        let _e455 = phi_740_;
+                        let _e462 = (_e449 < _e47);
+                        if _e462 {
+                            if _e462 {
                             } else {
                                 break;
                             }
-                            let _e464 = global_5.member[_e448];
-                            phi_756_ = _e464;
+                            let _e465 = global_5.member[_e449];
+                            phi_757_ = _e465;
                         } else {
-                            phi_756_ = 0u;
+                            phi_757_ = 0u;
                         }
-                        let _e466 = phi_756_;
-                        phi_763_ = (_e466 + countOneBits((_e454 & ~((4294967295u << bitcast<u32>(((_e446 & 31u) & 31u)))))));
+                        let _e467 = phi_757_;
+                        phi_764_ = (_e467 + countOneBits((_e455 & ~((4294967295u << bitcast<u32>(((_e447 & 31u) & 31u)))))));
                     } else {
-                        phi_763_ = ((2147483648u | (_e439 << bitcast<u32>(28u))) | (_e407 + 1u));
+                        phi_764_ = ((2147483648u | (_e440 << bitcast<u32>(28u))) | (_e408 + 1u));
                     }
-                    let _e470 = phi_763_;
-                    phi_767_ = type_24(type_18(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e438, _e470, _e400, _e401), _e407);
+                    let _e471 = phi_764_;
+                    phi_768_ = type_24(type_18(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e439, _e471, _e401, _e402), _e408);
                 }
-                let _e492 = phi_767_;
-                let _e495 = (_e88 < arrayLength((&global_2.member)));
-                if _e495 {
-                    let _e496 = (_e88 < arrayLength((&global_6.member)));
-                    if _e496 {
-                        if _e495 {
-                        } else {
-                            break;
-                        }
-                        global_2.member[_e88] = _e492.member;
+                let _e493 = phi_768_;
+                let _e496 = (_e89 < arrayLength((&global_2.member)));
+                if _e496 {
+                    let _e497 = (_e89 < arrayLength((&global_6.member)));
+                    if _e497 {
                         if _e496 {
                         } else {
                             break;
                         }
-                        global_6.member[_e88] = _e492.member_1;
+                        global_2.member[_e89] = _e493.member;
+                        if _e497 {
+                        } else {
+                            break;
+                        }
+                        global_6.member[_e89] = _e493.member_1;
                     }
                 }
             }

@@ -52,699 +52,699 @@ var<storage> global_5: type_4;
 var<storage, read_write> global_6: type_4;
 
 fn function_() {
-    var phi_124_: u32;
-    var phi_145_: u32;
-    var phi_162_: u32;
-    var phi_210_: array<u32, 2>;
-    var phi_226_: array<u32, 2>;
-    var phi_241_: u32;
-    var phi_242_: i32;
-    var phi_243_: u32;
-    var phi_250_: i32;
-    var phi_270_: array<u32, 2>;
-    var phi_286_: array<u32, 2>;
-    var phi_301_: u32;
-    var phi_302_: i32;
-    var phi_303_: u32;
-    var phi_310_: i32;
-    var phi_317_: type_28;
-    var phi_323_: type_7;
-    var phi_326_: i32;
+    var phi_125_: u32;
+    var phi_146_: u32;
+    var phi_163_: u32;
+    var phi_211_: array<u32, 2>;
+    var phi_227_: array<u32, 2>;
+    var phi_242_: u32;
+    var phi_243_: i32;
+    var phi_244_: u32;
+    var phi_251_: i32;
+    var phi_271_: array<u32, 2>;
+    var phi_287_: array<u32, 2>;
+    var phi_302_: u32;
+    var phi_303_: i32;
+    var phi_304_: u32;
+    var phi_311_: i32;
+    var phi_318_: type_28;
     var phi_324_: type_7;
-    var phi_349_: type_7;
-    var phi_377_: array<u32, 2>;
-    var phi_393_: array<u32, 2>;
-    var phi_408_: u32;
-    var phi_409_: i32;
-    var phi_410_: u32;
-    var phi_417_: i32;
-    var phi_423_: i32;
     var phi_327_: i32;
-    var phi_425_: bool;
-    var phi_879_: bool;
+    var phi_325_: type_7;
+    var phi_350_: type_7;
+    var phi_378_: array<u32, 2>;
+    var phi_394_: array<u32, 2>;
+    var phi_409_: u32;
+    var phi_410_: i32;
+    var phi_411_: u32;
+    var phi_418_: i32;
+    var phi_424_: i32;
+    var phi_328_: i32;
+    var phi_426_: bool;
+    var phi_880_: bool;
     var local: i32;
-    var phi_435_: type_7;
-    var phi_438_: i32;
-    var phi_440_: i32;
     var phi_436_: type_7;
-    var phi_463_: type_7;
-    var phi_495_: array<u32, 2>;
-    var phi_511_: array<u32, 2>;
-    var phi_526_: u32;
-    var phi_527_: i32;
-    var phi_528_: u32;
-    var phi_535_: i32;
-    var phi_549_: i32;
-    var phi_550_: i32;
     var phi_439_: i32;
     var phi_441_: i32;
-    var phi_552_: bool;
-    var phi_903_: bool;
+    var phi_437_: type_7;
+    var phi_464_: type_7;
+    var phi_496_: array<u32, 2>;
+    var phi_512_: array<u32, 2>;
+    var phi_527_: u32;
+    var phi_528_: i32;
+    var phi_529_: u32;
+    var phi_536_: i32;
+    var phi_550_: i32;
+    var phi_551_: i32;
+    var phi_440_: i32;
+    var phi_442_: i32;
+    var phi_553_: bool;
+    var phi_904_: bool;
     var local_1: i32;
-    var phi_573_: array<u32, 2>;
-    var phi_589_: array<u32, 2>;
-    var phi_604_: u32;
-    var phi_605_: i32;
-    var phi_606_: u32;
-    var phi_613_: i32;
-    var phi_616_: type_7;
-    var phi_619_: i32;
-    var phi_621_: i32;
+    var phi_574_: array<u32, 2>;
+    var phi_590_: array<u32, 2>;
+    var phi_605_: u32;
+    var phi_606_: i32;
+    var phi_607_: u32;
+    var phi_614_: i32;
     var phi_617_: type_7;
-    var phi_644_: type_7;
-    var phi_680_: array<u32, 2>;
-    var phi_696_: array<u32, 2>;
-    var phi_711_: u32;
-    var phi_712_: i32;
-    var phi_713_: u32;
-    var phi_720_: i32;
-    var phi_732_: i32;
     var phi_620_: i32;
-    var phi_733_: bool;
+    var phi_622_: i32;
+    var phi_618_: type_7;
+    var phi_645_: type_7;
+    var phi_681_: array<u32, 2>;
+    var phi_697_: array<u32, 2>;
+    var phi_712_: u32;
+    var phi_713_: i32;
+    var phi_714_: u32;
+    var phi_721_: i32;
+    var phi_733_: i32;
+    var phi_621_: i32;
     var phi_734_: bool;
-    var phi_914_: bool;
-    var phi_878_: bool;
-    var phi_876_: i32;
+    var phi_735_: bool;
+    var phi_915_: bool;
+    var phi_879_: bool;
+    var phi_877_: i32;
     var local_2: i32;
-    var phi_772_: u32;
-    var phi_789_: u32;
-    var phi_795_: u32;
-    var phi_814_: u32;
-    var phi_831_: u32;
-    var phi_838_: u32;
-    var phi_189_: u32;
-    var phi_842_: type_29;
+    var phi_773_: u32;
+    var phi_790_: u32;
+    var phi_796_: u32;
+    var phi_815_: u32;
+    var phi_832_: u32;
+    var phi_839_: u32;
+    var phi_190_: u32;
+    var phi_843_: type_29;
     var local_3: i32;
     var local_4: i32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e42 = global;
-            let _e45 = arrayLength((&global_3.member));
-            let _e47 = arrayLength((&global_4.member));
-            let _e49 = arrayLength((&global_5.member));
-            let _e57 = (_e42.x + (_e42.y * 2097152u));
-            let _e60 = global_1.member[0u];
-            let _e62 = (_e57 >> bitcast<u32>(5i));
-            let _e63 = (_e62 < _e47);
-            if _e63 {
-                if _e63 {
+            let _e43 = global;
+            let _e46 = arrayLength((&global_3.member));
+            let _e48 = arrayLength((&global_4.member));
+            let _e50 = arrayLength((&global_5.member));
+            let _e58 = (_e43.x + (_e43.y * 2097152u));
+            let _e61 = global_1.member[0u];
+            let _e63 = (_e58 >> bitcast<u32>(5i));
+            let _e64 = (_e63 < _e48);
+            if _e64 {
+                if _e64 {
                 } else {
                     break;
                 }
-                let _e66 = global_4.member[_e62];
-                phi_124_ = _e66;
+                let _e67 = global_4.member[_e63];
+                phi_125_ = _e67;
             } else {
-                phi_124_ = 0u;
+                phi_125_ = 0u;
             }
-            let _e68 = phi_124_;
-            let _e70 = ((_e57 & 31u) & 31u);
-            if (((_e68 >> bitcast<u32>(_e70)) & 1u) == 1u) {
-                if _e63 {
-                    if _e63 {
+            let _e69 = phi_125_;
+            let _e71 = ((_e58 & 31u) & 31u);
+            if (((_e69 >> bitcast<u32>(_e71)) & 1u) == 1u) {
+                if _e64 {
+                    if _e64 {
                     } else {
                         break;
                     }
-                    let _e77 = global_4.member[_e62];
-                    phi_145_ = _e77;
+                    let _e78 = global_4.member[_e63];
+                    phi_146_ = _e78;
                 } else {
-                    phi_145_ = 0u;
+                    phi_146_ = 0u;
                 }
-                let _e79 = phi_145_;
-                let _e84 = (_e62 < _e49);
-                if _e84 {
-                    if _e84 {
+                let _e80 = phi_146_;
+                let _e85 = (_e63 < _e50);
+                if _e85 {
+                    if _e85 {
                     } else {
                         break;
                     }
-                    let _e87 = global_5.member[_e62];
-                    phi_162_ = _e87;
+                    let _e88 = global_5.member[_e63];
+                    phi_163_ = _e88;
                 } else {
-                    phi_162_ = 0u;
+                    phi_163_ = 0u;
                 }
-                let _e89 = phi_162_;
-                let _e91 = (_e89 + countOneBits((_e79 & ~((4294967295u << bitcast<u32>(_e70))))));
-                if (_e60 <= 4u) {
-                    let _e538 = (2147483648u | (_e60 << bitcast<u32>(28u)));
-                    if ((_e538 & 2147483648u) != 0u) {
-                        phi_189_ = (((_e538 & 268435455u) + ((_e538 >> bitcast<u32>(28u)) & 7u)) - 1u);
+                let _e90 = phi_163_;
+                let _e92 = (_e90 + countOneBits((_e80 & ~((4294967295u << bitcast<u32>(_e71))))));
+                if (_e61 <= 6u) {
+                    let _e539 = (2147483648u | (_e61 << bitcast<u32>(28u)));
+                    if ((_e539 & 2147483648u) != 0u) {
+                        phi_190_ = (((_e539 & 268435455u) + ((_e539 >> bitcast<u32>(28u)) & 7u)) - 1u);
                     } else {
-                        phi_189_ = 0u;
+                        phi_190_ = 0u;
                     }
-                    let _e552 = phi_189_;
-                    phi_842_ = type_29(type_23(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e538, 2147483648u, 0u, (_e60 - select(0u, 1u, (_e60 > 0u)))), _e552);
+                    let _e553 = phi_190_;
+                    phi_843_ = type_29(type_23(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e539, 2147483648u, 0u, (_e61 - select(0u, 1u, (_e61 > 0u)))), _e553);
                 } else {
-                    let _e93 = (_e57 + 1u);
-                    if (_e93 < _e60) {
-                        let _e95 = (_e57 < _e45);
-                        if _e95 {
-                            if _e95 {
+                    let _e94 = (_e58 + 1u);
+                    if (_e94 < _e61) {
+                        let _e96 = (_e58 < _e46);
+                        if _e96 {
+                            if _e96 {
                             } else {
                                 break;
                             }
-                            let _e97 = global_3.member[_e57];
-                            phi_210_ = _e97;
+                            let _e98 = global_3.member[_e58];
+                            phi_211_ = _e98;
                         } else {
-                            phi_210_ = array<u32, 2>(0u, 0u);
+                            phi_211_ = array<u32, 2>(0u, 0u);
                         }
-                        let _e99 = phi_210_;
-                        let _e102 = (_e93 < _e45);
-                        if _e102 {
-                            if _e102 {
+                        let _e100 = phi_211_;
+                        let _e103 = (_e94 < _e46);
+                        if _e103 {
+                            if _e103 {
                             } else {
                                 break;
                             }
-                            let _e104 = global_3.member[_e93];
-                            phi_226_ = _e104;
+                            let _e105 = global_3.member[_e94];
+                            phi_227_ = _e105;
                         } else {
-                            phi_226_ = array<u32, 2>(0u, 0u);
+                            phi_227_ = array<u32, 2>(0u, 0u);
                         }
-                        let _e106 = phi_226_;
-                        let _e109 = (_e99[0] ^ _e106[0]);
-                        let _e110 = (_e99[1] ^ _e106[1]);
-                        if (_e109 == 0u) {
-                            let _e112 = (_e110 == 0u);
-                            if _e112 {
-                                phi_241_ = (_e57 ^ _e93);
+                        let _e107 = phi_227_;
+                        let _e110 = (_e100[0] ^ _e107[0]);
+                        let _e111 = (_e100[1] ^ _e107[1]);
+                        if (_e110 == 0u) {
+                            let _e113 = (_e111 == 0u);
+                            if _e113 {
+                                phi_242_ = (_e58 ^ _e94);
                             } else {
-                                phi_241_ = _e110;
+                                phi_242_ = _e111;
                             }
-                            let _e115 = phi_241_;
-                            phi_242_ = select(32i, 64i, _e112);
-                            phi_243_ = _e115;
+                            let _e116 = phi_242_;
+                            phi_243_ = select(32i, 64i, _e113);
+                            phi_244_ = _e116;
                         } else {
-                            phi_242_ = 0i;
-                            phi_243_ = _e109;
+                            phi_243_ = 0i;
+                            phi_244_ = _e110;
                         }
-                        let _e118 = phi_242_;
-                        let _e120 = phi_243_;
-                        phi_250_ = (_e118 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e120)), 32u, (_e120 == 0u))));
+                        let _e119 = phi_243_;
+                        let _e121 = phi_244_;
+                        phi_251_ = (_e119 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e121)), 32u, (_e121 == 0u))));
                     } else {
-                        phi_250_ = -1i;
+                        phi_251_ = -1i;
                     }
-                    let _e129 = phi_250_;
-                    let _e130 = (_e57 + 4294967295u);
-                    if (_e130 < _e60) {
-                        let _e132 = (_e57 < _e45);
-                        if _e132 {
-                            if _e132 {
+                    let _e130 = phi_251_;
+                    let _e131 = (_e58 + 4294967295u);
+                    if (_e131 < _e61) {
+                        let _e133 = (_e58 < _e46);
+                        if _e133 {
+                            if _e133 {
                             } else {
                                 break;
                             }
-                            let _e134 = global_3.member[_e57];
-                            phi_270_ = _e134;
+                            let _e135 = global_3.member[_e58];
+                            phi_271_ = _e135;
                         } else {
-                            phi_270_ = array<u32, 2>(0u, 0u);
+                            phi_271_ = array<u32, 2>(0u, 0u);
                         }
-                        let _e136 = phi_270_;
-                        let _e139 = (_e130 < _e45);
-                        if _e139 {
-                            if _e139 {
+                        let _e137 = phi_271_;
+                        let _e140 = (_e131 < _e46);
+                        if _e140 {
+                            if _e140 {
                             } else {
                                 break;
                             }
-                            let _e141 = global_3.member[_e130];
-                            phi_286_ = _e141;
+                            let _e142 = global_3.member[_e131];
+                            phi_287_ = _e142;
                         } else {
-                            phi_286_ = array<u32, 2>(0u, 0u);
+                            phi_287_ = array<u32, 2>(0u, 0u);
                         }
-                        let _e143 = phi_286_;
-                        let _e146 = (_e136[0] ^ _e143[0]);
-                        let _e147 = (_e136[1] ^ _e143[1]);
-                        if (_e146 == 0u) {
-                            let _e149 = (_e147 == 0u);
-                            if _e149 {
-                                phi_301_ = (_e57 ^ _e130);
+                        let _e144 = phi_287_;
+                        let _e147 = (_e137[0] ^ _e144[0]);
+                        let _e148 = (_e137[1] ^ _e144[1]);
+                        if (_e147 == 0u) {
+                            let _e150 = (_e148 == 0u);
+                            if _e150 {
+                                phi_302_ = (_e58 ^ _e131);
                             } else {
-                                phi_301_ = _e147;
+                                phi_302_ = _e148;
                             }
-                            let _e152 = phi_301_;
-                            phi_302_ = select(32i, 64i, _e149);
-                            phi_303_ = _e152;
+                            let _e153 = phi_302_;
+                            phi_303_ = select(32i, 64i, _e150);
+                            phi_304_ = _e153;
                         } else {
-                            phi_302_ = 0i;
-                            phi_303_ = _e146;
+                            phi_303_ = 0i;
+                            phi_304_ = _e147;
                         }
-                        let _e155 = phi_302_;
-                        let _e157 = phi_303_;
-                        phi_310_ = (_e155 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
+                        let _e156 = phi_303_;
+                        let _e158 = phi_304_;
+                        phi_311_ = (_e156 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e158)), 32u, (_e158 == 0u))));
                     } else {
-                        phi_310_ = -1i;
+                        phi_311_ = -1i;
                     }
-                    let _e166 = phi_310_;
-                    if (_e129 > _e166) {
-                        phi_317_ = type_28(1i, _e166);
+                    let _e167 = phi_311_;
+                    if (_e130 > _e167) {
+                        phi_318_ = type_28(1i, _e167);
                     } else {
-                        phi_317_ = type_28(-1i, _e129);
+                        phi_318_ = type_28(-1i, _e130);
                     }
-                    let _e171 = phi_317_;
-                    phi_323_ = type_7(0u, 31u);
-                    phi_326_ = 4i;
+                    let _e172 = phi_318_;
+                    phi_324_ = type_7(0u, 31u);
+                    phi_327_ = 4i;
                     loop {
-                        let _e175 = phi_323_;
-                        let _e177 = phi_326_;
-                        local = _e177;
-                        local_3 = _e177;
-                        if (_e175.member < _e175.member_1) {
-                            phi_324_ = type_7((_e175.member + 1u), _e175.member_1);
-                            phi_349_ = type_7(1u, _e175.member);
+                        let _e176 = phi_324_;
+                        let _e178 = phi_327_;
+                        local = _e178;
+                        local_3 = _e178;
+                        if (_e176.member < _e176.member_1) {
+                            phi_325_ = type_7((_e176.member + 1u), _e176.member_1);
+                            phi_350_ = type_7(1u, _e176.member);
                         } else {
-                            phi_324_ = _e175;
-                            phi_349_ = type_7(0u, type_7().member_1);
+                            phi_325_ = _e176;
+                            phi_350_ = type_7(0u, type_7().member_1);
                         }
-                        let _e190 = phi_324_;
-                        let _e192 = phi_349_;
-                        if (bitcast<i32>(_e192.member) != 0i) {
-                            let _e199 = (_e57 + bitcast<u32>(((2i * _e177) * _e171.member)));
-                            if (_e199 < _e60) {
-                                let _e201 = (_e57 < _e45);
-                                if _e201 {
-                                    if _e201 {
+                        let _e191 = phi_325_;
+                        let _e193 = phi_350_;
+                        if (bitcast<i32>(_e193.member) != 0i) {
+                            let _e200 = (_e58 + bitcast<u32>(((2i * _e178) * _e172.member)));
+                            if (_e200 < _e61) {
+                                let _e202 = (_e58 < _e46);
+                                if _e202 {
+                                    if _e202 {
                                     } else {
-                                        phi_879_ = true;
+                                        phi_880_ = true;
                                         break;
                                     }
-                                    let _e203 = global_3.member[_e57];
-                                    phi_377_ = _e203;
+                                    let _e204 = global_3.member[_e58];
+                                    phi_378_ = _e204;
                                 } else {
-                                    phi_377_ = array<u32, 2>(0u, 0u);
+                                    phi_378_ = array<u32, 2>(0u, 0u);
                                 }
-                                let _e205 = phi_377_;
-                                let _e208 = (_e199 < _e45);
-                                if _e208 {
-                                    if _e208 {
+                                let _e206 = phi_378_;
+                                let _e209 = (_e200 < _e46);
+                                if _e209 {
+                                    if _e209 {
                                     } else {
-                                        phi_879_ = true;
+                                        phi_880_ = true;
                                         break;
                                     }
-                                    let _e210 = global_3.member[_e199];
-                                    phi_393_ = _e210;
+                                    let _e211 = global_3.member[_e200];
+                                    phi_394_ = _e211;
                                 } else {
-                                    phi_393_ = array<u32, 2>(0u, 0u);
+                                    phi_394_ = array<u32, 2>(0u, 0u);
                                 }
-                                let _e212 = phi_393_;
-                                let _e215 = (_e205[0] ^ _e212[0]);
-                                let _e216 = (_e205[1] ^ _e212[1]);
-                                if (_e215 == 0u) {
-                                    let _e218 = (_e216 == 0u);
-                                    if _e218 {
-                                        phi_408_ = (_e57 ^ _e199);
+                                let _e213 = phi_394_;
+                                let _e216 = (_e206[0] ^ _e213[0]);
+                                let _e217 = (_e206[1] ^ _e213[1]);
+                                if (_e216 == 0u) {
+                                    let _e219 = (_e217 == 0u);
+                                    if _e219 {
+                                        phi_409_ = (_e58 ^ _e200);
                                     } else {
-                                        phi_408_ = _e216;
+                                        phi_409_ = _e217;
                                     }
-                                    let _e221 = phi_408_;
-                                    phi_409_ = select(32i, 64i, _e218);
-                                    phi_410_ = _e221;
+                                    let _e222 = phi_409_;
+                                    phi_410_ = select(32i, 64i, _e219);
+                                    phi_411_ = _e222;
                                 } else {
-                                    phi_409_ = 0i;
-                                    phi_410_ = _e215;
+                                    phi_410_ = 0i;
+                                    phi_411_ = _e216;
                                 }
-                                let _e224 = phi_409_;
-                                let _e226 = phi_410_;
-                                phi_417_ = (_e224 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                                let _e225 = phi_410_;
+                                let _e227 = phi_411_;
+                                phi_418_ = (_e225 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
                             } else {
-                                phi_417_ = -1i;
+                                phi_418_ = -1i;
                             }
-                            let _e235 = phi_417_;
-                            let _e236 = (_e235 <= _e171.member_1);
-                            if _e236 {
-                                phi_423_ = i32();
+                            let _e236 = phi_418_;
+                            let _e237 = (_e236 <= _e172.member_1);
+                            if _e237 {
+                                phi_424_ = i32();
                             } else {
-                                phi_423_ = (_e177 * 2i);
+                                phi_424_ = (_e178 * 2i);
                             }
-                            let _e239 = phi_423_;
-                            phi_327_ = _e239;
-                            phi_425_ = select(true, false, _e236);
+                            let _e240 = phi_424_;
+                            phi_328_ = _e240;
+                            phi_426_ = select(true, false, _e237);
                         } else {
-                            phi_327_ = i32();
-                            phi_425_ = false;
+                            phi_328_ = i32();
+                            phi_426_ = false;
                         }
-                        let _e242 = phi_327_;
-                        let _e244 = phi_425_;
+                        let _e243 = phi_328_;
+                        let _e245 = phi_426_;
                         continue;
                         continuing {
-                            phi_323_ = _e190;
-                            phi_326_ = _e242;
-                            phi_879_ = false;
-                            break if !(_e244);
+                            phi_324_ = _e191;
+                            phi_327_ = _e243;
+                            phi_880_ = false;
+                            break if !(_e245);
                         }
                     }
-                    let _e247 = phi_879_;
-                    if _e247 {
+                    let _e248 = phi_880_;
+                    if _e248 {
                         break;
                     }
-                    let _e249 = local;
-                    phi_435_ = type_7(0u, 31u);
-                    phi_438_ = (_e249 / 2i);
-                    let _e599 = local_3;
-                    phi_440_ = _e599;
+                    let _e250 = local;
+                    phi_436_ = type_7(0u, 31u);
+                    phi_439_ = (_e250 / 2i);
+                    let _e600 = local_3;
+                    phi_441_ = _e600;
                     loop {
-                        let _e252 = phi_435_;
-                        let _e254 = phi_438_;
-                        let _e256 = phi_440_;
-                        local_1 = _e256;
-                        local_4 = _e256;
-                        if (_e252.member < _e252.member_1) {
-                            phi_436_ = type_7((_e252.member + 1u), _e252.member_1);
-                            phi_463_ = type_7(1u, _e252.member);
+                        let _e253 = phi_436_;
+                        let _e255 = phi_439_;
+                        let _e257 = phi_441_;
+                        local_1 = _e257;
+                        local_4 = _e257;
+                        if (_e253.member < _e253.member_1) {
+                            phi_437_ = type_7((_e253.member + 1u), _e253.member_1);
+                            phi_464_ = type_7(1u, _e253.member);
                         } else {
-                            phi_436_ = _e252;
-                            phi_463_ = type_7(0u, type_7().member_1);
+                            phi_437_ = _e253;
+                            phi_464_ = type_7(0u, type_7().member_1);
                         }
-                        let _e269 = phi_436_;
-                        let _e271 = phi_463_;
-                        if (bitcast<i32>(_e271.member) != 0i) {
-                            let _e275 = (_e254 == 0i);
-                            if _e275 {
-                                phi_549_ = i32();
+                        let _e270 = phi_437_;
+                        let _e272 = phi_464_;
+                        if (bitcast<i32>(_e272.member) != 0i) {
+                            let _e276 = (_e255 == 0i);
+                            if _e276 {
                                 phi_550_ = i32();
+                                phi_551_ = i32();
                             } else {
-                                let _e276 = (_e256 + _e254);
-                                let _e279 = (_e57 + bitcast<u32>((_e276 * _e171.member)));
-                                if (_e279 < _e60) {
-                                    let _e281 = (_e57 < _e45);
-                                    if _e281 {
-                                        if _e281 {
+                                let _e277 = (_e257 + _e255);
+                                let _e280 = (_e58 + bitcast<u32>((_e277 * _e172.member)));
+                                if (_e280 < _e61) {
+                                    let _e282 = (_e58 < _e46);
+                                    if _e282 {
+                                        if _e282 {
                                         } else {
-                                            phi_903_ = true;
+                                            phi_904_ = true;
                                             break;
                                         }
-                                        let _e283 = global_3.member[_e57];
-                                        phi_495_ = _e283;
+                                        let _e284 = global_3.member[_e58];
+                                        phi_496_ = _e284;
                                     } else {
-                                        phi_495_ = array<u32, 2>(0u, 0u);
+                                        phi_496_ = array<u32, 2>(0u, 0u);
                                     }
-                                    let _e285 = phi_495_;
-                                    let _e288 = (_e279 < _e45);
-                                    if _e288 {
-                                        if _e288 {
+                                    let _e286 = phi_496_;
+                                    let _e289 = (_e280 < _e46);
+                                    if _e289 {
+                                        if _e289 {
                                         } else {
-                                            phi_903_ = true;
+                                            phi_904_ = true;
                                             break;
                                         }
-                                        let _e290 = global_3.member[_e279];
-                                        phi_511_ = _e290;
+                                        let _e291 = global_3.member[_e280];
+                                        phi_512_ = _e291;
                                     } else {
-                                        phi_511_ = array<u32, 2>(0u, 0u);
+                                        phi_512_ = array<u32, 2>(0u, 0u);
                                     }
-                                    let _e292 = phi_511_;
-                                    let _e295 = (_e285[0] ^ _e292[0]);
-                                    let _e296 = (_e285[1] ^ _e292[1]);
-                                    if (_e295 == 0u) {
-                                        let _e298 = (_e296 == 0u);
-                                        if _e298 {
-                                            phi_526_ = (_e57 ^ _e279);
+                                    let _e293 = phi_512_;
+                                    let _e296 = (_e286[0] ^ _e293[0]);
+                                    let _e297 = (_e286[1] ^ _e293[1]);
+                                    if (_e296 == 0u) {
+                                        let _e299 = (_e297 == 0u);
+                                        if _e299 {
+                                            phi_527_ = (_e58 ^ _e280);
                                         } else {
-                                            phi_526_ = _e296;
+                                            phi_527_ = _e297;
                                         }
-                                        let _e301 = phi_526_;
-                                        phi_527_ = select(32i, 64i, _e298);
-                                        phi_528_ = _e301;
+                                        let _e302 = phi_527_;
+                                        phi_528_ = select(32i, 64i, _e299);
+                                        phi_529_ = _e302;
                                     } else {
-                                        phi_527_ = 0i;
-                                        phi_528_ = _e295;
+                                        phi_528_ = 0i;
+                                        phi_529_ = _e296;
                                     }
-                                    let _e304 = phi_527_;
-                                    let _e306 = phi_528_;
-                                    phi_535_ = (_e304 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e306)), 32u, (_e306 == 0u))));
+                                    let _e305 = phi_528_;
+                                    let _e307 = phi_529_;
+                                    phi_536_ = (_e305 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e307)), 32u, (_e307 == 0u))));
                                 } else {
-                                    phi_535_ = -1i;
+                                    phi_536_ = -1i;
                                 }
-                                let _e315 = phi_535_;
-                                phi_549_ = (_e254 / 2i);
-                                phi_550_ = select(_e256, _e276, (_e315 > _e171.member_1));
+                                let _e316 = phi_536_;
+                                phi_550_ = (_e255 / 2i);
+                                phi_551_ = select(_e257, _e277, (_e316 > _e172.member_1));
                             }
-                            let _e320 = phi_549_;
-                            let _e322 = phi_550_;
-                            phi_439_ = _e320;
-                            phi_441_ = _e322;
-                            phi_552_ = select(true, false, _e275);
+                            let _e321 = phi_550_;
+                            let _e323 = phi_551_;
+                            phi_440_ = _e321;
+                            phi_442_ = _e323;
+                            phi_553_ = select(true, false, _e276);
                         } else {
-                            phi_439_ = i32();
-                            phi_441_ = i32();
-                            phi_552_ = false;
+                            phi_440_ = i32();
+                            phi_442_ = i32();
+                            phi_553_ = false;
                         }
-                        let _e325 = phi_439_;
-                        let _e327 = phi_441_;
-                        let _e329 = phi_552_;
+                        let _e326 = phi_440_;
+                        let _e328 = phi_442_;
+                        let _e330 = phi_553_;
                         continue;
                         continuing {
-                            phi_435_ = _e269;
-                            phi_438_ = _e325;
-                            phi_440_ = _e327;
-                            phi_903_ = _e247;
-                            break if !(_e329);
+                            phi_436_ = _e270;
+                            phi_439_ = _e326;
+                            phi_441_ = _e328;
+                            phi_904_ = _e248;
+                            break if !(_e330);
                         }
                     }
-                    let _e332 = phi_903_;
-                    if _e332 {
+                    let _e333 = phi_904_;
+                    if _e333 {
                         break;
                     }
-                    let _e334 = local_1;
-                    let _e337 = (_e57 + bitcast<u32>((_e334 * _e171.member)));
-                    if (_e337 < _e60) {
-                        let _e339 = (_e57 < _e45);
-                        if _e339 {
-                            if _e339 {
+                    let _e335 = local_1;
+                    let _e338 = (_e58 + bitcast<u32>((_e335 * _e172.member)));
+                    if (_e338 < _e61) {
+                        let _e340 = (_e58 < _e46);
+                        if _e340 {
+                            if _e340 {
                             } else {
                                 break;
                             }
-                            let _e341 = global_3.member[_e57];
-                            phi_573_ = _e341;
+                            let _e342 = global_3.member[_e58];
+                            phi_574_ = _e342;
                         } else {
-                            phi_573_ = array<u32, 2>(0u, 0u);
+                            phi_574_ = array<u32, 2>(0u, 0u);
                         }
-                        let _e343 = phi_573_;
-                        let _e346 = (_e337 < _e45);
-                        if _e346 {
-                            if _e346 {
+                        let _e344 = phi_574_;
+                        let _e347 = (_e338 < _e46);
+                        if _e347 {
+                            if _e347 {
                             } else {
                                 break;
                             }
-                            let _e348 = global_3.member[_e337];
-                            phi_589_ = _e348;
+                            let _e349 = global_3.member[_e338];
+                            phi_590_ = _e349;
                         } else {
-                            phi_589_ = array<u32, 2>(0u, 0u);
+                            phi_590_ = array<u32, 2>(0u, 0u);
                         }
-                        let _e350 = phi_589_;
-                        let _e353 = (_e343[0] ^ _e350[0]);
-                        let _e354 = (_e343[1] ^ _e350[1]);
-                        if (_e353 == 0u) {
-                            let _e356 = (_e354 == 0u);
-                            if _e356 {
-                                phi_604_ = (_e57 ^ _e337);
+                        let _e351 = phi_590_;
+                        let _e354 = (_e344[0] ^ _e351[0]);
+                        let _e355 = (_e344[1] ^ _e351[1]);
+                        if (_e354 == 0u) {
+                            let _e357 = (_e355 == 0u);
+                            if _e357 {
+                                phi_605_ = (_e58 ^ _e338);
                             } else {
-                                phi_604_ = _e354;
+                                phi_605_ = _e355;
                             }
-                            let _e359 = phi_604_;
-                            phi_605_ = select(32i, 64i, _e356);
-                            phi_606_ = _e359;
+                            let _e360 = phi_605_;
+                            phi_606_ = select(32i, 64i, _e357);
+                            phi_607_ = _e360;
                         } else {
-                            phi_605_ = 0i;
-                            phi_606_ = _e353;
+                            phi_606_ = 0i;
+                            phi_607_ = _e354;
                         }
-                        let _e362 = phi_605_;
-                        let _e364 = phi_606_;
-                        phi_613_ = (_e362 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e364)), 32u, (_e364 == 0u))));
+                        let _e363 = phi_606_;
+                        let _e365 = phi_607_;
+                        phi_614_ = (_e363 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e365)), 32u, (_e365 == 0u))));
                     } else {
-                        phi_613_ = -1i;
+                        phi_614_ = -1i;
                     }
-                    let _e373 = phi_613_;
-                    phi_616_ = type_7(0u, 32u);
-                    let _e624 = local_4;
-                    phi_619_ = _e624;
-                    phi_621_ = 0i;
+                    let _e374 = phi_614_;
+                    phi_617_ = type_7(0u, 32u);
+                    let _e625 = local_4;
+                    phi_620_ = _e625;
+                    phi_622_ = 0i;
                     loop {
-                        let _e375 = phi_616_;
-                        let _e377 = phi_619_;
-                        let _e379 = phi_621_;
-                        local_2 = _e379;
-                        if (_e375.member < _e375.member_1) {
-                            phi_617_ = type_7((_e375.member + 1u), _e375.member_1);
-                            phi_644_ = type_7(1u, _e375.member);
+                        let _e376 = phi_617_;
+                        let _e378 = phi_620_;
+                        let _e380 = phi_622_;
+                        local_2 = _e380;
+                        if (_e376.member < _e376.member_1) {
+                            phi_618_ = type_7((_e376.member + 1u), _e376.member_1);
+                            phi_645_ = type_7(1u, _e376.member);
                         } else {
-                            phi_617_ = _e375;
-                            phi_644_ = type_7(0u, type_7().member_1);
+                            phi_618_ = _e376;
+                            phi_645_ = type_7(0u, type_7().member_1);
                         }
-                        let _e392 = phi_617_;
-                        let _e394 = phi_644_;
-                        if (bitcast<i32>(_e394.member) != 0i) {
-                            let _e399 = ((_e377 + 1i) / 2i);
-                            let _e400 = (_e379 + _e399);
-                            let _e403 = (_e57 + bitcast<u32>((_e400 * _e171.member)));
-                            if (_e403 < _e60) {
-                                let _e405 = (_e57 < _e45);
-                                if _e405 {
-                                    if _e405 {
+                        let _e393 = phi_618_;
+                        let _e395 = phi_645_;
+                        if (bitcast<i32>(_e395.member) != 0i) {
+                            let _e400 = ((_e378 + 1i) / 2i);
+                            let _e401 = (_e380 + _e400);
+                            let _e404 = (_e58 + bitcast<u32>((_e401 * _e172.member)));
+                            if (_e404 < _e61) {
+                                let _e406 = (_e58 < _e46);
+                                if _e406 {
+                                    if _e406 {
                                     } else {
-                                        phi_914_ = true;
-                                        phi_878_ = bool();
-                                        phi_876_ = i32();
+                                        phi_915_ = true;
+                                        phi_879_ = bool();
+                                        phi_877_ = i32();
                                         break;
                                     }
-                                    let _e407 = global_3.member[_e57];
-                                    phi_680_ = _e407;
+                                    let _e408 = global_3.member[_e58];
+                                    phi_681_ = _e408;
                                 } else {
-                                    phi_680_ = array<u32, 2>(0u, 0u);
+                                    phi_681_ = array<u32, 2>(0u, 0u);
                                 }
-                                let _e409 = phi_680_;
-                                let _e412 = (_e403 < _e45);
-                                if _e412 {
-                                    if _e412 {
+                                let _e410 = phi_681_;
+                                let _e413 = (_e404 < _e46);
+                                if _e413 {
+                                    if _e413 {
                                     } else {
-                                        phi_914_ = true;
-                                        phi_878_ = bool();
-                                        phi_876_ = i32();
+                                        phi_915_ = true;
+                                        phi_879_ = bool();
+                                        phi_877_ = i32();
                                         break;
                                     }
-                                    let _e414 = global_3.member[_e403];
-                                    phi_696_ = _e414;
+                                    let _e415 = global_3.member[_e404];
+                                    phi_697_ = _e415;
                                 } else {
-                                    phi_696_ = array<u32, 2>(0u, 0u);
+                                    phi_697_ = array<u32, 2>(0u, 0u);
                                 }
-                                let _e416 = phi_696_;
-                                let _e419 = (_e409[0] ^ _e416[0]);
-                                let _e420 = (_e409[1] ^ _e416[1]);
-                                if (_e419 == 0u) {
-                                    let _e422 = (_e420 == 0u);
-                                    if _e422 {
-                                        phi_711_ = (_e57 ^ _e403);
+                                let _e417 = phi_697_;
+                                let _e420 = (_e410[0] ^ _e417[0]);
+                                let _e421 = (_e410[1] ^ _e417[1]);
+                                if (_e420 == 0u) {
+                                    let _e423 = (_e421 == 0u);
+                                    if _e423 {
+                                        phi_712_ = (_e58 ^ _e404);
                                     } else {
-                                        phi_711_ = _e420;
+                                        phi_712_ = _e421;
                                     }
-                                    let _e425 = phi_711_;
-                                    phi_712_ = select(32i, 64i, _e422);
-                                    phi_713_ = _e425;
+                                    let _e426 = phi_712_;
+                                    phi_713_ = select(32i, 64i, _e423);
+                                    phi_714_ = _e426;
                                 } else {
-                                    phi_712_ = 0i;
-                                    phi_713_ = _e419;
+                                    phi_713_ = 0i;
+                                    phi_714_ = _e420;
                                 }
-                                let _e428 = phi_712_;
-                                let _e430 = phi_713_;
-                                phi_720_ = (_e428 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e430)), 32u, (_e430 == 0u))));
+                                let _e429 = phi_713_;
+                                let _e431 = phi_714_;
+                                phi_721_ = (_e429 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e431)), 32u, (_e431 == 0u))));
                             } else {
-                                phi_720_ = -1i;
+                                phi_721_ = -1i;
                             }
-                            let _e439 = phi_720_;
-                            let _e442 = (_e399 <= 1i);
-                            phi_732_ = select(_e379, _e400, (_e439 > _e373));
-                            phi_620_ = _e399;
-                            phi_733_ = select(true, false, _e442);
-                            phi_734_ = _e442;
+                            let _e440 = phi_721_;
+                            let _e443 = (_e400 <= 1i);
+                            phi_733_ = select(_e380, _e401, (_e440 > _e374));
+                            phi_621_ = _e400;
+                            phi_734_ = select(true, false, _e443);
+                            phi_735_ = _e443;
                         } else {
-                            phi_732_ = i32();
-                            phi_620_ = i32();
-                            phi_733_ = false;
+                            phi_733_ = i32();
+                            phi_621_ = i32();
                             phi_734_ = false;
+                            phi_735_ = false;
                         }
-                        let _e445 = phi_732_;
-                        let _e447 = phi_620_;
-                        let _e449 = phi_733_;
-                        let _e451 = phi_734_;
+                        let _e446 = phi_733_;
+                        let _e448 = phi_621_;
+                        let _e450 = phi_734_;
+                        let _e452 = phi_735_;
                         continue;
                         continuing {
-                            phi_616_ = _e392;
-                            phi_619_ = _e447;
-                            phi_621_ = _e445;
-                            phi_914_ = _e332;
-                            phi_878_ = _e451;
-                            phi_876_ = _e445;
-                            break if !(_e449);
+                            phi_617_ = _e393;
+                            phi_620_ = _e448;
+                            phi_622_ = _e446;
+                            phi_915_ = _e333;
+                            phi_879_ = _e452;
+                            phi_877_ = _e446;
+                            break if !(_e450);
                         }
                     }
-                    let _e454 = phi_914_;
-                    let _e456 = phi_878_;
-                    let _e458 = phi_876_;
-                    if _e454 {
+                    let _e455 = phi_915_;
+                    let _e457 = phi_879_;
+                    let _e459 = phi_877_;
+                    if _e455 {
                         break;
                     }
-                    let _e460 = local_2;
-                    let _e462 = (_e171.member > 0i);
-                    let _e463 = select(_e337, _e57, _e462);
-                    let _e464 = select(_e57, _e337, _e462);
-                    let _e470 = ((_e57 + bitcast<u32>((select(_e460, _e458, _e456) * _e171.member))) - select(0u, 1u, (_e171.member < 0i)));
-                    let _e472 = ((_e470 - _e463) + 1u);
-                    if (_e472 > 4u) {
-                        let _e479 = (_e470 >> bitcast<u32>(5i));
-                        let _e480 = (_e479 < _e47);
-                        if _e480 {
-                            if _e480 {
+                    let _e461 = local_2;
+                    let _e463 = (_e172.member > 0i);
+                    let _e464 = select(_e338, _e58, _e463);
+                    let _e465 = select(_e58, _e338, _e463);
+                    let _e471 = ((_e58 + bitcast<u32>((select(_e461, _e459, _e457) * _e172.member))) - select(0u, 1u, (_e172.member < 0i)));
+                    let _e473 = ((_e471 - _e464) + 1u);
+                    if (_e473 > 6u) {
+                        let _e480 = (_e471 >> bitcast<u32>(5i));
+                        let _e481 = (_e480 < _e48);
+                        if _e481 {
+                            if _e481 {
                             } else {
                                 break;
                             }
-                            let _e483 = global_4.member[_e479];
-                            phi_772_ = _e483;
+                            let _e484 = global_4.member[_e480];
+                            phi_773_ = _e484;
                         } else {
-                            phi_772_ = 0u;
+                            phi_773_ = 0u;
                         }
-                        let _e485 = phi_772_;
-                        let _e492 = (_e479 < _e49);
-                        if _e492 {
-                            if _e492 {
+                        let _e486 = phi_773_;
+                        let _e493 = (_e480 < _e50);
+                        if _e493 {
+                            if _e493 {
                             } else {
                                 break;
                             }
-                            let _e495 = global_5.member[_e479];
-                            phi_789_ = _e495;
+                            let _e496 = global_5.member[_e480];
+                            phi_790_ = _e496;
                         } else {
-                            phi_789_ = 0u;
+                            phi_790_ = 0u;
                         }
-                        let _e497 = phi_789_;
-                        phi_795_ = (_e497 + countOneBits((_e485 & ~((4294967295u << bitcast<u32>(((_e470 & 31u) & 31u)))))));
+                        let _e498 = phi_790_;
+                        phi_796_ = (_e498 + countOneBits((_e486 & ~((4294967295u << bitcast<u32>(((_e471 & 31u) & 31u)))))));
                     } else {
-                        phi_795_ = ((2147483648u | (_e472 << bitcast<u32>(28u))) | _e463);
+                        phi_796_ = ((2147483648u | (_e473 << bitcast<u32>(28u))) | _e464);
                     }
-                    let _e501 = phi_795_;
-                    let _e502 = (_e464 - _e470);
-                    if (_e502 > 4u) {
-                        let _e509 = (_e470 + 1u);
-                        let _e511 = (_e509 >> bitcast<u32>(5i));
-                        let _e512 = (_e511 < _e47);
-                        if _e512 {
-                            if _e512 {
+                    let _e502 = phi_796_;
+                    let _e503 = (_e465 - _e471);
+                    if (_e503 > 6u) {
+                        let _e510 = (_e471 + 1u);
+                        let _e512 = (_e510 >> bitcast<u32>(5i));
+                        let _e513 = (_e512 < _e48);
+                        if _e513 {
+                            if _e513 {
                             } else {
                                 break;
                             }
-                            let _e515 = global_4.member[_e511];
-                            phi_814_ = _e515;
+                            let _e516 = global_4.member[_e512];
+                            phi_815_ = _e516;
                         } else {
-                            phi_814_ = 0u;
+                            phi_815_ = 0u;
                         }
-                        let _e517 = phi_814_;
-                        let _e524 = (_e511 < _e49);
-                        if _e524 {
-                            if _e524 {
+                        let _e518 = phi_815_;
+                        let _e525 = (_e512 < _e50);
+                        if _e525 {
+                            if _e525 {
                             } else {
                                 break;
                             }
-                            let _e527 = global_5.member[_e511];
-                            phi_831_ = _e527;
+                            let _e528 = global_5.member[_e512];
+                            phi_832_ = _e528;
                         } else {
-                            phi_831_ = 0u;
+                            phi_832_ = 0u;
                         }
-                        let _e529 = phi_831_;
-                        phi_838_ = (_e529 + countOneBits((_e517 & ~((4294967295u << bitcast<u32>(((_e509 & 31u) & 31u)))))));
+                        let _e530 = phi_832_;
+                        phi_839_ = (_e530 + countOneBits((_e518 & ~((4294967295u << bitcast<u32>(((_e510 & 31u) & 31u)))))));
                     } else {
-                        phi_838_ = ((2147483648u | (_e502 << bitcast<u32>(28u))) | (_e470 + 1u));
+                        phi_839_ = ((2147483648u | (_e503 << bitcast<u32>(28u))) | (_e471 + 1u));
                     }
-                    let _e533 = phi_838_;
-                    phi_842_ = type_29(type_23(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e501, _e533, _e463, _e464), _e470);
+                    let _e534 = phi_839_;
+                    phi_843_ = type_29(type_23(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e502, _e534, _e464, _e465), _e471);
                 }
-                let _e555 = phi_842_;
-                let _e558 = (_e91 < arrayLength((&global_2.member)));
-                if _e558 {
-                    let _e559 = (_e91 < arrayLength((&global_6.member)));
-                    if _e559 {
-                        if _e558 {
-                        } else {
-                            break;
-                        }
-                        global_2.member[_e91] = _e555.member;
+                let _e556 = phi_843_;
+                let _e559 = (_e92 < arrayLength((&global_2.member)));
+                if _e559 {
+                    let _e560 = (_e92 < arrayLength((&global_6.member)));
+                    if _e560 {
                         if _e559 {
                         } else {
                             break;
                         }
-                        global_6.member[_e91] = _e555.member_1;
+                        global_2.member[_e92] = _e556.member;
+                        if _e560 {
+                        } else {
+                            break;
+                        }
+                        global_6.member[_e92] = _e556.member_1;
                     }
                 }
             }

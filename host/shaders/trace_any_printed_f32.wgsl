@@ -100,123 +100,110 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_360_: i32;
-    var phi_361_: i32;
-    var phi_371_: bool;
-    var phi_381_: u32;
-    var phi_382_: u32;
-    var phi_384_: bool;
+    var phi_367_: i32;
+    var phi_368_: i32;
+    var phi_378_: bool;
+    var phi_388_: u32;
     var phi_389_: u32;
-    var phi_402_: i32;
-    var phi_422_: i32;
-    var phi_440_: f32;
-    var phi_446_: f32;
-    var phi_486_: f32;
-    var phi_492_: f32;
-    var phi_565_: f32;
-    var phi_571_: f32;
-    var phi_611_: f32;
-    var phi_617_: f32;
-    var phi_690_: f32;
-    var phi_696_: f32;
-    var phi_736_: f32;
-    var phi_742_: f32;
-    var phi_861_: i32;
-    var phi_883_: u32;
-    var phi_884_: u32;
-    var phi_921_: i32;
-    var phi_943_: u32;
-    var phi_944_: u32;
-    var phi_952_: f32;
-    var phi_953_: f32;
-    var phi_3379_: bool;
-    var phi_1036_: type_38;
-    var phi_1039_: u32;
-    var phi_1041_: bool;
-    var phi_1043_: u32;
-    var phi_1045_: type_49;
-    var phi_1056_: bool;
-    var phi_1142_: bool;
-    var phi_1143_: u32;
-    var phi_1144_: type_49;
-    var phi_1162_: type_38;
-    var phi_1165_: type_7;
-    var phi_1166_: type_7;
-    var phi_1188_: type_7;
-    var phi_1209_: u32;
-    var phi_1301_: array<array<f32, 3>, 3>;
-    var phi_3174_: bool;
-    var phi_3189_: bool;
-    var phi_3204_: bool;
-    var phi_3219_: bool;
-    var phi_3234_: bool;
-    var phi_3249_: bool;
-    var phi_1843_: f32;
-    var phi_1844_: f32;
-    var phi_1845_: f32;
-    var phi_1846_: f32;
-    var phi_1847_: vec3<f32>;
-    var phi_1848_: vec3<f32>;
-    var phi_1849_: vec3<f32>;
-    var phi_1850_: vec3<f32>;
-    var phi_3264_: bool;
-    var phi_3279_: bool;
-    var phi_3294_: bool;
-    var phi_3309_: bool;
-    var phi_3324_: bool;
-    var phi_3339_: bool;
-    var phi_2058_: f32;
-    var phi_2078_: type_34;
-    var phi_2079_: type_34;
-    var phi_2082_: type_34;
-    var phi_2083_: type_34;
-    var phi_2084_: bool;
-    var phi_2088_: type_34;
-    var phi_2097_: type_25;
-    var phi_2108_: type_38;
-    var phi_2109_: type_38;
-    var phi_1163_: type_38;
-    var phi_3373_: bool;
-    var phi_3594_: bool;
-    var phi_2110_: type_38;
-    var phi_2131_: type_42;
-    var phi_3017_: type_49;
+    var phi_391_: bool;
+    var phi_396_: u32;
+    var phi_409_: i32;
+    var phi_429_: i32;
+    var phi_447_: f32;
+    var phi_453_: f32;
+    var phi_493_: f32;
+    var phi_499_: f32;
+    var phi_572_: f32;
+    var phi_578_: f32;
+    var phi_618_: f32;
+    var phi_624_: f32;
+    var phi_697_: f32;
+    var phi_703_: f32;
+    var phi_743_: f32;
+    var phi_749_: f32;
+    var phi_868_: i32;
+    var phi_890_: u32;
+    var phi_891_: u32;
+    var phi_928_: i32;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_959_: f32;
+    var phi_960_: f32;
+    var phi_3307_: bool;
+    var phi_1043_: type_38;
+    var phi_1046_: bool;
+    var phi_1048_: type_49;
+    var phi_1050_: u32;
+    var phi_1052_: u32;
+    var phi_1063_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: type_49;
+    var phi_1151_: u32;
+    var phi_2108_: type_42;
+    var phi_2994_: type_49;
+    var phi_3070_: type_49;
+    var phi_3071_: type_49;
+    var phi_3072_: u32;
+    var phi_3074_: type_49;
+    var phi_3075_: u32;
+    var phi_3076_: bool;
+    var phi_3083_: type_49;
+    var phi_3088_: bool;
+    var phi_3089_: type_49;
+    var phi_1169_: type_38;
+    var phi_1172_: type_7;
+    var phi_1173_: type_7;
+    var phi_1195_: type_7;
+    var phi_1216_: u32;
+    var phi_1308_: array<array<f32, 3>, 3>;
+    var phi_1838_: f32;
+    var phi_1839_: f32;
+    var phi_1840_: f32;
+    var phi_1841_: f32;
+    var phi_1842_: vec3<f32>;
+    var phi_1843_: vec3<f32>;
+    var phi_1844_: vec3<f32>;
+    var phi_1845_: vec3<f32>;
+    var phi_2036_: f32;
+    var phi_2056_: type_34;
+    var phi_2057_: type_34;
+    var phi_2060_: type_34;
+    var phi_2061_: type_34;
+    var phi_2062_: bool;
+    var phi_2066_: type_34;
+    var phi_2075_: type_25;
+    var phi_2086_: type_38;
+    var phi_2087_: type_38;
+    var phi_1170_: type_38;
+    var phi_3301_: bool;
+    var local_10: type_38;
+    var phi_3455_: bool;
+    var phi_3091_: type_38;
+    var phi_3092_: bool;
     var phi_3093_: type_49;
     var phi_3094_: u32;
-    var phi_3095_: type_49;
-    var phi_3097_: u32;
-    var phi_3098_: type_49;
-    var phi_3099_: bool;
-    var phi_3106_: type_49;
-    var phi_3111_: bool;
-    var phi_3113_: type_49;
-    var phi_3117_: bool;
-    var phi_3118_: u32;
-    var phi_3119_: type_49;
-    var phi_3129_: u32;
-    var phi_3130_: type_49;
-    var phi_3538_: bool;
-    var phi_3131_: type_38;
-    var phi_3132_: u32;
-    var phi_3133_: bool;
-    var phi_3134_: u32;
-    var phi_3135_: type_49;
-    var phi_3537_: bool;
-    var phi_3136_: type_38;
-    var phi_3137_: u32;
-    var phi_3138_: bool;
-    var phi_3139_: u32;
-    var phi_3140_: type_49;
-    var phi_3536_: bool;
-    var phi_1037_: type_38;
-    var phi_1040_: u32;
-    var phi_1042_: bool;
-    var phi_1044_: u32;
-    var phi_1046_: type_49;
-    var phi_3141_: bool;
-    var phi_3535_: bool;
-    var local_10: type_38;
+    var phi_3454_: bool;
+    var phi_3095_: type_38;
+    var phi_3096_: bool;
+    var phi_3097_: type_49;
+    var phi_3098_: u32;
+    var phi_3099_: u32;
+    var phi_3453_: bool;
+    var phi_3100_: type_38;
+    var phi_3101_: bool;
+    var phi_3102_: type_49;
+    var phi_3103_: u32;
+    var phi_3104_: u32;
+    var phi_3452_: bool;
+    var phi_1044_: type_38;
+    var phi_1047_: bool;
+    var phi_1049_: type_49;
+    var phi_1051_: u32;
+    var phi_1053_: u32;
+    var phi_3105_: bool;
+    var phi_3451_: bool;
     var local_11: type_38;
+    var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -268,93 +255,93 @@ fn function_() {
                     if _e209 {
                         let _e212 = (bitcast<u32>(bitcast<f32>(_e184)) & 2147483647u);
                         if (_e212 >= 8388608u) {
-                            phi_360_ = (bitcast<i32>((_e212 >> bitcast<u32>(23i))) - 127i);
+                            phi_367_ = (bitcast<i32>((_e212 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_360_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e212)), 32u, (_e212 == 0u))));
+                            phi_367_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e212)), 32u, (_e212 == 0u))));
                         }
-                        let _e226 = phi_360_;
-                        phi_361_ = _e226;
+                        let _e226 = phi_367_;
+                        phi_368_ = _e226;
                     } else {
-                        phi_361_ = 0i;
+                        phi_368_ = 0i;
                     }
-                    let _e228 = phi_361_;
+                    let _e228 = phi_368_;
                     let _e229 = (_e145 == _e184);
                     if _e229 {
-                        phi_371_ = true;
+                        phi_378_ = true;
                     } else {
-                        phi_371_ = (_e152 == _e184);
+                        phi_378_ = (_e152 == _e184);
                     }
-                    let _e232 = phi_371_;
+                    let _e232 = phi_378_;
                     let _e233 = select(1u, 0u, _e229);
                     if _e232 {
                         let _e234 = (_e233 + 1u);
-                        phi_381_ = _e234;
-                        phi_382_ = _e234;
-                        phi_384_ = select(true, false, (_e234 == 2u));
+                        phi_388_ = _e234;
+                        phi_389_ = _e234;
+                        phi_391_ = select(true, false, (_e234 == 2u));
                     } else {
-                        phi_381_ = u32();
-                        phi_382_ = 0u;
-                        phi_384_ = true;
-                    }
-                    let _e238 = phi_381_;
-                    let _e240 = phi_382_;
-                    let _e242 = phi_384_;
-                    if _e242 {
-                        phi_389_ = (_e240 + 1u);
-                    } else {
+                        phi_388_ = u32();
                         phi_389_ = 0u;
+                        phi_391_ = true;
                     }
-                    let _e246 = phi_389_;
+                    let _e238 = phi_388_;
+                    let _e240 = phi_389_;
+                    let _e242 = phi_391_;
+                    if _e242 {
+                        phi_396_ = (_e240 + 1u);
+                    } else {
+                        phi_396_ = 0u;
+                    }
+                    let _e246 = phi_396_;
                     let _e247 = select(_e238, _e240, _e242);
                     let _e248 = select(_e233, select(2u, _e233, _e232), _e242);
                     if (_e123 < -126i) {
-                        phi_402_ = -126i;
+                        phi_409_ = -126i;
                     } else {
-                        phi_402_ = select(_e123, 127i, (_e123 > 127i));
+                        phi_409_ = select(_e123, 127i, (_e123 > 127i));
                     }
-                    let _e253 = phi_402_;
+                    let _e253 = phi_409_;
                     let _e258 = bitcast<f32>((bitcast<u32>((_e253 + 127i)) << bitcast<u32>(23i)));
                     let _e264 = bitcast<f32>((bitcast<u32>(((_e123 - _e253) + 127i)) << bitcast<u32>(23i)));
                     let _e265 = -(_e228);
                     if (_e265 < -126i) {
-                        phi_422_ = -126i;
+                        phi_429_ = -126i;
                     } else {
-                        phi_422_ = select(_e265, 127i, (_e265 > 127i));
+                        phi_429_ = select(_e265, 127i, (_e265 > 127i));
                     }
-                    let _e270 = phi_422_;
+                    let _e270 = phi_429_;
                     let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
                     let _e281 = bitcast<f32>((bitcast<u32>(((_e265 - _e270) + 127i)) << bitcast<u32>(23i)));
                     let _e285 = global_4.member[_e133].member;
                     let _e286 = (_e247 == 0u);
                     if _e286 {
-                        phi_440_ = _e285[0];
+                        phi_447_ = _e285[0];
                     } else {
-                        phi_440_ = _e285[1];
+                        phi_447_ = _e285[1];
                     }
-                    let _e290 = phi_440_;
+                    let _e290 = phi_447_;
                     let _e291 = (_e247 == 2u);
                     if _e291 {
-                        phi_446_ = _e285[2];
+                        phi_453_ = _e285[2];
                     } else {
-                        phi_446_ = _e290;
+                        phi_453_ = _e290;
                     }
-                    let _e294 = phi_446_;
+                    let _e294 = phi_453_;
                     let _e295 = bitcast<u32>(_e294);
                     let _e297 = ((_e295 & 2139095040u) != 0u);
                     let _e311 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e295 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e295 & 2147483648u))), _e294, _e297) * _e258) * select(0.00000011920929f, 1f, _e297)) * _e264);
                     let _e312 = global_4.member[_e133].member_2;
                     if _e286 {
-                        phi_486_ = _e312[0];
+                        phi_493_ = _e312[0];
                     } else {
-                        phi_486_ = _e312[1];
+                        phi_493_ = _e312[1];
                     }
-                    let _e316 = phi_486_;
+                    let _e316 = phi_493_;
                     if _e291 {
-                        phi_492_ = _e312[2];
+                        phi_499_ = _e312[2];
                     } else {
-                        phi_492_ = _e316;
+                        phi_499_ = _e316;
                     }
-                    let _e319 = phi_492_;
+                    let _e319 = phi_499_;
                     let _e320 = bitcast<u32>(_e319);
                     let _e322 = ((_e320 & 2139095040u) != 0u);
                     let _e336 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e320 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e320 & 2147483648u))), _e319, _e322) * _e275) * select(0.00000011920929f, 1f, _e322)) * _e281);
@@ -368,33 +355,33 @@ fn function_() {
                     let _e352 = select(38685626000000000000000000f, (1f / _e336), _e340);
                     let _e353 = (_e246 == 0u);
                     if _e353 {
-                        phi_565_ = _e285[0];
+                        phi_572_ = _e285[0];
                     } else {
-                        phi_565_ = _e285[1];
+                        phi_572_ = _e285[1];
                     }
-                    let _e357 = phi_565_;
+                    let _e357 = phi_572_;
                     let _e358 = (_e246 == 2u);
                     if _e358 {
-                        phi_571_ = _e285[2];
+                        phi_578_ = _e285[2];
                     } else {
-                        phi_571_ = _e357;
+                        phi_578_ = _e357;
                     }
-                    let _e361 = phi_571_;
+                    let _e361 = phi_578_;
                     let _e362 = bitcast<u32>(_e361);
                     let _e364 = ((_e362 & 2139095040u) != 0u);
                     let _e378 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e362 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e362 & 2147483648u))), _e361, _e364) * _e258) * select(0.00000011920929f, 1f, _e364)) * _e264);
                     if _e353 {
-                        phi_611_ = _e312[0];
+                        phi_618_ = _e312[0];
                     } else {
-                        phi_611_ = _e312[1];
+                        phi_618_ = _e312[1];
                     }
-                    let _e382 = phi_611_;
+                    let _e382 = phi_618_;
                     if _e358 {
-                        phi_617_ = _e312[2];
+                        phi_624_ = _e312[2];
                     } else {
-                        phi_617_ = _e382;
+                        phi_624_ = _e382;
                     }
-                    let _e385 = phi_617_;
+                    let _e385 = phi_624_;
                     let _e386 = bitcast<u32>(_e385);
                     let _e388 = ((_e386 & 2139095040u) != 0u);
                     let _e402 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e385, _e388) * _e275) * select(0.00000011920929f, 1f, _e388)) * _e281);
@@ -408,33 +395,33 @@ fn function_() {
                     let _e418 = select(38685626000000000000000000f, (1f / _e402), _e406);
                     let _e419 = (_e248 == 0u);
                     if _e419 {
-                        phi_690_ = _e285[0];
+                        phi_697_ = _e285[0];
                     } else {
-                        phi_690_ = _e285[1];
+                        phi_697_ = _e285[1];
                     }
-                    let _e423 = phi_690_;
+                    let _e423 = phi_697_;
                     let _e424 = (_e248 == 2u);
                     if _e424 {
-                        phi_696_ = _e285[2];
+                        phi_703_ = _e285[2];
                     } else {
-                        phi_696_ = _e423;
+                        phi_703_ = _e423;
                     }
-                    let _e427 = phi_696_;
+                    let _e427 = phi_703_;
                     let _e428 = bitcast<u32>(_e427);
                     let _e430 = ((_e428 & 2139095040u) != 0u);
                     let _e444 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e428 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e428 & 2147483648u))), _e427, _e430) * _e258) * select(0.00000011920929f, 1f, _e430)) * _e264);
                     if _e419 {
-                        phi_736_ = _e312[0];
+                        phi_743_ = _e312[0];
                     } else {
-                        phi_736_ = _e312[1];
+                        phi_743_ = _e312[1];
                     }
-                    let _e448 = phi_736_;
+                    let _e448 = phi_743_;
                     if _e424 {
-                        phi_742_ = _e312[2];
+                        phi_749_ = _e312[2];
                     } else {
-                        phi_742_ = _e448;
+                        phi_749_ = _e448;
                     }
-                    let _e451 = phi_742_;
+                    let _e451 = phi_749_;
                     let _e452 = bitcast<u32>(_e451);
                     let _e454 = ((_e452 & 2139095040u) != 0u);
                     let _e468 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * _e275) * select(0.00000011920929f, 1f, _e454)) * _e281);
@@ -454,55 +441,55 @@ fn function_() {
                         let _e506 = (_e499 == 0u);
                         let _e509 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e499)), 32u, _e506)) - 8i);
                         if (_e502 == 255i) {
-                            phi_861_ = 255i;
+                            phi_868_ = 255i;
                         } else {
-                            phi_861_ = (((_e502 + select(0i, 1i, (_e502 == 0i))) - _e509) + _e489);
+                            phi_868_ = (((_e502 + select(0i, 1i, (_e502 == 0i))) - _e509) + _e489);
                         }
-                        let _e517 = phi_861_;
+                        let _e517 = phi_868_;
                         let _e527 = (_e517 <= 0i);
                         if _e527 {
-                            phi_884_ = u32();
+                            phi_891_ = u32();
                         } else {
                             if _e506 {
-                                phi_883_ = u32();
+                                phi_890_ = u32();
                             } else {
-                                phi_883_ = select(((bitcast<u32>(_e517) << bitcast<u32>(23i)) | ((_e499 << bitcast<u32>(((_e509 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e517 >= 255i));
+                                phi_890_ = select(((bitcast<u32>(_e517) << bitcast<u32>(23i)) | ((_e499 << bitcast<u32>(((_e509 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e517 >= 255i));
                             }
-                            let _e531 = phi_883_;
-                            phi_884_ = _e531;
+                            let _e531 = phi_890_;
+                            phi_891_ = _e531;
                         }
-                        let _e533 = phi_884_;
+                        let _e533 = phi_891_;
                         let _e545 = ((_e205 & 8388607u) | (select(0u, 1u, ((_e205 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e548 = bitcast<i32>((_e205 >> bitcast<u32>(23i)));
                         let _e552 = (_e545 == 0u);
                         let _e555 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e545)), 32u, _e552)) - 8i);
                         if (_e548 == 255i) {
-                            phi_921_ = 255i;
+                            phi_928_ = 255i;
                         } else {
-                            phi_921_ = (((_e548 + select(0i, 1i, (_e548 == 0i))) - _e555) + _e489);
+                            phi_928_ = (((_e548 + select(0i, 1i, (_e548 == 0i))) - _e555) + _e489);
                         }
-                        let _e563 = phi_921_;
+                        let _e563 = phi_928_;
                         let _e573 = (_e563 <= 0i);
                         if _e573 {
-                            phi_944_ = u32();
+                            phi_951_ = u32();
                         } else {
                             if _e552 {
-                                phi_943_ = u32();
+                                phi_950_ = u32();
                             } else {
-                                phi_943_ = select(((bitcast<u32>(_e563) << bitcast<u32>(23i)) | ((_e545 << bitcast<u32>(((_e555 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e563 >= 255i));
+                                phi_950_ = select(((bitcast<u32>(_e563) << bitcast<u32>(23i)) | ((_e545 << bitcast<u32>(((_e555 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e563 >= 255i));
                             }
-                            let _e577 = phi_943_;
-                            phi_944_ = _e577;
+                            let _e577 = phi_950_;
+                            phi_951_ = _e577;
                         }
-                        let _e579 = phi_944_;
-                        phi_952_ = bitcast<f32>(((_e204 & 2147483648u) | select(_e579, 0u, select(_e552, true, _e573))));
-                        phi_953_ = bitcast<f32>(((_e195 & 2147483648u) | select(_e533, 0u, select(_e506, true, _e527))));
+                        let _e579 = phi_951_;
+                        phi_959_ = bitcast<f32>(((_e204 & 2147483648u) | select(_e579, 0u, select(_e552, true, _e573))));
+                        phi_960_ = bitcast<f32>(((_e195 & 2147483648u) | select(_e533, 0u, select(_e506, true, _e527))));
                     } else {
-                        phi_952_ = 0f;
-                        phi_953_ = 1f;
+                        phi_959_ = 0f;
+                        phi_960_ = 1f;
                     }
-                    let _e585 = phi_952_;
-                    let _e587 = phi_953_;
+                    let _e585 = phi_959_;
+                    let _e587 = phi_960_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -512,836 +499,753 @@ fn function_() {
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 3>(bitcast<f32>(_e95), bitcast<f32>(_e99), bitcast<f32>(_e103));
-                    let _e592 = (_e247 % 3u);
-                    let _e593 = (_e592 < 3u);
-                    if _e593 {
+                    let _e594 = (_e247 % 3u);
+                    let _e595 = (_e594 < 3u);
+                    if _e595 {
                     } else {
                         break;
                     }
-                    let _e595 = local_9[_e592];
-                    let _e596 = (_e246 % 3u);
-                    let _e597 = (_e596 < 3u);
-                    if _e597 {
+                    let _e597 = local_9[_e594];
+                    let _e598 = (_e246 % 3u);
+                    let _e599 = (_e598 < 3u);
+                    if _e599 {
                     } else {
                         break;
                     }
-                    let _e599 = local_9[_e596];
-                    let _e600 = (_e248 % 3u);
-                    let _e601 = (_e600 < 3u);
-                    if _e601 {
+                    let _e601 = local_9[_e598];
+                    let _e602 = (_e248 % 3u);
+                    let _e603 = (_e602 < 3u);
+                    if _e603 {
                     } else {
                         break;
                     }
-                    let _e603 = local_9[_e600];
+                    let _e605 = local_9[_e602];
                     local_8 = array<f32, 3>(bitcast<f32>(_e107), bitcast<f32>(_e111), bitcast<f32>(_e115));
-                    if _e593 {
+                    if _e595 {
                     } else {
                         break;
                     }
-                    let _e607 = local_8[_e592];
-                    if _e597 {
+                    let _e609 = local_8[_e594];
+                    if _e599 {
                     } else {
                         break;
                     }
-                    let _e609 = local_8[_e596];
-                    if _e601 {
+                    let _e611 = local_8[_e598];
+                    if _e603 {
                     } else {
                         break;
                     }
-                    let _e611 = local_8[_e600];
-                    phi_3379_ = false;
-                    phi_1036_ = type_38(_e585, false);
-                    phi_1039_ = ((3u * _e85) + 1u);
-                    phi_1041_ = (_e587 <= _e585);
-                    phi_1043_ = 0u;
-                    phi_1045_ = type_49(type_47(array<f32, 3>(_e595, _e599, _e603), array<f32, 3>(_e607, _e609, _e611)), select(0u, 2147483648u, (_e85 == 0u)));
+                    let _e613 = local_8[_e602];
+                    phi_3307_ = false;
+                    phi_1043_ = type_38(_e585, false);
+                    phi_1046_ = (_e587 <= _e585);
+                    phi_1048_ = type_49(type_47(array<f32, 3>(_e597, _e601, _e605), array<f32, 3>(_e609, _e611, _e613)), select(0u, 2147483648u, (_e85 == 0u)));
+                    phi_1050_ = 0u;
+                    phi_1052_ = ((3u * _e85) + 1u);
                     loop {
-                        let _e619 = phi_3379_;
-                        let _e621 = phi_1036_;
-                        let _e623 = phi_1039_;
-                        let _e625 = phi_1041_;
-                        let _e627 = phi_1043_;
-                        let _e629 = phi_1045_;
-                        local_10 = _e621;
-                        if _e625 {
-                            phi_1056_ = true;
+                        let _e619 = phi_3307_;
+                        let _e621 = phi_1043_;
+                        let _e623 = phi_1046_;
+                        let _e625 = phi_1048_;
+                        let _e627 = phi_1050_;
+                        let _e629 = phi_1052_;
+                        local_11 = _e621;
+                        if _e623 {
+                            phi_1063_ = true;
                         } else {
-                            phi_1056_ = (_e627 > 0u);
+                            phi_1063_ = (_e627 > 0u);
                         }
-                        let _e632 = phi_1056_;
+                        let _e632 = phi_1063_;
                         if _e632 {
-                            let _e633 = (_e623 > 0u);
+                            let _e633 = (_e629 > 0u);
                             if _e633 {
-                                if _e625 {
-                                    phi_1142_ = _e625;
-                                    phi_1143_ = _e627;
-                                    phi_1144_ = _e629;
+                                if _e623 {
+                                    phi_1149_ = _e623;
+                                    phi_1150_ = _e625;
+                                    phi_1151_ = _e627;
                                 } else {
                                     let _e634 = (_e627 - 1u);
                                     let _e635 = (_e634 % 128u);
                                     let _e636 = (_e635 < 128u);
                                     if _e636 {
                                     } else {
-                                        phi_3535_ = true;
+                                        phi_3451_ = true;
                                         break;
                                     }
                                     let _e638 = local_6[_e635];
                                     if _e636 {
                                     } else {
-                                        phi_3535_ = true;
+                                        phi_3451_ = true;
                                         break;
                                     }
                                     let _e640 = local_5[_e635];
                                     if _e636 {
                                     } else {
-                                        phi_3535_ = true;
+                                        phi_3451_ = true;
                                         break;
                                     }
                                     let _e642 = local_4[_e635];
                                     if _e636 {
                                     } else {
-                                        phi_3535_ = true;
+                                        phi_3451_ = true;
                                         break;
                                     }
                                     let _e644 = local_3[_e635];
                                     if _e636 {
                                     } else {
-                                        phi_3535_ = true;
+                                        phi_3451_ = true;
                                         break;
                                     }
                                     let _e647 = local_2[_e635];
                                     if _e636 {
                                     } else {
-                                        phi_3535_ = true;
+                                        phi_3451_ = true;
                                         break;
                                     }
                                     let _e649 = local_1[_e635];
                                     if _e636 {
                                     } else {
-                                        phi_3535_ = true;
+                                        phi_3451_ = true;
                                         break;
                                     }
                                     let _e651 = local[_e635];
                                     if _e636 {
                                     } else {
-                                        phi_3535_ = true;
+                                        phi_3451_ = true;
                                         break;
                                     }
                                     let _e656 = local_7[_e635];
-                                    phi_1142_ = (_e656 <= _e621.member);
-                                    phi_1143_ = _e634;
-                                    phi_1144_ = type_49(type_47(array<f32, 3>(_e640, _e642, _e644), array<f32, 3>(_e647, _e649, _e651)), _e638);
+                                    phi_1149_ = (_e656 <= _e621.member);
+                                    phi_1150_ = type_49(type_47(array<f32, 3>(_e640, _e642, _e644), array<f32, 3>(_e647, _e649, _e651)), _e638);
+                                    phi_1151_ = _e634;
                                 }
-                                let _e660 = phi_1142_;
-                                let _e662 = phi_1143_;
-                                let _e664 = phi_1144_;
+                                let _e660 = phi_1149_;
+                                let _e662 = phi_1150_;
+                                let _e664 = phi_1151_;
                                 if _e660 {
-                                    let _e668 = ((_e664.member_1 & 2147483648u) != 0u);
-                                    if _e668 {
-                                        phi_1162_ = _e621;
-                                        phi_1165_ = type_7(0u, ((_e664.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e662.member_1 & 2147483648u) != 0u) {
+                                        phi_1169_ = _e621;
+                                        phi_1172_ = type_7(0u, ((_e662.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e675 = phi_1162_;
-                                            let _e677 = phi_1165_;
-                                            local_11 = _e675;
-                                            if (_e677.member < _e677.member_1) {
-                                                phi_1166_ = type_7((_e677.member + 1u), _e677.member_1);
-                                                phi_1188_ = type_7(1u, _e677.member);
+                                            let _e1039 = phi_1169_;
+                                            let _e1041 = phi_1172_;
+                                            local_10 = _e1039;
+                                            local_12 = _e1039;
+                                            if (_e1041.member < _e1041.member_1) {
+                                                phi_1173_ = type_7((_e1041.member + 1u), _e1041.member_1);
+                                                phi_1195_ = type_7(1u, _e1041.member);
                                             } else {
-                                                phi_1166_ = _e677;
-                                                phi_1188_ = type_7(0u, type_7().member_1);
+                                                phi_1173_ = _e1041;
+                                                phi_1195_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e690 = phi_1166_;
-                                            let _e692 = phi_1188_;
-                                            let _e696 = (bitcast<i32>(_e692.member) != 0i);
-                                            if _e696 {
-                                                let _e697 = ((_e664.member_1 & 268435455u) + _e692.member_1);
-                                                let _e698 = (_e697 < _e87);
-                                                if _e698 {
-                                                    if _e698 {
+                                            let _e1054 = phi_1173_;
+                                            let _e1056 = phi_1195_;
+                                            let _e1060 = (bitcast<i32>(_e1056.member) != 0i);
+                                            if _e1060 {
+                                                let _e1061 = ((_e662.member_1 & 268435455u) + _e1056.member_1);
+                                                let _e1062 = (_e1061 < _e87);
+                                                if _e1062 {
+                                                    if _e1062 {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e702 = global_2.member[_e697].member_1;
-                                                    phi_1209_ = _e702;
+                                                    let _e1066 = global_2.member[_e1061].member_1;
+                                                    phi_1216_ = _e1066;
                                                 } else {
-                                                    phi_1209_ = 4294967295u;
+                                                    phi_1216_ = 4294967295u;
                                                 }
-                                                let _e704 = phi_1209_;
-                                                if (_e697 >= _e87) {
-                                                    phi_1301_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1068 = phi_1216_;
+                                                if (_e1061 >= _e87) {
+                                                    phi_1308_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e698 {
+                                                    if _e1062 {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    if (_e592 < 9u) {
+                                                    if (_e594 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e711 = global_2.member[_e697].member[_e592];
-                                                    if (_e596 < 9u) {
+                                                    let _e1075 = global_2.member[_e1061].member[_e594];
+                                                    if (_e598 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e717 = global_2.member[_e697].member[_e596];
-                                                    if (_e600 < 9u) {
+                                                    let _e1081 = global_2.member[_e1061].member[_e598];
+                                                    if (_e602 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e723 = global_2.member[_e697].member[_e600];
-                                                    let _e725 = (3u + _e592);
-                                                    if (_e725 < 9u) {
+                                                    let _e1087 = global_2.member[_e1061].member[_e602];
+                                                    let _e1089 = (3u + _e594);
+                                                    if (_e1089 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e731 = global_2.member[_e697].member[_e725];
-                                                    let _e732 = (3u + _e596);
-                                                    if (_e732 < 9u) {
+                                                    let _e1095 = global_2.member[_e1061].member[_e1089];
+                                                    let _e1096 = (3u + _e598);
+                                                    if (_e1096 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e738 = global_2.member[_e697].member[_e732];
-                                                    let _e739 = (3u + _e600);
-                                                    if (_e739 < 9u) {
+                                                    let _e1102 = global_2.member[_e1061].member[_e1096];
+                                                    let _e1103 = (3u + _e602);
+                                                    if (_e1103 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e745 = global_2.member[_e697].member[_e739];
-                                                    let _e747 = (6u + _e592);
-                                                    if (_e747 < 9u) {
+                                                    let _e1109 = global_2.member[_e1061].member[_e1103];
+                                                    let _e1111 = (6u + _e594);
+                                                    if (_e1111 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e753 = global_2.member[_e697].member[_e747];
-                                                    let _e754 = (6u + _e596);
-                                                    if (_e754 < 9u) {
+                                                    let _e1117 = global_2.member[_e1061].member[_e1111];
+                                                    let _e1118 = (6u + _e598);
+                                                    if (_e1118 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e760 = global_2.member[_e697].member[_e754];
-                                                    let _e761 = (6u + _e600);
-                                                    if (_e761 < 9u) {
+                                                    let _e1124 = global_2.member[_e1061].member[_e1118];
+                                                    let _e1125 = (6u + _e602);
+                                                    if (_e1125 < 9u) {
                                                     } else {
-                                                        phi_3373_ = true;
+                                                        phi_3301_ = true;
                                                         break;
                                                     }
-                                                    let _e767 = global_2.member[_e697].member[_e761];
-                                                    phi_1301_ = array<array<f32, 3>, 3>(array<f32, 3>(_e711, _e717, _e723), array<f32, 3>(_e731, _e738, _e745), array<f32, 3>(_e753, _e760, _e767));
+                                                    let _e1131 = global_2.member[_e1061].member[_e1125];
+                                                    phi_1308_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1075, _e1081, _e1087), array<f32, 3>(_e1095, _e1102, _e1109), array<f32, 3>(_e1117, _e1124, _e1131));
                                                 }
-                                                let _e771 = phi_1301_;
-                                                let _e787 = (_e771[0][2] - _e444);
-                                                let _e790 = (((_e771[0][0] - _e311) * _e480) - (_e787 * _e348));
-                                                let _e793 = (((_e771[0][1] - _e378) * _e480) - (_e787 * _e414));
-                                                let _e796 = (_e771[1][2] - _e444);
-                                                let _e799 = (((_e771[1][0] - _e311) * _e480) - (_e796 * _e348));
-                                                let _e802 = (((_e771[1][1] - _e378) * _e480) - (_e796 * _e414));
-                                                let _e805 = (_e771[2][2] - _e444);
-                                                let _e808 = (((_e771[2][0] - _e311) * _e480) - (_e805 * _e348));
-                                                let _e811 = (((_e771[2][1] - _e378) * _e480) - (_e805 * _e414));
-                                                let _e812 = (_e808 * _e802);
-                                                let _e813 = (_e811 * _e799);
-                                                let _e814 = (_e790 * _e811);
-                                                let _e815 = (_e793 * _e808);
-                                                let _e816 = (_e799 * _e793);
-                                                let _e817 = (_e802 * _e790);
-                                                let _e822 = (((_e812 >= _e813) && (_e814 >= _e815)) && (_e816 >= _e817));
-                                                let _e828 = (_e822 || (((_e812 <= _e813) && (_e814 <= _e815)) && (_e816 <= _e817)));
-                                                if _e828 {
-                                                    let _e830 = select(-1f, 1f, _e822);
-                                                    let _e832 = ((_e812 - _e813) * _e830);
-                                                    let _e834 = select(0f, _e832, (_e832 > 0f));
-                                                    let _e836 = ((_e814 - _e815) * _e830);
-                                                    let _e838 = select(0f, _e836, (_e836 > 0f));
-                                                    let _e840 = ((_e816 - _e817) * _e830);
-                                                    let _e842 = select(0f, _e840, (_e840 > 0f));
-                                                    let _e844 = ((_e834 + _e838) + _e842);
-                                                    let _e846 = select(_e771[1][0], _e771[0][0], (_e771[0][0] < _e771[1][0]));
-                                                    let _e850 = select(_e771[1][0], _e771[0][0], (_e771[0][0] > _e771[1][0]));
-                                                    let _e854 = select(_e771[1][1], _e771[0][1], (_e771[0][1] < _e771[1][1]));
-                                                    let _e858 = select(_e771[1][1], _e771[0][1], (_e771[0][1] > _e771[1][1]));
-                                                    let _e862 = select(_e771[1][2], _e771[0][2], (_e771[0][2] < _e771[1][2]));
-                                                    let _e866 = select(_e771[1][2], _e771[0][2], (_e771[0][2] > _e771[1][2]));
-                                                    let _e871 = ((select(_e771[2][0], _e846, (_e846 < _e771[2][0])) - _e349) * _e352);
-                                                    let _e872 = ((select(_e771[2][0], _e850, (_e850 > _e771[2][0])) - _e350) * _e352);
-                                                    let _e875 = ((select(_e771[2][1], _e854, (_e854 < _e771[2][1])) - _e415) * _e418);
-                                                    let _e876 = ((select(_e771[2][1], _e858, (_e858 > _e771[2][1])) - _e416) * _e418);
-                                                    let _e879 = ((select(_e771[2][2], _e862, (_e862 < _e771[2][2])) - _e481) * _e484);
-                                                    let _e880 = ((select(_e771[2][2], _e866, (_e866 > _e771[2][2])) - _e482) * _e484);
-                                                    let _e882 = select(_e880, _e879, (_e879 < _e880));
-                                                    let _e884 = select(_e880, _e879, (_e879 > _e880));
-                                                    let _e886 = select(_e872, _e871, (_e871 < _e872));
-                                                    let _e888 = select(_e876, _e875, (_e875 < _e876));
-                                                    let _e890 = select(_e888, _e886, (_e886 > _e888));
-                                                    let _e892 = select(_e882, _e890, (_e890 > _e882));
-                                                    let _e894 = select(_e872, _e871, (_e871 > _e872));
-                                                    let _e896 = select(_e876, _e875, (_e875 > _e876));
-                                                    let _e898 = select(_e896, _e894, (_e894 < _e896));
-                                                    let _e900 = select(_e884, _e898, (_e898 < _e884));
-                                                    let _e901 = -(_e882);
-                                                    let _e907 = select(_e587, _e892, (_e892 > _e587));
-                                                    let _e911 = select(_e799, _e790, (_e790 < _e799));
-                                                    let _e916 = select(_e799, _e790, (_e790 > _e799));
-                                                    let _e923 = select(_e802, _e793, (_e793 < _e802));
-                                                    let _e928 = select(_e802, _e793, (_e793 > _e802));
-                                                    let _e937 = (((((_e828 && (_e844 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e808, _e911, (_e911 < _e808)) <= 0f) && (select(_e808, _e916, (_e916 > _e808)) >= 0f))) && ((select(_e811, _e923, (_e923 < _e811)) <= 0f) && (select(_e811, _e928, (_e928 > _e811)) >= 0f))) && (_e907 <= (_e900 + (select(_e901, _e884, (_e884 > _e901)) * 0.0000019073523f)))) && (_e907 <= _e675.member));
-                                                    if _e937 {
-                                                        let _e942 = (_e771[1][0] - _e771[0][0]);
-                                                        let _e943 = (_e771[1][1] - _e771[0][1]);
-                                                        let _e944 = (_e771[1][2] - _e771[0][2]);
-                                                        let _e945 = vec3<f32>(_e942, _e943, _e944);
-                                                        let _e946 = (_e771[2][0] - _e771[1][0]);
-                                                        let _e947 = (_e771[2][1] - _e771[1][1]);
-                                                        let _e948 = (_e771[2][2] - _e771[1][2]);
-                                                        let _e949 = vec3<f32>(_e946, _e947, _e948);
-                                                        let _e950 = (_e771[0][0] - _e771[2][0]);
-                                                        let _e951 = (_e771[0][1] - _e771[2][1]);
-                                                        let _e952 = (_e771[0][2] - _e771[2][2]);
-                                                        let _e953 = vec3<f32>(_e950, _e951, _e952);
-                                                        let _e954 = abs(_e942);
-                                                        let _e955 = abs(_e943);
-                                                        if (_e954 != _e954) {
-                                                            phi_3174_ = true;
+                                                let _e1135 = phi_1308_;
+                                                let _e1151 = (_e1135[0][2] - _e444);
+                                                let _e1154 = (((_e1135[0][0] - _e311) * _e480) - (_e1151 * _e348));
+                                                let _e1157 = (((_e1135[0][1] - _e378) * _e480) - (_e1151 * _e414));
+                                                let _e1160 = (_e1135[1][2] - _e444);
+                                                let _e1163 = (((_e1135[1][0] - _e311) * _e480) - (_e1160 * _e348));
+                                                let _e1166 = (((_e1135[1][1] - _e378) * _e480) - (_e1160 * _e414));
+                                                let _e1169 = (_e1135[2][2] - _e444);
+                                                let _e1172 = (((_e1135[2][0] - _e311) * _e480) - (_e1169 * _e348));
+                                                let _e1175 = (((_e1135[2][1] - _e378) * _e480) - (_e1169 * _e414));
+                                                let _e1176 = (_e1172 * _e1166);
+                                                let _e1177 = (_e1175 * _e1163);
+                                                let _e1178 = (_e1154 * _e1175);
+                                                let _e1179 = (_e1157 * _e1172);
+                                                let _e1180 = (_e1163 * _e1157);
+                                                let _e1181 = (_e1166 * _e1154);
+                                                let _e1186 = (((_e1176 >= _e1177) && (_e1178 >= _e1179)) && (_e1180 >= _e1181));
+                                                let _e1192 = (_e1186 || (((_e1176 <= _e1177) && (_e1178 <= _e1179)) && (_e1180 <= _e1181)));
+                                                if _e1192 {
+                                                    let _e1194 = select(-1f, 1f, _e1186);
+                                                    let _e1196 = ((_e1176 - _e1177) * _e1194);
+                                                    let _e1198 = select(0f, _e1196, (_e1196 > 0f));
+                                                    let _e1200 = ((_e1178 - _e1179) * _e1194);
+                                                    let _e1202 = select(0f, _e1200, (_e1200 > 0f));
+                                                    let _e1204 = ((_e1180 - _e1181) * _e1194);
+                                                    let _e1206 = select(0f, _e1204, (_e1204 > 0f));
+                                                    let _e1208 = ((_e1198 + _e1202) + _e1206);
+                                                    let _e1210 = select(_e1135[1][0], _e1135[0][0], (_e1135[0][0] < _e1135[1][0]));
+                                                    let _e1214 = select(_e1135[1][0], _e1135[0][0], (_e1135[0][0] > _e1135[1][0]));
+                                                    let _e1218 = select(_e1135[1][1], _e1135[0][1], (_e1135[0][1] < _e1135[1][1]));
+                                                    let _e1222 = select(_e1135[1][1], _e1135[0][1], (_e1135[0][1] > _e1135[1][1]));
+                                                    let _e1226 = select(_e1135[1][2], _e1135[0][2], (_e1135[0][2] < _e1135[1][2]));
+                                                    let _e1230 = select(_e1135[1][2], _e1135[0][2], (_e1135[0][2] > _e1135[1][2]));
+                                                    let _e1235 = ((select(_e1135[2][0], _e1210, (_e1210 < _e1135[2][0])) - _e349) * _e352);
+                                                    let _e1236 = ((select(_e1135[2][0], _e1214, (_e1214 > _e1135[2][0])) - _e350) * _e352);
+                                                    let _e1239 = ((select(_e1135[2][1], _e1218, (_e1218 < _e1135[2][1])) - _e415) * _e418);
+                                                    let _e1240 = ((select(_e1135[2][1], _e1222, (_e1222 > _e1135[2][1])) - _e416) * _e418);
+                                                    let _e1243 = ((select(_e1135[2][2], _e1226, (_e1226 < _e1135[2][2])) - _e481) * _e484);
+                                                    let _e1244 = ((select(_e1135[2][2], _e1230, (_e1230 > _e1135[2][2])) - _e482) * _e484);
+                                                    let _e1246 = select(_e1244, _e1243, (_e1243 < _e1244));
+                                                    let _e1248 = select(_e1244, _e1243, (_e1243 > _e1244));
+                                                    let _e1250 = select(_e1236, _e1235, (_e1235 < _e1236));
+                                                    let _e1252 = select(_e1240, _e1239, (_e1239 < _e1240));
+                                                    let _e1254 = select(_e1252, _e1250, (_e1250 > _e1252));
+                                                    let _e1256 = select(_e1246, _e1254, (_e1254 > _e1246));
+                                                    let _e1258 = select(_e1236, _e1235, (_e1235 > _e1236));
+                                                    let _e1260 = select(_e1240, _e1239, (_e1239 > _e1240));
+                                                    let _e1262 = select(_e1260, _e1258, (_e1258 < _e1260));
+                                                    let _e1264 = select(_e1248, _e1262, (_e1262 < _e1248));
+                                                    let _e1265 = -(_e1246);
+                                                    let _e1271 = select(_e587, _e1256, (_e1256 > _e587));
+                                                    let _e1275 = select(_e1163, _e1154, (_e1154 < _e1163));
+                                                    let _e1280 = select(_e1163, _e1154, (_e1154 > _e1163));
+                                                    let _e1287 = select(_e1166, _e1157, (_e1157 < _e1166));
+                                                    let _e1292 = select(_e1166, _e1157, (_e1157 > _e1166));
+                                                    let _e1301 = (((((_e1192 && (_e1208 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1172, _e1275, (_e1275 < _e1172)) <= 0f) && (select(_e1172, _e1280, (_e1280 > _e1172)) >= 0f))) && ((select(_e1175, _e1287, (_e1287 < _e1175)) <= 0f) && (select(_e1175, _e1292, (_e1292 > _e1175)) >= 0f))) && (_e1271 <= (_e1264 + (select(_e1265, _e1248, (_e1248 > _e1265)) * 0.0000019073523f)))) && (_e1271 <= _e1039.member));
+                                                    if _e1301 {
+                                                        let _e1306 = (_e1135[1][0] - _e1135[0][0]);
+                                                        let _e1307 = (_e1135[1][1] - _e1135[0][1]);
+                                                        let _e1308 = (_e1135[1][2] - _e1135[0][2]);
+                                                        let _e1309 = vec3<f32>(_e1306, _e1307, _e1308);
+                                                        let _e1310 = (_e1135[2][0] - _e1135[1][0]);
+                                                        let _e1311 = (_e1135[2][1] - _e1135[1][1]);
+                                                        let _e1312 = (_e1135[2][2] - _e1135[1][2]);
+                                                        let _e1313 = vec3<f32>(_e1310, _e1311, _e1312);
+                                                        let _e1314 = (_e1135[0][0] - _e1135[2][0]);
+                                                        let _e1315 = (_e1135[0][1] - _e1135[2][1]);
+                                                        let _e1316 = (_e1135[0][2] - _e1135[2][2]);
+                                                        let _e1317 = vec3<f32>(_e1314, _e1315, _e1316);
+                                                        let _e1320 = bitcast<f32>((bitcast<u32>(_e1306) & 2147483647u));
+                                                        let _e1323 = bitcast<f32>((bitcast<u32>(_e1307) & 2147483647u));
+                                                        let _e1325 = select(_e1323, _e1320, (_e1320 > _e1323));
+                                                        let _e1328 = bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u));
+                                                        let _e1330 = select(_e1328, _e1325, (_e1325 > _e1328));
+                                                        let _e1333 = bitcast<f32>((bitcast<u32>(_e1310) & 2147483647u));
+                                                        let _e1336 = bitcast<f32>((bitcast<u32>(_e1311) & 2147483647u));
+                                                        let _e1338 = select(_e1336, _e1333, (_e1333 > _e1336));
+                                                        let _e1341 = bitcast<f32>((bitcast<u32>(_e1312) & 2147483647u));
+                                                        let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
+                                                        let _e1346 = bitcast<f32>((bitcast<u32>(_e1314) & 2147483647u));
+                                                        let _e1349 = bitcast<f32>((bitcast<u32>(_e1315) & 2147483647u));
+                                                        let _e1351 = select(_e1349, _e1346, (_e1346 > _e1349));
+                                                        let _e1354 = bitcast<f32>((bitcast<u32>(_e1316) & 2147483647u));
+                                                        let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
+                                                        let _e1358 = select(_e1343, _e1330, (_e1330 > _e1343));
+                                                        let _e1360 = select(_e1356, _e1358, (_e1358 > _e1356));
+                                                        if (_e1330 == _e1360) {
+                                                            phi_1838_ = _e1166;
+                                                            phi_1839_ = _e1163;
+                                                            phi_1840_ = _e1157;
+                                                            phi_1841_ = _e1154;
+                                                            phi_1842_ = vec3<f32>(_e1135[0][0], _e1135[0][1], _e1135[0][2]);
+                                                            phi_1843_ = _e1317;
+                                                            phi_1844_ = _e1313;
+                                                            phi_1845_ = _e1309;
                                                         } else {
-                                                            phi_3174_ = (_e955 >= _e954);
+                                                            let _e1362 = (_e1343 == _e1360);
+                                                            let _e1367 = vec3(_e1362);
+                                                            phi_1838_ = select(_e1157, _e1175, _e1362);
+                                                            phi_1839_ = select(_e1154, _e1172, _e1362);
+                                                            phi_1840_ = select(_e1175, _e1166, _e1362);
+                                                            phi_1841_ = select(_e1172, _e1163, _e1362);
+                                                            phi_1842_ = select(vec3<f32>(_e1135[2][0], _e1135[2][1], _e1135[2][2]), vec3<f32>(_e1135[1][0], _e1135[1][1], _e1135[1][2]), _e1367);
+                                                            phi_1843_ = select(_e1313, _e1309, _e1367);
+                                                            phi_1844_ = select(_e1309, _e1317, _e1367);
+                                                            phi_1845_ = select(_e1317, _e1313, _e1367);
                                                         }
-                                                        let _e959 = phi_3174_;
-                                                        let _e960 = select(_e954, _e955, _e959);
-                                                        let _e961 = abs(_e944);
-                                                        if (_e960 != _e960) {
-                                                            phi_3189_ = true;
+                                                        let _e1373 = phi_1838_;
+                                                        let _e1375 = phi_1839_;
+                                                        let _e1377 = phi_1840_;
+                                                        let _e1379 = phi_1841_;
+                                                        let _e1381 = phi_1842_;
+                                                        let _e1383 = phi_1843_;
+                                                        let _e1385 = phi_1844_;
+                                                        let _e1387 = phi_1845_;
+                                                        let _e1394 = ((_e1385.y * _e1383.z) - (_e1383.y * _e1385.z));
+                                                        let _e1399 = ((_e1385.z * _e1383.x) - (_e1383.z * _e1385.x));
+                                                        let _e1402 = ((_e1385.x * _e1383.y) - (_e1383.x * _e1385.y));
+                                                        let _e1405 = ((_e1198 >= _e1202) && (_e1198 >= _e1206));
+                                                        let _e1406 = (_e1202 >= _e1206);
+                                                        let _e1420 = (((_e1394 * (select(select(_e1135[2][0], _e1135[1][0], _e1406), _e1135[0][0], _e1405) - _e311)) + (_e1399 * (select(select(_e1135[2][1], _e1135[1][1], _e1406), _e1135[0][1], _e1405) - _e378))) + (_e1402 * (select(select(_e1135[2][2], _e1135[1][2], _e1406), _e1135[0][2], _e1405) - _e444)));
+                                                        let _e1425 = (((_e1394 * _e348) + (_e1399 * _e414)) + (_e1402 * _e480));
+                                                        let _e1426 = (_e1375 - _e1379);
+                                                        let _e1427 = (_e1373 - _e1377);
+                                                        let _e1430 = ((_e1426 * _e1426) + (_e1427 * _e1427));
+                                                        let _e1437 = (-(((_e1379 * _e1426) + (_e1377 * _e1427))) / select(0.000000000000000000000000000000000000011754944f, _e1430, (_e1430 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1439 = select(1f, _e1437, (_e1437 < 1f));
+                                                        let _e1441 = select(0f, _e1439, (_e1439 > 0f));
+                                                        let _e1450 = ((_e1381.x + (_e1387.x * _e1441)) - _e311);
+                                                        let _e1453 = ((_e1381.y + (_e1387.y * _e1441)) - _e378);
+                                                        let _e1456 = ((_e1381.z + (_e1387.z * _e1441)) - _e444);
+                                                        let _e1459 = bitcast<f32>((bitcast<u32>(_e1450) & 2147483647u));
+                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1453) & 2147483647u));
+                                                        let _e1464 = select(_e1462, _e1459, (_e1459 > _e1462));
+                                                        let _e1467 = bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u));
+                                                        let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
+                                                        let _e1475 = bitcast<f32>((bitcast<u32>(_e1394) & 2147483647u));
+                                                        let _e1478 = bitcast<f32>((bitcast<u32>(_e1399) & 2147483647u));
+                                                        let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
+                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1402) & 2147483647u));
+                                                        let _e1502 = bitcast<f32>((bitcast<u32>(_e1385.x) & 2147483647u));
+                                                        let _e1505 = bitcast<f32>((bitcast<u32>(_e1385.y) & 2147483647u));
+                                                        let _e1507 = select(_e1505, _e1502, (_e1502 > _e1505));
+                                                        let _e1510 = bitcast<f32>((bitcast<u32>(_e1385.z) & 2147483647u));
+                                                        let _e1516 = bitcast<f32>((bitcast<u32>(_e1383.x) & 2147483647u));
+                                                        let _e1519 = bitcast<f32>((bitcast<u32>(_e1383.y) & 2147483647u));
+                                                        let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
+                                                        let _e1524 = bitcast<f32>((bitcast<u32>(_e1383.z) & 2147483647u));
+                                                        let _e1530 = ((bitcast<f32>((bitcast<u32>(((((_e1394 * _e1450) + (_e1399 * _e1453)) + (_e1402 * _e1456)) - _e1420)) & 2147483647u)) <= ((0.0000009536743f * select(_e1360, _e1469, (_e1469 > _e1360))) * select(_e1483, _e1480, (_e1480 > _e1483)))) && !((bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u)) <= ((0.0000038146973f * select(_e1510, _e1507, (_e1507 > _e1510))) * select(_e1524, _e1521, (_e1521 > _e1524))))));
+                                                        let _e1531 = (_e1420 / _e1425);
+                                                        if (_e1301 && !(_e1530)) {
+                                                            let _e1534 = (_e1456 / _e480);
+                                                            let _e1542 = (((_e1394 * (_e1450 - (_e348 * _e1534))) + (_e1399 * (_e1453 - (_e414 * _e1534)))) / _e1425);
+                                                            phi_2036_ = select(select(_e1534, (_e1534 + _e1542), (bitcast<f32>((bitcast<u32>(_e1542) & 2147483647u)) <= _e1360)), _e1531, _e1530);
                                                         } else {
-                                                            phi_3189_ = (_e961 >= _e960);
+                                                            phi_2036_ = _e1531;
                                                         }
-                                                        let _e965 = phi_3189_;
-                                                        let _e966 = select(_e960, _e961, _e965);
-                                                        let _e967 = abs(_e946);
-                                                        let _e968 = abs(_e947);
-                                                        if (_e967 != _e967) {
-                                                            phi_3204_ = true;
-                                                        } else {
-                                                            phi_3204_ = (_e968 >= _e967);
-                                                        }
-                                                        let _e972 = phi_3204_;
-                                                        let _e973 = select(_e967, _e968, _e972);
-                                                        let _e974 = abs(_e948);
-                                                        if (_e973 != _e973) {
-                                                            phi_3219_ = true;
-                                                        } else {
-                                                            phi_3219_ = (_e974 >= _e973);
-                                                        }
-                                                        let _e978 = phi_3219_;
-                                                        let _e979 = select(_e973, _e974, _e978);
-                                                        let _e980 = abs(_e950);
-                                                        let _e981 = abs(_e951);
-                                                        if (_e980 != _e980) {
-                                                            phi_3234_ = true;
-                                                        } else {
-                                                            phi_3234_ = (_e981 >= _e980);
-                                                        }
-                                                        let _e985 = phi_3234_;
-                                                        let _e986 = select(_e980, _e981, _e985);
-                                                        let _e987 = abs(_e952);
-                                                        if (_e986 != _e986) {
-                                                            phi_3249_ = true;
-                                                        } else {
-                                                            phi_3249_ = (_e987 >= _e986);
-                                                        }
-                                                        let _e991 = phi_3249_;
-                                                        let _e992 = select(_e986, _e987, _e991);
-                                                        let _e994 = select(_e979, _e966, (_e966 > _e979));
-                                                        let _e996 = select(_e992, _e994, (_e994 > _e992));
-                                                        if (_e966 == _e996) {
-                                                            phi_1843_ = _e802;
-                                                            phi_1844_ = _e799;
-                                                            phi_1845_ = _e793;
-                                                            phi_1846_ = _e790;
-                                                            phi_1847_ = vec3<f32>(_e771[0][0], _e771[0][1], _e771[0][2]);
-                                                            phi_1848_ = _e953;
-                                                            phi_1849_ = _e949;
-                                                            phi_1850_ = _e945;
-                                                        } else {
-                                                            let _e998 = (_e979 == _e996);
-                                                            let _e1003 = vec3(_e998);
-                                                            phi_1843_ = select(_e793, _e811, _e998);
-                                                            phi_1844_ = select(_e790, _e808, _e998);
-                                                            phi_1845_ = select(_e811, _e802, _e998);
-                                                            phi_1846_ = select(_e808, _e799, _e998);
-                                                            phi_1847_ = select(vec3<f32>(_e771[2][0], _e771[2][1], _e771[2][2]), vec3<f32>(_e771[1][0], _e771[1][1], _e771[1][2]), _e1003);
-                                                            phi_1848_ = select(_e949, _e945, _e1003);
-                                                            phi_1849_ = select(_e945, _e953, _e1003);
-                                                            phi_1850_ = select(_e953, _e949, _e1003);
-                                                        }
-                                                        let _e1009 = phi_1843_;
-                                                        let _e1011 = phi_1844_;
-                                                        let _e1013 = phi_1845_;
-                                                        let _e1015 = phi_1846_;
-                                                        let _e1017 = phi_1847_;
-                                                        let _e1019 = phi_1848_;
-                                                        let _e1021 = phi_1849_;
-                                                        let _e1023 = phi_1850_;
-                                                        let _e1030 = ((_e1021.y * _e1019.z) - (_e1019.y * _e1021.z));
-                                                        let _e1035 = ((_e1021.z * _e1019.x) - (_e1019.z * _e1021.x));
-                                                        let _e1038 = ((_e1021.x * _e1019.y) - (_e1019.x * _e1021.y));
-                                                        let _e1041 = ((_e834 >= _e838) && (_e834 >= _e842));
-                                                        let _e1042 = (_e838 >= _e842);
-                                                        let _e1056 = (((_e1030 * (select(select(_e771[2][0], _e771[1][0], _e1042), _e771[0][0], _e1041) - _e311)) + (_e1035 * (select(select(_e771[2][1], _e771[1][1], _e1042), _e771[0][1], _e1041) - _e378))) + (_e1038 * (select(select(_e771[2][2], _e771[1][2], _e1042), _e771[0][2], _e1041) - _e444)));
-                                                        let _e1061 = (((_e1030 * _e348) + (_e1035 * _e414)) + (_e1038 * _e480));
-                                                        let _e1062 = (_e1011 - _e1015);
-                                                        let _e1063 = (_e1009 - _e1013);
-                                                        let _e1066 = ((_e1062 * _e1062) + (_e1063 * _e1063));
-                                                        let _e1073 = (-(((_e1015 * _e1062) + (_e1013 * _e1063))) / select(0.000000000000000000000000000000000000011754944f, _e1066, (_e1066 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1075 = select(1f, _e1073, (_e1073 < 1f));
-                                                        let _e1077 = select(0f, _e1075, (_e1075 > 0f));
-                                                        let _e1086 = ((_e1017.x + (_e1023.x * _e1077)) - _e311);
-                                                        let _e1089 = ((_e1017.y + (_e1023.y * _e1077)) - _e378);
-                                                        let _e1092 = ((_e1017.z + (_e1023.z * _e1077)) - _e444);
-                                                        let _e1095 = bitcast<f32>((bitcast<u32>(_e1086) & 2147483647u));
-                                                        let _e1098 = bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u));
-                                                        let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
-                                                        let _e1103 = bitcast<f32>((bitcast<u32>(_e1092) & 2147483647u));
-                                                        let _e1105 = select(_e1103, _e1100, (_e1100 > _e1103));
-                                                        let _e1109 = abs(_e1030);
-                                                        let _e1110 = abs(_e1035);
-                                                        if (_e1109 != _e1109) {
-                                                            phi_3264_ = true;
-                                                        } else {
-                                                            phi_3264_ = (_e1110 >= _e1109);
-                                                        }
-                                                        let _e1114 = phi_3264_;
-                                                        let _e1115 = select(_e1109, _e1110, _e1114);
-                                                        let _e1116 = abs(_e1038);
-                                                        if (_e1115 != _e1115) {
-                                                            phi_3279_ = true;
-                                                        } else {
-                                                            phi_3279_ = (_e1116 >= _e1115);
-                                                        }
-                                                        let _e1120 = phi_3279_;
-                                                        let _e1136 = abs(_e1021.x);
-                                                        let _e1137 = abs(_e1021.y);
-                                                        if (_e1136 != _e1136) {
-                                                            phi_3294_ = true;
-                                                        } else {
-                                                            phi_3294_ = (_e1137 >= _e1136);
-                                                        }
-                                                        let _e1141 = phi_3294_;
-                                                        let _e1142 = select(_e1136, _e1137, _e1141);
-                                                        let _e1143 = abs(_e1021.z);
-                                                        if (_e1142 != _e1142) {
-                                                            phi_3309_ = true;
-                                                        } else {
-                                                            phi_3309_ = (_e1143 >= _e1142);
-                                                        }
-                                                        let _e1147 = phi_3309_;
-                                                        let _e1150 = abs(_e1019.x);
-                                                        let _e1151 = abs(_e1019.y);
-                                                        if (_e1150 != _e1150) {
-                                                            phi_3324_ = true;
-                                                        } else {
-                                                            phi_3324_ = (_e1151 >= _e1150);
-                                                        }
-                                                        let _e1155 = phi_3324_;
-                                                        let _e1156 = select(_e1150, _e1151, _e1155);
-                                                        let _e1157 = abs(_e1019.z);
-                                                        if (_e1156 != _e1156) {
-                                                            phi_3339_ = true;
-                                                        } else {
-                                                            phi_3339_ = (_e1157 >= _e1156);
-                                                        }
-                                                        let _e1161 = phi_3339_;
-                                                        let _e1166 = ((bitcast<f32>((bitcast<u32>(((((_e1030 * _e1086) + (_e1035 * _e1089)) + (_e1038 * _e1092)) - _e1056)) & 2147483647u)) <= ((0.0000009536743f * select(_e996, _e1105, (_e1105 > _e996))) * select(_e1115, _e1116, _e1120))) && !((bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u)) <= ((0.0000038146973f * select(_e1142, _e1143, _e1147)) * select(_e1156, _e1157, _e1161)))));
-                                                        let _e1167 = (_e1056 / _e1061);
-                                                        if (_e937 && !(_e1166)) {
-                                                            let _e1170 = (_e1092 / _e480);
-                                                            let _e1178 = (((_e1030 * (_e1086 - (_e348 * _e1170))) + (_e1035 * (_e1089 - (_e414 * _e1170)))) / _e1061);
-                                                            phi_2058_ = select(select(_e1170, (_e1170 + _e1178), (bitcast<f32>((bitcast<u32>(_e1178) & 2147483647u)) <= _e996)), _e1167, _e1166);
-                                                        } else {
-                                                            phi_2058_ = _e1167;
-                                                        }
-                                                        let _e1187 = phi_2058_;
-                                                        let _e1189 = select(_e900, _e1187, (_e1187 < _e900));
-                                                        let _e1191 = select(_e892, _e1189, (_e1189 > _e892));
-                                                        let _e1192 = (1f / _e844);
-                                                        phi_2078_ = type_34(_e1191, (_e838 * _e1192), (_e842 * _e1192), ((_e937 && (_e1191 >= _e587)) && (_e1191 <= _e675.member)));
-                                                        phi_2079_ = type_34();
+                                                        let _e1551 = phi_2036_;
+                                                        let _e1553 = select(_e1264, _e1551, (_e1551 < _e1264));
+                                                        let _e1555 = select(_e1256, _e1553, (_e1553 > _e1256));
+                                                        let _e1556 = (1f / _e1208);
+                                                        phi_2056_ = type_34(_e1555, (_e1202 * _e1556), (_e1206 * _e1556), ((_e1301 && (_e1555 >= _e587)) && (_e1555 <= _e1039.member)));
+                                                        phi_2057_ = type_34();
                                                     } else {
-                                                        phi_2078_ = type_34();
-                                                        phi_2079_ = type_34(0f, 0f, 0f, _e937);
+                                                        phi_2056_ = type_34();
+                                                        phi_2057_ = type_34(0f, 0f, 0f, _e1301);
                                                     }
-                                                    let _e1201 = phi_2078_;
-                                                    let _e1203 = phi_2079_;
-                                                    phi_2082_ = _e1201;
-                                                    phi_2083_ = _e1203;
-                                                    phi_2084_ = select(true, false, _e937);
+                                                    let _e1565 = phi_2056_;
+                                                    let _e1567 = phi_2057_;
+                                                    phi_2060_ = _e1565;
+                                                    phi_2061_ = _e1567;
+                                                    phi_2062_ = select(true, false, _e1301);
                                                 } else {
-                                                    phi_2082_ = type_34();
-                                                    phi_2083_ = type_34(0f, 0f, 0f, _e828);
-                                                    phi_2084_ = true;
+                                                    phi_2060_ = type_34();
+                                                    phi_2061_ = type_34(0f, 0f, 0f, _e1192);
+                                                    phi_2062_ = true;
                                                 }
-                                                let _e1206 = phi_2082_;
-                                                let _e1208 = phi_2083_;
-                                                let _e1210 = phi_2084_;
-                                                if _e1210 {
-                                                    phi_2088_ = _e1208;
+                                                let _e1570 = phi_2060_;
+                                                let _e1572 = phi_2061_;
+                                                let _e1574 = phi_2062_;
+                                                if _e1574 {
+                                                    phi_2066_ = _e1572;
                                                 } else {
-                                                    phi_2088_ = _e1206;
+                                                    phi_2066_ = _e1570;
                                                 }
-                                                let _e1212 = phi_2088_;
-                                                if _e1212.member_3 {
-                                                    phi_2097_ = type_25(_e1212.member, _e1212.member_1, _e1212.member_2, _e704);
+                                                let _e1576 = phi_2066_;
+                                                if _e1576.member_3 {
+                                                    phi_2075_ = type_25(_e1576.member, _e1576.member_1, _e1576.member_2, _e1068);
                                                 } else {
-                                                    phi_2097_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2075_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1219 = phi_2097_;
-                                                if (_e1219.member_3 != 4294967295u) {
-                                                    if (_e704 != 4294967295u) {
-                                                        phi_2108_ = type_38(-340282350000000000000000000000000000000f, true);
+                                                let _e1583 = phi_2075_;
+                                                if (_e1583.member_3 != 4294967295u) {
+                                                    if (_e1068 != 4294967295u) {
+                                                        phi_2086_ = type_38(-340282350000000000000000000000000000000f, true);
                                                     } else {
-                                                        phi_2108_ = _e675;
+                                                        phi_2086_ = _e1039;
                                                     }
-                                                    let _e1224 = phi_2108_;
-                                                    phi_2109_ = _e1224;
+                                                    let _e1588 = phi_2086_;
+                                                    phi_2087_ = _e1588;
                                                 } else {
-                                                    phi_2109_ = _e675;
+                                                    phi_2087_ = _e1039;
                                                 }
-                                                let _e1226 = phi_2109_;
-                                                phi_1163_ = _e1226;
+                                                let _e1590 = phi_2087_;
+                                                phi_1170_ = _e1590;
                                             } else {
-                                                phi_1163_ = type_38();
+                                                phi_1170_ = type_38();
                                             }
-                                            let _e1228 = phi_1163_;
+                                            let _e1592 = phi_1170_;
                                             continue;
                                             continuing {
-                                                phi_1162_ = _e1228;
-                                                phi_1165_ = _e690;
-                                                phi_3373_ = _e619;
-                                                break if !(_e696);
+                                                phi_1169_ = _e1592;
+                                                phi_1172_ = _e1054;
+                                                phi_3301_ = _e619;
+                                                break if !(_e1060);
                                             }
                                         }
-                                        let _e1231 = phi_3373_;
-                                        phi_3535_ = _e1231;
-                                        if _e1231 {
+                                        let _e1595 = phi_3301_;
+                                        phi_3451_ = _e1595;
+                                        if _e1595 {
                                             break;
                                         }
-                                        phi_3594_ = _e1231;
-                                        let _e1740 = local_11;
-                                        phi_2110_ = _e1740;
+                                        let _e1597 = local_10;
+                                        phi_3455_ = _e1595;
+                                        let _e1738 = local_12;
+                                        phi_3091_ = _e1738;
+                                        phi_3092_ = false;
+                                        phi_3093_ = _e662;
+                                        phi_3094_ = select(_e664, 0u, (_e587 > _e1597.member));
                                     } else {
-                                        phi_3594_ = _e619;
-                                        phi_2110_ = _e621;
-                                    }
-                                    let _e1233 = phi_3594_;
-                                    let _e1235 = phi_2110_;
-                                    if _e668 {
-                                        phi_3117_ = bool();
-                                        phi_3118_ = u32();
-                                        phi_3119_ = type_49();
-                                    } else {
-                                        let _e1236 = (_e664.member_1 < _e85);
-                                        if _e1236 {
-                                            if _e1236 {
+                                        let _e673 = (_e662.member_1 < _e85);
+                                        if _e673 {
+                                            if _e673 {
                                             } else {
-                                                phi_3535_ = true;
+                                                phi_3451_ = true;
                                                 break;
                                             }
-                                            let _e1238 = global_6.member[_e664.member_1];
-                                            phi_2131_ = _e1238;
+                                            let _e675 = global_6.member[_e662.member_1];
+                                            phi_2108_ = _e675;
                                         } else {
-                                            phi_2131_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2108_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1240 = phi_2131_;
-                                        let _e1255 = ((10u * _e247) & 31u);
-                                        let _e1258 = ((_e1240.member[0] >> bitcast<u32>(_e1255)) & 1023u);
-                                        let _e1266 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[0] - _e664.member.member[0]) * 0.0009775171f)) ^ _e119));
-                                        let _e1271 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1258)) - 8388608f) * _e1266)) ^ _e119)));
-                                        let _e1275 = select(select(_e664.member.member_1[0], _e1271, (_e1271 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1258 == 1023u));
-                                        let _e1277 = ((10u * _e246) & 31u);
-                                        let _e1280 = ((_e1240.member[0] >> bitcast<u32>(_e1277)) & 1023u);
-                                        let _e1288 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[1] - _e664.member.member[1]) * 0.0009775171f)) ^ _e119));
-                                        let _e1293 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1280)) - 8388608f) * _e1288)) ^ _e119)));
-                                        let _e1297 = select(select(_e664.member.member_1[1], _e1293, (_e1293 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1280 == 1023u));
-                                        let _e1299 = ((10u * _e248) & 31u);
-                                        let _e1302 = ((_e1240.member[0] >> bitcast<u32>(_e1299)) & 1023u);
-                                        let _e1310 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[2] - _e664.member.member[2]) * 0.0009775171f)) ^ _e119));
-                                        let _e1315 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1302)) - 8388608f) * _e1310)) ^ _e119)));
-                                        let _e1319 = select(select(_e664.member.member_1[2], _e1315, (_e1315 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1302 == 1023u));
-                                        let _e1322 = ((_e1240.member[1] >> bitcast<u32>(_e1255)) & 1023u);
-                                        let _e1330 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1322)) - 8388608f) * _e1266)) ^ _e119)));
-                                        let _e1334 = select(select(_e664.member.member_1[0], _e1330, (_e1330 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1322 == 1023u));
-                                        let _e1337 = ((_e1240.member[1] >> bitcast<u32>(_e1277)) & 1023u);
-                                        let _e1345 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1337)) - 8388608f) * _e1288)) ^ _e119)));
-                                        let _e1349 = select(select(_e664.member.member_1[1], _e1345, (_e1345 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1337 == 1023u));
-                                        let _e1352 = ((_e1240.member[1] >> bitcast<u32>(_e1299)) & 1023u);
-                                        let _e1360 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1352)) - 8388608f) * _e1310)) ^ _e119)));
-                                        let _e1364 = select(select(_e664.member.member_1[2], _e1360, (_e1360 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1352 == 1023u));
-                                        let _e1370 = ((_e1240.member_1[0] >> bitcast<u32>(_e1255)) & 1023u);
-                                        let _e1378 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1370)) - 8388608f) * _e1266)) ^ _e119)));
-                                        let _e1382 = select(select(_e664.member.member_1[0], _e1378, (_e1378 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1370 == 1023u));
-                                        let _e1385 = ((_e1240.member_1[0] >> bitcast<u32>(_e1277)) & 1023u);
-                                        let _e1393 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1385)) - 8388608f) * _e1288)) ^ _e119)));
-                                        let _e1397 = select(select(_e664.member.member_1[1], _e1393, (_e1393 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1385 == 1023u));
-                                        let _e1400 = ((_e1240.member_1[0] >> bitcast<u32>(_e1299)) & 1023u);
-                                        let _e1408 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1400)) - 8388608f) * _e1310)) ^ _e119)));
-                                        let _e1412 = select(select(_e664.member.member_1[2], _e1408, (_e1408 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1400 == 1023u));
-                                        let _e1415 = ((_e1240.member_1[1] >> bitcast<u32>(_e1255)) & 1023u);
-                                        let _e1423 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1415)) - 8388608f) * _e1266)) ^ _e119)));
-                                        let _e1427 = select(select(_e664.member.member_1[0], _e1423, (_e1423 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1415 == 1023u));
-                                        let _e1430 = ((_e1240.member_1[1] >> bitcast<u32>(_e1277)) & 1023u);
-                                        let _e1438 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1430)) - 8388608f) * _e1288)) ^ _e119)));
-                                        let _e1442 = select(select(_e664.member.member_1[1], _e1438, (_e1438 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1430 == 1023u));
-                                        let _e1445 = ((_e1240.member_1[1] >> bitcast<u32>(_e1299)) & 1023u);
-                                        let _e1453 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1445)) - 8388608f) * _e1310)) ^ _e119)));
-                                        let _e1457 = select(select(_e664.member.member_1[2], _e1453, (_e1453 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1445 == 1023u));
-                                        let _e1462 = type_49(type_47(array<f32, 3>(_e1275, _e1297, _e1319), array<f32, 3>(_e1334, _e1349, _e1364)), _e1240.member_2);
-                                        let _e1467 = type_49(type_47(array<f32, 3>(_e1382, _e1397, _e1412), array<f32, 3>(_e1427, _e1442, _e1457)), _e1240.member_3);
-                                        let _e1473 = ((_e1275 - _e349) * _e352);
-                                        let _e1474 = ((_e1382 - _e349) * _e352);
-                                        let _e1475 = ((_e1334 - _e350) * _e352);
-                                        let _e1476 = ((_e1427 - _e350) * _e352);
-                                        let _e1481 = ((_e1297 - _e415) * _e418);
-                                        let _e1482 = ((_e1397 - _e415) * _e418);
-                                        let _e1483 = ((_e1349 - _e416) * _e418);
-                                        let _e1484 = ((_e1442 - _e416) * _e418);
-                                        let _e1489 = ((_e1319 - _e481) * _e484);
-                                        let _e1490 = ((_e1412 - _e481) * _e484);
-                                        let _e1491 = ((_e1364 - _e482) * _e484);
-                                        let _e1492 = ((_e1457 - _e482) * _e484);
-                                        let _e1494 = select(_e1491, _e1489, (_e1489 < _e1491));
-                                        let _e1496 = select(_e1492, _e1490, (_e1490 < _e1492));
-                                        let _e1498 = select(_e1491, _e1489, (_e1489 > _e1491));
-                                        let _e1500 = select(_e1492, _e1490, (_e1490 > _e1492));
-                                        let _e1502 = select(_e1475, _e1473, (_e1473 < _e1475));
-                                        let _e1504 = select(_e1476, _e1474, (_e1474 < _e1476));
-                                        let _e1506 = select(_e1483, _e1481, (_e1481 < _e1483));
-                                        let _e1508 = select(_e1484, _e1482, (_e1482 < _e1484));
-                                        let _e1510 = select(_e1506, _e1502, (_e1502 > _e1506));
-                                        let _e1512 = select(_e1508, _e1504, (_e1504 > _e1508));
-                                        let _e1514 = select(_e1494, _e1510, (_e1510 > _e1494));
-                                        let _e1516 = select(_e1496, _e1512, (_e1512 > _e1496));
-                                        let _e1518 = select(_e1475, _e1473, (_e1473 > _e1475));
-                                        let _e1520 = select(_e1476, _e1474, (_e1474 > _e1476));
-                                        let _e1522 = select(_e1483, _e1481, (_e1481 > _e1483));
-                                        let _e1524 = select(_e1484, _e1482, (_e1482 > _e1484));
-                                        let _e1526 = select(_e1522, _e1518, (_e1518 < _e1522));
-                                        let _e1528 = select(_e1524, _e1520, (_e1520 < _e1524));
-                                        let _e1533 = -(_e1494);
-                                        let _e1534 = -(_e1496);
-                                        let _e1541 = (select(_e1498, _e1526, (_e1526 < _e1498)) + (select(_e1533, _e1498, (_e1498 > _e1533)) * 0.0000019073523f));
-                                        let _e1542 = (select(_e1500, _e1528, (_e1528 < _e1500)) + (select(_e1534, _e1500, (_e1500 > _e1534)) * 0.0000019073523f));
-                                        let _e1544 = select(_e587, _e1514, (_e1514 > _e587));
-                                        let _e1546 = select(_e587, _e1516, (_e1516 > _e587));
-                                        let _e1551 = (_e1544 <= select(_e1235.member, _e1541, (_e1541 < _e1235.member)));
-                                        let _e1552 = (_e1546 <= select(_e1235.member, _e1542, (_e1542 < _e1235.member)));
-                                        let _e1553 = (_e1544 <= _e1546);
-                                        if _e1551 {
-                                            if _e1552 {
-                                                if _e1553 {
-                                                    phi_3017_ = _e1467;
+                                        let _e677 = phi_2108_;
+                                        let _e692 = ((10u * _e247) & 31u);
+                                        let _e695 = ((_e677.member[0] >> bitcast<u32>(_e692)) & 1023u);
+                                        let _e703 = bitcast<f32>((bitcast<u32>(((_e662.member.member_1[0] - _e662.member.member[0]) * 0.0009775171f)) ^ _e119));
+                                        let _e708 = (_e662.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e695)) - 8388608f) * _e703)) ^ _e119)));
+                                        let _e712 = select(select(_e662.member.member_1[0], _e708, (_e708 < _e662.member.member_1[0])), _e662.member.member_1[0], (_e695 == 1023u));
+                                        let _e714 = ((10u * _e246) & 31u);
+                                        let _e717 = ((_e677.member[0] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e725 = bitcast<f32>((bitcast<u32>(((_e662.member.member_1[1] - _e662.member.member[1]) * 0.0009775171f)) ^ _e119));
+                                        let _e730 = (_e662.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e717)) - 8388608f) * _e725)) ^ _e119)));
+                                        let _e734 = select(select(_e662.member.member_1[1], _e730, (_e730 < _e662.member.member_1[1])), _e662.member.member_1[1], (_e717 == 1023u));
+                                        let _e736 = ((10u * _e248) & 31u);
+                                        let _e739 = ((_e677.member[0] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e747 = bitcast<f32>((bitcast<u32>(((_e662.member.member_1[2] - _e662.member.member[2]) * 0.0009775171f)) ^ _e119));
+                                        let _e752 = (_e662.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e739)) - 8388608f) * _e747)) ^ _e119)));
+                                        let _e756 = select(select(_e662.member.member_1[2], _e752, (_e752 < _e662.member.member_1[2])), _e662.member.member_1[2], (_e739 == 1023u));
+                                        let _e759 = ((_e677.member[1] >> bitcast<u32>(_e692)) & 1023u);
+                                        let _e767 = (_e662.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e759)) - 8388608f) * _e703)) ^ _e119)));
+                                        let _e771 = select(select(_e662.member.member_1[0], _e767, (_e767 < _e662.member.member_1[0])), _e662.member.member_1[0], (_e759 == 1023u));
+                                        let _e774 = ((_e677.member[1] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e782 = (_e662.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e774)) - 8388608f) * _e725)) ^ _e119)));
+                                        let _e786 = select(select(_e662.member.member_1[1], _e782, (_e782 < _e662.member.member_1[1])), _e662.member.member_1[1], (_e774 == 1023u));
+                                        let _e789 = ((_e677.member[1] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e797 = (_e662.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e789)) - 8388608f) * _e747)) ^ _e119)));
+                                        let _e801 = select(select(_e662.member.member_1[2], _e797, (_e797 < _e662.member.member_1[2])), _e662.member.member_1[2], (_e789 == 1023u));
+                                        let _e807 = ((_e677.member_1[0] >> bitcast<u32>(_e692)) & 1023u);
+                                        let _e815 = (_e662.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e703)) ^ _e119)));
+                                        let _e819 = select(select(_e662.member.member_1[0], _e815, (_e815 < _e662.member.member_1[0])), _e662.member.member_1[0], (_e807 == 1023u));
+                                        let _e822 = ((_e677.member_1[0] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e830 = (_e662.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e822)) - 8388608f) * _e725)) ^ _e119)));
+                                        let _e834 = select(select(_e662.member.member_1[1], _e830, (_e830 < _e662.member.member_1[1])), _e662.member.member_1[1], (_e822 == 1023u));
+                                        let _e837 = ((_e677.member_1[0] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e845 = (_e662.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e837)) - 8388608f) * _e747)) ^ _e119)));
+                                        let _e849 = select(select(_e662.member.member_1[2], _e845, (_e845 < _e662.member.member_1[2])), _e662.member.member_1[2], (_e837 == 1023u));
+                                        let _e852 = ((_e677.member_1[1] >> bitcast<u32>(_e692)) & 1023u);
+                                        let _e860 = (_e662.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e852)) - 8388608f) * _e703)) ^ _e119)));
+                                        let _e864 = select(select(_e662.member.member_1[0], _e860, (_e860 < _e662.member.member_1[0])), _e662.member.member_1[0], (_e852 == 1023u));
+                                        let _e867 = ((_e677.member_1[1] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e875 = (_e662.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e867)) - 8388608f) * _e725)) ^ _e119)));
+                                        let _e879 = select(select(_e662.member.member_1[1], _e875, (_e875 < _e662.member.member_1[1])), _e662.member.member_1[1], (_e867 == 1023u));
+                                        let _e882 = ((_e677.member_1[1] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e890 = (_e662.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e882)) - 8388608f) * _e747)) ^ _e119)));
+                                        let _e894 = select(select(_e662.member.member_1[2], _e890, (_e890 < _e662.member.member_1[2])), _e662.member.member_1[2], (_e882 == 1023u));
+                                        let _e899 = type_49(type_47(array<f32, 3>(_e712, _e734, _e756), array<f32, 3>(_e771, _e786, _e801)), _e677.member_2);
+                                        let _e904 = type_49(type_47(array<f32, 3>(_e819, _e834, _e849), array<f32, 3>(_e864, _e879, _e894)), _e677.member_3);
+                                        let _e910 = ((_e712 - _e349) * _e352);
+                                        let _e911 = ((_e819 - _e349) * _e352);
+                                        let _e912 = ((_e771 - _e350) * _e352);
+                                        let _e913 = ((_e864 - _e350) * _e352);
+                                        let _e918 = ((_e734 - _e415) * _e418);
+                                        let _e919 = ((_e834 - _e415) * _e418);
+                                        let _e920 = ((_e786 - _e416) * _e418);
+                                        let _e921 = ((_e879 - _e416) * _e418);
+                                        let _e926 = ((_e756 - _e481) * _e484);
+                                        let _e927 = ((_e849 - _e481) * _e484);
+                                        let _e928 = ((_e801 - _e482) * _e484);
+                                        let _e929 = ((_e894 - _e482) * _e484);
+                                        let _e931 = select(_e928, _e926, (_e926 < _e928));
+                                        let _e933 = select(_e929, _e927, (_e927 < _e929));
+                                        let _e935 = select(_e928, _e926, (_e926 > _e928));
+                                        let _e937 = select(_e929, _e927, (_e927 > _e929));
+                                        let _e939 = select(_e912, _e910, (_e910 < _e912));
+                                        let _e941 = select(_e913, _e911, (_e911 < _e913));
+                                        let _e943 = select(_e920, _e918, (_e918 < _e920));
+                                        let _e945 = select(_e921, _e919, (_e919 < _e921));
+                                        let _e947 = select(_e943, _e939, (_e939 > _e943));
+                                        let _e949 = select(_e945, _e941, (_e941 > _e945));
+                                        let _e951 = select(_e931, _e947, (_e947 > _e931));
+                                        let _e953 = select(_e933, _e949, (_e949 > _e933));
+                                        let _e955 = select(_e912, _e910, (_e910 > _e912));
+                                        let _e957 = select(_e913, _e911, (_e911 > _e913));
+                                        let _e959 = select(_e920, _e918, (_e918 > _e920));
+                                        let _e961 = select(_e921, _e919, (_e919 > _e921));
+                                        let _e963 = select(_e959, _e955, (_e955 < _e959));
+                                        let _e965 = select(_e961, _e957, (_e957 < _e961));
+                                        let _e970 = -(_e931);
+                                        let _e971 = -(_e933);
+                                        let _e978 = (select(_e935, _e963, (_e963 < _e935)) + (select(_e970, _e935, (_e935 > _e970)) * 0.0000019073523f));
+                                        let _e979 = (select(_e937, _e965, (_e965 < _e937)) + (select(_e971, _e937, (_e937 > _e971)) * 0.0000019073523f));
+                                        let _e981 = select(_e587, _e951, (_e951 > _e587));
+                                        let _e983 = select(_e587, _e953, (_e953 > _e587));
+                                        let _e988 = (_e981 <= select(_e621.member, _e978, (_e978 < _e621.member)));
+                                        let _e989 = (_e983 <= select(_e621.member, _e979, (_e979 < _e621.member)));
+                                        let _e990 = (_e981 <= _e983);
+                                        if _e988 {
+                                            if _e989 {
+                                                if _e990 {
+                                                    phi_2994_ = _e904;
                                                 } else {
-                                                    phi_3017_ = _e1462;
+                                                    phi_2994_ = _e899;
                                                 }
-                                                let _e1555 = phi_3017_;
-                                                let _e1562 = (_e662 % 128u);
-                                                let _e1563 = (_e1562 < 128u);
-                                                if _e1563 {
+                                                let _e992 = phi_2994_;
+                                                let _e999 = (_e664 % 128u);
+                                                let _e1000 = (_e999 < 128u);
+                                                if _e1000 {
                                                 } else {
-                                                    phi_3535_ = true;
+                                                    phi_3451_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1562] = _e1555.member_1;
-                                                if _e1563 {
+                                                local_6[_e999] = _e992.member_1;
+                                                if _e1000 {
                                                 } else {
-                                                    phi_3535_ = true;
+                                                    phi_3451_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1562] = _e1555.member.member[0];
-                                                if _e1563 {
+                                                local_5[_e999] = _e992.member.member[0];
+                                                if _e1000 {
                                                 } else {
-                                                    phi_3535_ = true;
+                                                    phi_3451_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1562] = _e1555.member.member[1];
-                                                if _e1563 {
+                                                local_4[_e999] = _e992.member.member[1];
+                                                if _e1000 {
                                                 } else {
-                                                    phi_3535_ = true;
+                                                    phi_3451_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1562] = _e1555.member.member[2];
-                                                if _e1563 {
+                                                local_3[_e999] = _e992.member.member[2];
+                                                if _e1000 {
                                                 } else {
-                                                    phi_3535_ = true;
+                                                    phi_3451_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1562] = _e1555.member.member_1[0];
-                                                if _e1563 {
+                                                local_2[_e999] = _e992.member.member_1[0];
+                                                if _e1000 {
                                                 } else {
-                                                    phi_3535_ = true;
+                                                    phi_3451_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1562] = _e1555.member.member_1[1];
-                                                if _e1563 {
+                                                local_1[_e999] = _e992.member.member_1[1];
+                                                if _e1000 {
                                                 } else {
-                                                    phi_3535_ = true;
+                                                    phi_3451_ = true;
                                                     break;
                                                 }
-                                                local[_e1562] = _e1555.member.member_1[2];
-                                                if _e1563 {
+                                                local[_e999] = _e992.member.member_1[2];
+                                                if _e1000 {
                                                 } else {
-                                                    phi_3535_ = true;
+                                                    phi_3451_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1562] = select(_e1544, _e1546, _e1553);
-                                                if _e1553 {
-                                                    phi_3093_ = _e1462;
+                                                local_7[_e999] = select(_e981, _e983, _e990);
+                                                if _e990 {
+                                                    phi_3070_ = _e899;
                                                 } else {
-                                                    phi_3093_ = _e1467;
+                                                    phi_3070_ = _e904;
                                                 }
-                                                let _e1580 = phi_3093_;
-                                                phi_3094_ = (_e662 + 1u);
-                                                phi_3095_ = _e1580;
+                                                let _e1017 = phi_3070_;
+                                                phi_3071_ = _e1017;
+                                                phi_3072_ = (_e664 + 1u);
                                             } else {
-                                                phi_3094_ = u32();
-                                                phi_3095_ = type_49();
+                                                phi_3071_ = type_49();
+                                                phi_3072_ = u32();
                                             }
-                                            let _e1582 = phi_3094_;
-                                            let _e1584 = phi_3095_;
-                                            phi_3097_ = _e1582;
-                                            phi_3098_ = _e1584;
-                                            phi_3099_ = select(true, false, _e1552);
+                                            let _e1019 = phi_3071_;
+                                            let _e1021 = phi_3072_;
+                                            phi_3074_ = _e1019;
+                                            phi_3075_ = _e1021;
+                                            phi_3076_ = select(true, false, _e989);
                                         } else {
-                                            phi_3097_ = u32();
-                                            phi_3098_ = type_49();
-                                            phi_3099_ = true;
+                                            phi_3074_ = type_49();
+                                            phi_3075_ = u32();
+                                            phi_3076_ = true;
                                         }
-                                        let _e1587 = phi_3097_;
-                                        let _e1589 = phi_3098_;
-                                        let _e1591 = phi_3099_;
-                                        if _e1591 {
-                                            if _e1551 {
-                                                phi_3106_ = _e1462;
+                                        let _e1024 = phi_3074_;
+                                        let _e1026 = phi_3075_;
+                                        let _e1028 = phi_3076_;
+                                        if _e1028 {
+                                            if _e988 {
+                                                phi_3083_ = _e899;
                                             } else {
-                                                phi_3106_ = _e1467;
+                                                phi_3083_ = _e904;
                                             }
-                                            let _e1593 = phi_3106_;
-                                            phi_3111_ = select(_e1552, true, _e1551);
-                                            phi_3113_ = _e1593;
+                                            let _e1030 = phi_3083_;
+                                            phi_3088_ = select(_e989, true, _e988);
+                                            phi_3089_ = _e1030;
                                         } else {
-                                            phi_3111_ = _e660;
-                                            phi_3113_ = _e1589;
+                                            phi_3088_ = _e660;
+                                            phi_3089_ = _e1024;
                                         }
-                                        let _e1596 = phi_3111_;
-                                        let _e1598 = phi_3113_;
-                                        phi_3117_ = _e1596;
-                                        phi_3118_ = select(_e1587, _e662, _e1591);
-                                        phi_3119_ = _e1598;
+                                        let _e1033 = phi_3088_;
+                                        let _e1035 = phi_3089_;
+                                        phi_3455_ = _e619;
+                                        phi_3091_ = _e621;
+                                        phi_3092_ = _e1033;
+                                        phi_3093_ = _e1035;
+                                        phi_3094_ = select(_e1026, _e664, _e1028);
                                     }
-                                    let _e1601 = phi_3117_;
-                                    let _e1603 = phi_3118_;
-                                    let _e1605 = phi_3119_;
-                                    if _e668 {
-                                        phi_3129_ = select(_e662, 0u, _e1235.member_1);
-                                        phi_3130_ = _e664;
-                                    } else {
-                                        phi_3129_ = _e1603;
-                                        phi_3130_ = _e1605;
-                                    }
-                                    let _e1609 = phi_3129_;
-                                    let _e1611 = phi_3130_;
-                                    phi_3538_ = _e1233;
-                                    phi_3131_ = _e1235;
-                                    phi_3132_ = (_e623 - 1u);
-                                    phi_3133_ = select(_e1601, false, _e668);
-                                    phi_3134_ = _e1609;
-                                    phi_3135_ = _e1611;
+                                    let _e1602 = phi_3455_;
+                                    let _e1604 = phi_3091_;
+                                    let _e1606 = phi_3092_;
+                                    let _e1608 = phi_3093_;
+                                    let _e1610 = phi_3094_;
+                                    phi_3454_ = _e1602;
+                                    phi_3095_ = _e1604;
+                                    phi_3096_ = _e1606;
+                                    phi_3097_ = _e1608;
+                                    phi_3098_ = _e1610;
+                                    phi_3099_ = (_e629 - 1u);
                                 } else {
-                                    phi_3538_ = _e619;
-                                    phi_3131_ = _e621;
-                                    phi_3132_ = _e623;
-                                    phi_3133_ = _e660;
-                                    phi_3134_ = _e662;
-                                    phi_3135_ = _e664;
+                                    phi_3454_ = _e619;
+                                    phi_3095_ = _e621;
+                                    phi_3096_ = _e660;
+                                    phi_3097_ = _e662;
+                                    phi_3098_ = _e664;
+                                    phi_3099_ = _e629;
                                 }
-                                let _e1614 = phi_3538_;
-                                let _e1616 = phi_3131_;
-                                let _e1618 = phi_3132_;
-                                let _e1620 = phi_3133_;
-                                let _e1622 = phi_3134_;
-                                let _e1624 = phi_3135_;
-                                phi_3537_ = _e1614;
-                                phi_3136_ = _e1616;
-                                phi_3137_ = _e1618;
-                                phi_3138_ = _e1620;
-                                phi_3139_ = _e1622;
-                                phi_3140_ = _e1624;
+                                let _e1612 = phi_3454_;
+                                let _e1614 = phi_3095_;
+                                let _e1616 = phi_3096_;
+                                let _e1618 = phi_3097_;
+                                let _e1620 = phi_3098_;
+                                let _e1622 = phi_3099_;
+                                phi_3453_ = _e1612;
+                                phi_3100_ = _e1614;
+                                phi_3101_ = _e1616;
+                                phi_3102_ = _e1618;
+                                phi_3103_ = _e1620;
+                                phi_3104_ = _e1622;
                             } else {
-                                phi_3537_ = _e619;
-                                phi_3136_ = type_38();
-                                phi_3137_ = u32();
-                                phi_3138_ = bool();
-                                phi_3139_ = u32();
-                                phi_3140_ = type_49();
+                                phi_3453_ = _e619;
+                                phi_3100_ = type_38();
+                                phi_3101_ = bool();
+                                phi_3102_ = type_49();
+                                phi_3103_ = u32();
+                                phi_3104_ = u32();
                             }
-                            let _e1626 = phi_3537_;
-                            let _e1628 = phi_3136_;
-                            let _e1630 = phi_3137_;
-                            let _e1632 = phi_3138_;
-                            let _e1634 = phi_3139_;
-                            let _e1636 = phi_3140_;
-                            phi_3536_ = _e1626;
-                            phi_1037_ = _e1628;
-                            phi_1040_ = _e1630;
-                            phi_1042_ = _e1632;
-                            phi_1044_ = _e1634;
-                            phi_1046_ = _e1636;
-                            phi_3141_ = _e633;
+                            let _e1624 = phi_3453_;
+                            let _e1626 = phi_3100_;
+                            let _e1628 = phi_3101_;
+                            let _e1630 = phi_3102_;
+                            let _e1632 = phi_3103_;
+                            let _e1634 = phi_3104_;
+                            phi_3452_ = _e1624;
+                            phi_1044_ = _e1626;
+                            phi_1047_ = _e1628;
+                            phi_1049_ = _e1630;
+                            phi_1051_ = _e1632;
+                            phi_1053_ = _e1634;
+                            phi_3105_ = _e633;
                         } else {
-                            phi_3536_ = _e619;
-                            phi_1037_ = type_38();
-                            phi_1040_ = u32();
-                            phi_1042_ = bool();
-                            phi_1044_ = u32();
-                            phi_1046_ = type_49();
-                            phi_3141_ = false;
+                            phi_3452_ = _e619;
+                            phi_1044_ = type_38();
+                            phi_1047_ = bool();
+                            phi_1049_ = type_49();
+                            phi_1051_ = u32();
+                            phi_1053_ = u32();
+                            phi_3105_ = false;
                         }
-                        let _e1638 = phi_3536_;
-                        let _e1640 = phi_1037_;
-                        let _e1642 = phi_1040_;
-                        let _e1644 = phi_1042_;
-                        let _e1646 = phi_1044_;
-                        let _e1648 = phi_1046_;
-                        let _e1650 = phi_3141_;
+                        let _e1636 = phi_3452_;
+                        let _e1638 = phi_1044_;
+                        let _e1640 = phi_1047_;
+                        let _e1642 = phi_1049_;
+                        let _e1644 = phi_1051_;
+                        let _e1646 = phi_1053_;
+                        let _e1648 = phi_3105_;
                         continue;
                         continuing {
-                            phi_3379_ = _e1638;
-                            phi_1036_ = _e1640;
-                            phi_1039_ = _e1642;
-                            phi_1041_ = _e1644;
-                            phi_1043_ = _e1646;
-                            phi_1045_ = _e1648;
-                            phi_3535_ = _e1638;
-                            break if !(_e1650);
+                            phi_3307_ = _e1636;
+                            phi_1043_ = _e1638;
+                            phi_1046_ = _e1640;
+                            phi_1048_ = _e1642;
+                            phi_1050_ = _e1644;
+                            phi_1052_ = _e1646;
+                            phi_3451_ = _e1636;
+                            break if !(_e1648);
                         }
                     }
-                    let _e1653 = phi_3535_;
-                    if _e1653 {
+                    let _e1651 = phi_3451_;
+                    if _e1651 {
                         break;
                     }
-                    let _e1655 = local_10;
+                    let _e1653 = local_11;
                     if _e135 {
                     } else {
                         break;
                     }
-                    global_5.member[_e133] = select(0u, 1u, _e1655.member_1);
+                    global_5.member[_e133] = select(0u, 1u, _e1653.member_1);
                 }
             }
             break;

@@ -99,150 +99,138 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_492_: i32;
-    var phi_493_: i32;
-    var phi_503_: bool;
-    var phi_513_: u32;
-    var phi_514_: u32;
-    var phi_516_: bool;
+    var phi_499_: i32;
+    var phi_500_: i32;
+    var phi_510_: bool;
+    var phi_520_: u32;
     var phi_521_: u32;
-    var phi_534_: i32;
-    var phi_554_: i32;
-    var phi_572_: f32;
-    var phi_578_: f32;
-    var phi_618_: f32;
-    var phi_624_: f32;
-    var phi_697_: f32;
-    var phi_703_: f32;
-    var phi_743_: f32;
-    var phi_749_: f32;
-    var phi_822_: f32;
-    var phi_828_: f32;
-    var phi_868_: f32;
-    var phi_874_: f32;
-    var phi_993_: i32;
-    var phi_1015_: u32;
-    var phi_1016_: u32;
-    var phi_1053_: i32;
-    var phi_1075_: u32;
-    var phi_1076_: u32;
-    var phi_1084_: f32;
-    var phi_1085_: f32;
-    var phi_4072_: bool;
-    var phi_1181_: type_38;
-    var phi_1184_: u32;
-    var phi_1186_: bool;
-    var phi_1188_: u32;
-    var phi_1190_: type_51;
-    var phi_1201_: bool;
-    var phi_1287_: bool;
-    var phi_1288_: u32;
-    var phi_1289_: type_51;
-    var phi_1307_: type_38;
-    var phi_1310_: type_4;
-    var phi_1311_: type_4;
-    var phi_1333_: type_4;
-    var phi_1354_: u32;
-    var phi_1446_: array<array<f32, 3>, 3>;
-    var phi_3633_: bool;
-    var phi_3648_: bool;
-    var phi_3663_: bool;
-    var phi_3678_: bool;
-    var phi_3693_: bool;
-    var phi_3708_: bool;
-    var phi_1988_: f32;
-    var phi_1989_: f32;
-    var phi_1990_: f32;
-    var phi_1991_: f32;
-    var phi_1992_: vec3<f32>;
-    var phi_1993_: vec3<f32>;
-    var phi_1994_: vec3<f32>;
-    var phi_1995_: vec3<f32>;
-    var phi_3723_: bool;
-    var phi_3738_: bool;
-    var phi_3753_: bool;
-    var phi_3768_: bool;
-    var phi_3783_: bool;
-    var phi_3798_: bool;
-    var phi_2203_: f32;
-    var phi_2223_: type_41;
-    var phi_2224_: type_41;
-    var phi_2227_: type_41;
-    var phi_2228_: type_41;
-    var phi_2229_: bool;
-    var phi_2233_: type_41;
-    var phi_2242_: type_25;
-    var phi_2267_: bool;
-    var phi_2268_: bool;
-    var phi_2274_: type_38;
-    var phi_2275_: type_38;
-    var phi_2276_: type_38;
-    var phi_1308_: type_38;
-    var phi_4066_: bool;
-    var phi_4317_: bool;
-    var phi_2277_: type_38;
-    var phi_3004_: u32;
-    var phi_3005_: u32;
+    var phi_523_: bool;
+    var phi_528_: u32;
+    var phi_541_: i32;
+    var phi_561_: i32;
+    var phi_579_: f32;
+    var phi_585_: f32;
+    var phi_625_: f32;
+    var phi_631_: f32;
+    var phi_704_: f32;
+    var phi_710_: f32;
+    var phi_750_: f32;
+    var phi_756_: f32;
+    var phi_829_: f32;
+    var phi_835_: f32;
+    var phi_875_: f32;
+    var phi_881_: f32;
+    var phi_1000_: i32;
+    var phi_1022_: u32;
+    var phi_1023_: u32;
+    var phi_1060_: i32;
+    var phi_1082_: u32;
+    var phi_1083_: u32;
+    var phi_1091_: f32;
+    var phi_1092_: f32;
+    var phi_4001_: bool;
+    var phi_1188_: type_38;
+    var phi_1191_: bool;
+    var phi_1193_: type_51;
+    var phi_1195_: u32;
+    var phi_1197_: u32;
+    var phi_1208_: bool;
+    var phi_1294_: bool;
+    var phi_1295_: type_51;
+    var phi_1296_: u32;
+    var phi_2981_: u32;
+    var phi_2982_: u32;
+    var phi_2992_: u32;
+    var phi_2994_: u32;
+    var phi_2995_: bool;
     var phi_3015_: u32;
-    var phi_3017_: u32;
-    var phi_3018_: bool;
-    var phi_3038_: u32;
-    var phi_3039_: u32;
-    var phi_3043_: type_52;
-    var phi_3405_: type_51;
-    var phi_3481_: type_51;
-    var phi_3482_: u32;
-    var phi_3483_: type_51;
-    var phi_3485_: u32;
-    var phi_3486_: type_51;
-    var phi_3487_: bool;
-    var phi_3496_: type_51;
-    var phi_3501_: bool;
-    var phi_3503_: type_51;
-    var phi_3507_: bool;
-    var phi_3508_: u32;
-    var phi_3509_: type_51;
-    var phi_3519_: type_51;
-    var phi_4234_: bool;
-    var phi_3520_: type_38;
-    var phi_3521_: u32;
-    var phi_3522_: bool;
-    var phi_3523_: u32;
-    var phi_3524_: type_51;
-    var phi_4233_: bool;
-    var phi_3525_: type_38;
-    var phi_3526_: u32;
-    var phi_3527_: bool;
-    var phi_3528_: u32;
-    var phi_3529_: type_51;
-    var phi_4232_: bool;
-    var phi_1182_: type_38;
-    var phi_1185_: u32;
-    var phi_1187_: bool;
-    var phi_1189_: u32;
-    var phi_1191_: type_51;
-    var phi_3530_: bool;
-    var phi_4231_: bool;
-    var local_10: type_38;
-    var phi_3568_: f32;
-    var phi_3570_: f32;
-    var phi_3571_: bool;
-    var phi_3572_: f32;
-    var phi_3573_: bool;
-    var phi_3974_: u32;
-    var phi_3992_: bool;
+    var phi_3016_: u32;
+    var phi_3020_: type_52;
+    var phi_3382_: type_51;
+    var phi_3458_: type_51;
+    var phi_3459_: type_51;
+    var phi_3460_: u32;
+    var phi_3462_: type_51;
+    var phi_3463_: u32;
+    var phi_3464_: bool;
+    var phi_3473_: type_51;
+    var phi_3478_: bool;
+    var phi_3479_: type_51;
+    var phi_1314_: type_38;
+    var phi_1317_: type_4;
+    var phi_1318_: type_4;
+    var phi_1340_: type_4;
+    var phi_1361_: u32;
+    var phi_1453_: array<array<f32, 3>, 3>;
+    var phi_1983_: f32;
+    var phi_1984_: f32;
+    var phi_1985_: f32;
+    var phi_1986_: f32;
+    var phi_1987_: vec3<f32>;
+    var phi_1988_: vec3<f32>;
+    var phi_1989_: vec3<f32>;
+    var phi_1990_: vec3<f32>;
+    var phi_2181_: f32;
+    var phi_2201_: type_41;
+    var phi_2202_: type_41;
+    var phi_2205_: type_41;
+    var phi_2206_: type_41;
+    var phi_2207_: bool;
+    var phi_2211_: type_41;
+    var phi_2220_: type_25;
+    var phi_2245_: bool;
+    var phi_2246_: bool;
+    var phi_2252_: type_38;
+    var phi_2253_: type_38;
+    var phi_2254_: type_38;
+    var phi_1315_: type_38;
     var phi_3995_: bool;
-    var phi_4008_: f32;
-    var phi_4009_: f32;
-    var phi_4014_: f32;
-    var phi_4015_: f32;
-    var phi_4016_: bool;
-    var phi_4024_: f32;
-    var phi_3588_: f32;
-    var phi_3589_: f32;
-    var phi_3601_: f32;
-    var phi_3606_: type_25;
+    var local_10: type_38;
+    var phi_4152_: bool;
+    var phi_3481_: type_38;
+    var phi_3482_: bool;
+    var phi_3483_: type_51;
+    var phi_3484_: u32;
+    var phi_4151_: bool;
+    var phi_3485_: type_38;
+    var phi_3486_: bool;
+    var phi_3487_: type_51;
+    var phi_3488_: u32;
+    var phi_3489_: u32;
+    var phi_4150_: bool;
+    var phi_3490_: type_38;
+    var phi_3491_: bool;
+    var phi_3492_: type_51;
+    var phi_3493_: u32;
+    var phi_3494_: u32;
+    var phi_4149_: bool;
+    var phi_1189_: type_38;
+    var phi_1192_: bool;
+    var phi_1194_: type_51;
+    var phi_1196_: u32;
+    var phi_1198_: u32;
+    var phi_3495_: bool;
+    var phi_4148_: bool;
     var local_11: type_38;
+    var phi_3533_: f32;
+    var phi_3535_: f32;
+    var phi_3536_: bool;
+    var phi_3537_: f32;
+    var phi_3538_: bool;
+    var phi_3903_: u32;
+    var phi_3921_: bool;
+    var phi_3924_: bool;
+    var phi_3937_: f32;
+    var phi_3938_: f32;
+    var phi_3943_: f32;
+    var phi_3944_: f32;
+    var phi_3945_: bool;
+    var phi_3953_: f32;
+    var phi_3553_: f32;
+    var phi_3554_: f32;
+    var phi_3566_: f32;
+    var phi_3571_: type_25;
+    var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -297,93 +285,93 @@ fn function_() {
                     if _e226 {
                         let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
                         if (_e229 >= 8388608u) {
-                            phi_492_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
+                            phi_499_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_492_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
+                            phi_499_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e243 = phi_492_;
-                        phi_493_ = _e243;
+                        let _e243 = phi_499_;
+                        phi_500_ = _e243;
                     } else {
-                        phi_493_ = 0i;
+                        phi_500_ = 0i;
                     }
-                    let _e245 = phi_493_;
+                    let _e245 = phi_500_;
                     let _e246 = (_e162 == _e201);
                     if _e246 {
-                        phi_503_ = true;
+                        phi_510_ = true;
                     } else {
-                        phi_503_ = (_e169 == _e201);
+                        phi_510_ = (_e169 == _e201);
                     }
-                    let _e249 = phi_503_;
+                    let _e249 = phi_510_;
                     let _e250 = select(1u, 0u, _e246);
                     if _e249 {
                         let _e251 = (_e250 + 1u);
-                        phi_513_ = _e251;
-                        phi_514_ = _e251;
-                        phi_516_ = select(true, false, (_e251 == 2u));
+                        phi_520_ = _e251;
+                        phi_521_ = _e251;
+                        phi_523_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_513_ = u32();
-                        phi_514_ = 0u;
-                        phi_516_ = true;
-                    }
-                    let _e255 = phi_513_;
-                    let _e257 = phi_514_;
-                    let _e259 = phi_516_;
-                    if _e259 {
-                        phi_521_ = (_e257 + 1u);
-                    } else {
+                        phi_520_ = u32();
                         phi_521_ = 0u;
+                        phi_523_ = true;
                     }
-                    let _e263 = phi_521_;
+                    let _e255 = phi_520_;
+                    let _e257 = phi_521_;
+                    let _e259 = phi_523_;
+                    if _e259 {
+                        phi_528_ = (_e257 + 1u);
+                    } else {
+                        phi_528_ = 0u;
+                    }
+                    let _e263 = phi_528_;
                     let _e264 = select(_e255, _e257, _e259);
                     let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
                     if (_e132 < -126i) {
-                        phi_534_ = -126i;
+                        phi_541_ = -126i;
                     } else {
-                        phi_534_ = select(_e132, 127i, (_e132 > 127i));
+                        phi_541_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e270 = phi_534_;
+                    let _e270 = phi_541_;
                     let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
                     let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
                     let _e282 = -(_e245);
                     if (_e282 < -126i) {
-                        phi_554_ = -126i;
+                        phi_561_ = -126i;
                     } else {
-                        phi_554_ = select(_e282, 127i, (_e282 > 127i));
+                        phi_561_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e287 = phi_554_;
+                    let _e287 = phi_561_;
                     let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
                     let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
                     let _e302 = global_5.member[_e150].member;
                     let _e303 = (_e264 == 0u);
                     if _e303 {
-                        phi_572_ = _e302[0];
+                        phi_579_ = _e302[0];
                     } else {
-                        phi_572_ = _e302[1];
+                        phi_579_ = _e302[1];
                     }
-                    let _e307 = phi_572_;
+                    let _e307 = phi_579_;
                     let _e308 = (_e264 == 2u);
                     if _e308 {
-                        phi_578_ = _e302[2];
+                        phi_585_ = _e302[2];
                     } else {
-                        phi_578_ = _e307;
+                        phi_585_ = _e307;
                     }
-                    let _e311 = phi_578_;
+                    let _e311 = phi_585_;
                     let _e312 = bitcast<u32>(_e311);
                     let _e314 = ((_e312 & 2139095040u) != 0u);
                     let _e328 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e312 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e312 & 2147483648u))), _e311, _e314) * _e275) * select(0.00000011920929f, 1f, _e314)) * _e281);
                     let _e329 = global_5.member[_e150].member_2;
                     if _e303 {
-                        phi_618_ = _e329[0];
+                        phi_625_ = _e329[0];
                     } else {
-                        phi_618_ = _e329[1];
+                        phi_625_ = _e329[1];
                     }
-                    let _e333 = phi_618_;
+                    let _e333 = phi_625_;
                     if _e308 {
-                        phi_624_ = _e329[2];
+                        phi_631_ = _e329[2];
                     } else {
-                        phi_624_ = _e333;
+                        phi_631_ = _e333;
                     }
-                    let _e336 = phi_624_;
+                    let _e336 = phi_631_;
                     let _e337 = bitcast<u32>(_e336);
                     let _e339 = ((_e337 & 2139095040u) != 0u);
                     let _e353 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e336, _e339) * _e292) * select(0.00000011920929f, 1f, _e339)) * _e298);
@@ -397,33 +385,33 @@ fn function_() {
                     let _e369 = select(38685626000000000000000000f, (1f / _e353), _e357);
                     let _e370 = (_e263 == 0u);
                     if _e370 {
-                        phi_697_ = _e302[0];
+                        phi_704_ = _e302[0];
                     } else {
-                        phi_697_ = _e302[1];
+                        phi_704_ = _e302[1];
                     }
-                    let _e374 = phi_697_;
+                    let _e374 = phi_704_;
                     let _e375 = (_e263 == 2u);
                     if _e375 {
-                        phi_703_ = _e302[2];
+                        phi_710_ = _e302[2];
                     } else {
-                        phi_703_ = _e374;
+                        phi_710_ = _e374;
                     }
-                    let _e378 = phi_703_;
+                    let _e378 = phi_710_;
                     let _e379 = bitcast<u32>(_e378);
                     let _e381 = ((_e379 & 2139095040u) != 0u);
                     let _e395 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e379 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e379 & 2147483648u))), _e378, _e381) * _e275) * select(0.00000011920929f, 1f, _e381)) * _e281);
                     if _e370 {
-                        phi_743_ = _e329[0];
+                        phi_750_ = _e329[0];
                     } else {
-                        phi_743_ = _e329[1];
+                        phi_750_ = _e329[1];
                     }
-                    let _e399 = phi_743_;
+                    let _e399 = phi_750_;
                     if _e375 {
-                        phi_749_ = _e329[2];
+                        phi_756_ = _e329[2];
                     } else {
-                        phi_749_ = _e399;
+                        phi_756_ = _e399;
                     }
-                    let _e402 = phi_749_;
+                    let _e402 = phi_756_;
                     let _e403 = bitcast<u32>(_e402);
                     let _e405 = ((_e403 & 2139095040u) != 0u);
                     let _e419 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e403 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e403 & 2147483648u))), _e402, _e405) * _e292) * select(0.00000011920929f, 1f, _e405)) * _e298);
@@ -437,33 +425,33 @@ fn function_() {
                     let _e435 = select(38685626000000000000000000f, (1f / _e419), _e423);
                     let _e436 = (_e265 == 0u);
                     if _e436 {
-                        phi_822_ = _e302[0];
+                        phi_829_ = _e302[0];
                     } else {
-                        phi_822_ = _e302[1];
+                        phi_829_ = _e302[1];
                     }
-                    let _e440 = phi_822_;
+                    let _e440 = phi_829_;
                     let _e441 = (_e265 == 2u);
                     if _e441 {
-                        phi_828_ = _e302[2];
+                        phi_835_ = _e302[2];
                     } else {
-                        phi_828_ = _e440;
+                        phi_835_ = _e440;
                     }
-                    let _e444 = phi_828_;
+                    let _e444 = phi_835_;
                     let _e445 = bitcast<u32>(_e444);
                     let _e447 = ((_e445 & 2139095040u) != 0u);
                     let _e461 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e445 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e445 & 2147483648u))), _e444, _e447) * _e275) * select(0.00000011920929f, 1f, _e447)) * _e281);
                     if _e436 {
-                        phi_868_ = _e329[0];
+                        phi_875_ = _e329[0];
                     } else {
-                        phi_868_ = _e329[1];
+                        phi_875_ = _e329[1];
                     }
-                    let _e465 = phi_868_;
+                    let _e465 = phi_875_;
                     if _e441 {
-                        phi_874_ = _e329[2];
+                        phi_881_ = _e329[2];
                     } else {
-                        phi_874_ = _e465;
+                        phi_881_ = _e465;
                     }
-                    let _e468 = phi_874_;
+                    let _e468 = phi_881_;
                     let _e469 = bitcast<u32>(_e468);
                     let _e471 = ((_e469 & 2139095040u) != 0u);
                     let _e485 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * _e292) * select(0.00000011920929f, 1f, _e471)) * _e298);
@@ -483,55 +471,55 @@ fn function_() {
                         let _e523 = (_e516 == 0u);
                         let _e526 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e516)), 32u, _e523)) - 8i);
                         if (_e519 == 255i) {
-                            phi_993_ = 255i;
+                            phi_1000_ = 255i;
                         } else {
-                            phi_993_ = (((_e519 + select(0i, 1i, (_e519 == 0i))) - _e526) + _e506);
+                            phi_1000_ = (((_e519 + select(0i, 1i, (_e519 == 0i))) - _e526) + _e506);
                         }
-                        let _e534 = phi_993_;
+                        let _e534 = phi_1000_;
                         let _e544 = (_e534 <= 0i);
                         if _e544 {
-                            phi_1016_ = u32();
+                            phi_1023_ = u32();
                         } else {
                             if _e523 {
-                                phi_1015_ = u32();
+                                phi_1022_ = u32();
                             } else {
-                                phi_1015_ = select(((bitcast<u32>(_e534) << bitcast<u32>(23i)) | ((_e516 << bitcast<u32>(((_e526 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e534 >= 255i));
+                                phi_1022_ = select(((bitcast<u32>(_e534) << bitcast<u32>(23i)) | ((_e516 << bitcast<u32>(((_e526 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e534 >= 255i));
                             }
-                            let _e548 = phi_1015_;
-                            phi_1016_ = _e548;
+                            let _e548 = phi_1022_;
+                            phi_1023_ = _e548;
                         }
-                        let _e550 = phi_1016_;
+                        let _e550 = phi_1023_;
                         let _e562 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e565 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
                         let _e569 = (_e562 == 0u);
                         let _e572 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e562)), 32u, _e569)) - 8i);
                         if (_e565 == 255i) {
-                            phi_1053_ = 255i;
+                            phi_1060_ = 255i;
                         } else {
-                            phi_1053_ = (((_e565 + select(0i, 1i, (_e565 == 0i))) - _e572) + _e506);
+                            phi_1060_ = (((_e565 + select(0i, 1i, (_e565 == 0i))) - _e572) + _e506);
                         }
-                        let _e580 = phi_1053_;
+                        let _e580 = phi_1060_;
                         let _e590 = (_e580 <= 0i);
                         if _e590 {
-                            phi_1076_ = u32();
+                            phi_1083_ = u32();
                         } else {
                             if _e569 {
-                                phi_1075_ = u32();
+                                phi_1082_ = u32();
                             } else {
-                                phi_1075_ = select(((bitcast<u32>(_e580) << bitcast<u32>(23i)) | ((_e562 << bitcast<u32>(((_e572 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e580 >= 255i));
+                                phi_1082_ = select(((bitcast<u32>(_e580) << bitcast<u32>(23i)) | ((_e562 << bitcast<u32>(((_e572 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e580 >= 255i));
                             }
-                            let _e594 = phi_1075_;
-                            phi_1076_ = _e594;
+                            let _e594 = phi_1082_;
+                            phi_1083_ = _e594;
                         }
-                        let _e596 = phi_1076_;
-                        phi_1084_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e596, 0u, select(_e569, true, _e590))));
-                        phi_1085_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e550, 0u, select(_e523, true, _e544))));
+                        let _e596 = phi_1083_;
+                        phi_1091_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e596, 0u, select(_e569, true, _e590))));
+                        phi_1092_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e550, 0u, select(_e523, true, _e544))));
                     } else {
-                        phi_1084_ = 0f;
-                        phi_1085_ = 1f;
+                        phi_1091_ = 0f;
+                        phi_1092_ = 1f;
                     }
-                    let _e602 = phi_1084_;
-                    let _e604 = phi_1085_;
+                    let _e602 = phi_1091_;
+                    let _e604 = phi_1092_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -540,1018 +528,938 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e608 = (_e264 % 3u);
-                    let _e609 = (_e608 < 3u);
-                    if _e609 {
+                    let _e610 = (_e264 % 3u);
+                    let _e611 = (_e610 < 3u);
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e611 = local_1[_e608];
-                    let _e614 = (_e263 % 3u);
-                    let _e615 = (_e614 < 3u);
-                    if _e615 {
+                    let _e613 = local_1[_e610];
+                    let _e616 = (_e263 % 3u);
+                    let _e617 = (_e616 < 3u);
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e617 = local_1[_e614];
-                    let _e620 = (_e265 % 3u);
-                    let _e621 = (_e620 < 3u);
-                    if _e621 {
+                    let _e619 = local_1[_e616];
+                    let _e622 = (_e265 % 3u);
+                    let _e623 = (_e622 < 3u);
+                    if _e623 {
                     } else {
                         break;
                     }
-                    let _e623 = local_1[_e620];
-                    if _e609 {
+                    let _e625 = local_1[_e622];
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e628 = local[_e608];
-                    if _e615 {
+                    let _e630 = local[_e610];
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e632 = local[_e614];
-                    if _e621 {
+                    let _e634 = local[_e616];
+                    if _e623 {
                     } else {
                         break;
                     }
-                    let _e636 = local[_e620];
-                    phi_4072_ = false;
-                    phi_1181_ = type_38(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e602);
-                    phi_1184_ = ((3u * _e94) + 1u);
-                    phi_1186_ = (_e604 <= _e602);
-                    phi_1188_ = 0u;
-                    phi_1190_ = type_51(type_33(vec4<f32>((f32(_e611) * _e144), (f32(_e617) * _e144), (f32(_e623) * _e144), 0f), vec4<f32>((f32(_e628) * _e144), (f32(_e632) * _e144), (f32(_e636) * _e144), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                    let _e638 = local[_e622];
+                    phi_4001_ = false;
+                    phi_1188_ = type_38(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e602);
+                    phi_1191_ = (_e604 <= _e602);
+                    phi_1193_ = type_51(type_33(vec4<f32>((f32(_e613) * _e144), (f32(_e619) * _e144), (f32(_e625) * _e144), 0f), vec4<f32>((f32(_e630) * _e144), (f32(_e634) * _e144), (f32(_e638) * _e144), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                    phi_1195_ = 0u;
+                    phi_1197_ = ((3u * _e94) + 1u);
                     loop {
-                        let _e646 = phi_4072_;
-                        let _e648 = phi_1181_;
-                        let _e650 = phi_1184_;
-                        let _e652 = phi_1186_;
-                        let _e654 = phi_1188_;
-                        let _e656 = phi_1190_;
-                        local_10 = _e648;
-                        if _e652 {
-                            phi_1201_ = true;
+                        let _e646 = phi_4001_;
+                        let _e648 = phi_1188_;
+                        let _e650 = phi_1191_;
+                        let _e652 = phi_1193_;
+                        let _e654 = phi_1195_;
+                        let _e656 = phi_1197_;
+                        local_11 = _e648;
+                        if _e650 {
+                            phi_1208_ = true;
                         } else {
-                            phi_1201_ = (_e654 > 0u);
+                            phi_1208_ = (_e654 > 0u);
                         }
-                        let _e659 = phi_1201_;
+                        let _e659 = phi_1208_;
                         if _e659 {
-                            let _e660 = (_e650 > 0u);
+                            let _e660 = (_e656 > 0u);
                             if _e660 {
-                                if _e652 {
-                                    phi_1287_ = _e652;
-                                    phi_1288_ = _e654;
-                                    phi_1289_ = _e656;
+                                if _e650 {
+                                    phi_1294_ = _e650;
+                                    phi_1295_ = _e652;
+                                    phi_1296_ = _e654;
                                 } else {
                                     let _e661 = (_e654 - 1u);
                                     let _e662 = (_e661 % 128u);
                                     let _e663 = (_e662 < 128u);
                                     if _e663 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e665 = local_7[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e667 = local_6[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e669 = local_5[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e671 = local_4[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e673 = local_3[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e675 = local_2[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e680 = local_8[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e683 = local_9[_e662];
-                                    phi_1287_ = (_e683 <= _e648.member_1);
-                                    phi_1288_ = _e661;
-                                    phi_1289_ = type_51(type_33(vec4<f32>(_e665, _e667, _e669, 0f), vec4<f32>(_e671, _e673, _e675, 0f)), _e680);
+                                    phi_1294_ = (_e683 <= _e648.member_1);
+                                    phi_1295_ = type_51(type_33(vec4<f32>(_e665, _e667, _e669, 0f), vec4<f32>(_e671, _e673, _e675, 0f)), _e680);
+                                    phi_1296_ = _e661;
                                 }
-                                let _e687 = phi_1287_;
-                                let _e689 = phi_1288_;
-                                let _e691 = phi_1289_;
+                                let _e687 = phi_1294_;
+                                let _e689 = phi_1295_;
+                                let _e691 = phi_1296_;
                                 if _e687 {
-                                    let _e695 = ((_e691.member_1 & 2147483648u) != 0u);
-                                    if _e695 {
-                                        phi_1307_ = _e648;
-                                        phi_1310_ = type_4(0u, ((_e691.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e689.member_1 & 2147483648u) != 0u) {
+                                        phi_1314_ = _e648;
+                                        phi_1317_ = type_4(0u, ((_e689.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e702 = phi_1307_;
-                                            let _e704 = phi_1310_;
-                                            local_11 = _e702;
-                                            if (_e704.member < _e704.member_1) {
-                                                phi_1311_ = type_4((_e704.member + 1u), _e704.member_1);
-                                                phi_1333_ = type_4(1u, _e704.member);
+                                            let _e1140 = phi_1314_;
+                                            let _e1142 = phi_1317_;
+                                            local_10 = _e1140;
+                                            local_12 = _e1140;
+                                            if (_e1142.member < _e1142.member_1) {
+                                                phi_1318_ = type_4((_e1142.member + 1u), _e1142.member_1);
+                                                phi_1340_ = type_4(1u, _e1142.member);
                                             } else {
-                                                phi_1311_ = _e704;
-                                                phi_1333_ = type_4(0u, type_4().member_1);
+                                                phi_1318_ = _e1142;
+                                                phi_1340_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e717 = phi_1311_;
-                                            let _e719 = phi_1333_;
-                                            let _e723 = (bitcast<i32>(_e719.member) != 0i);
-                                            if _e723 {
-                                                let _e724 = ((_e691.member_1 & 268435455u) + _e719.member_1);
-                                                let _e725 = (_e724 < _e96);
-                                                if _e725 {
-                                                    if _e725 {
+                                            let _e1155 = phi_1318_;
+                                            let _e1157 = phi_1340_;
+                                            let _e1161 = (bitcast<i32>(_e1157.member) != 0i);
+                                            if _e1161 {
+                                                let _e1162 = ((_e689.member_1 & 268435455u) + _e1157.member_1);
+                                                let _e1163 = (_e1162 < _e96);
+                                                if _e1163 {
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e729 = global_2.member[_e724].member_1;
-                                                    phi_1354_ = _e729;
+                                                    let _e1167 = global_2.member[_e1162].member_1;
+                                                    phi_1361_ = _e1167;
                                                 } else {
-                                                    phi_1354_ = 4294967295u;
+                                                    phi_1361_ = 4294967295u;
                                                 }
-                                                let _e731 = phi_1354_;
-                                                if (_e724 >= _e96) {
-                                                    phi_1446_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1169 = phi_1361_;
+                                                if (_e1162 >= _e96) {
+                                                    phi_1453_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e725 {
+                                                    if _e1163 {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    if (_e608 < 9u) {
+                                                    if (_e610 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e738 = global_2.member[_e724].member[_e608];
-                                                    if (_e614 < 9u) {
+                                                    let _e1176 = global_2.member[_e1162].member[_e610];
+                                                    if (_e616 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e744 = global_2.member[_e724].member[_e614];
-                                                    if (_e620 < 9u) {
+                                                    let _e1182 = global_2.member[_e1162].member[_e616];
+                                                    if (_e622 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e750 = global_2.member[_e724].member[_e620];
-                                                    let _e752 = (3u + _e608);
-                                                    if (_e752 < 9u) {
+                                                    let _e1188 = global_2.member[_e1162].member[_e622];
+                                                    let _e1190 = (3u + _e610);
+                                                    if (_e1190 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e758 = global_2.member[_e724].member[_e752];
-                                                    let _e759 = (3u + _e614);
-                                                    if (_e759 < 9u) {
+                                                    let _e1196 = global_2.member[_e1162].member[_e1190];
+                                                    let _e1197 = (3u + _e616);
+                                                    if (_e1197 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e765 = global_2.member[_e724].member[_e759];
-                                                    let _e766 = (3u + _e620);
-                                                    if (_e766 < 9u) {
+                                                    let _e1203 = global_2.member[_e1162].member[_e1197];
+                                                    let _e1204 = (3u + _e622);
+                                                    if (_e1204 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e772 = global_2.member[_e724].member[_e766];
-                                                    let _e774 = (6u + _e608);
-                                                    if (_e774 < 9u) {
+                                                    let _e1210 = global_2.member[_e1162].member[_e1204];
+                                                    let _e1212 = (6u + _e610);
+                                                    if (_e1212 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e780 = global_2.member[_e724].member[_e774];
-                                                    let _e781 = (6u + _e614);
-                                                    if (_e781 < 9u) {
+                                                    let _e1218 = global_2.member[_e1162].member[_e1212];
+                                                    let _e1219 = (6u + _e616);
+                                                    if (_e1219 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e787 = global_2.member[_e724].member[_e781];
-                                                    let _e788 = (6u + _e620);
-                                                    if (_e788 < 9u) {
+                                                    let _e1225 = global_2.member[_e1162].member[_e1219];
+                                                    let _e1226 = (6u + _e622);
+                                                    if (_e1226 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e794 = global_2.member[_e724].member[_e788];
-                                                    phi_1446_ = array<array<f32, 3>, 3>(array<f32, 3>(_e738, _e744, _e750), array<f32, 3>(_e758, _e765, _e772), array<f32, 3>(_e780, _e787, _e794));
+                                                    let _e1232 = global_2.member[_e1162].member[_e1226];
+                                                    phi_1453_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1176, _e1182, _e1188), array<f32, 3>(_e1196, _e1203, _e1210), array<f32, 3>(_e1218, _e1225, _e1232));
                                                 }
-                                                let _e798 = phi_1446_;
-                                                let _e814 = (_e798[0][2] - _e461);
-                                                let _e817 = (((_e798[0][0] - _e328) * _e497) - (_e814 * _e365));
-                                                let _e820 = (((_e798[0][1] - _e395) * _e497) - (_e814 * _e431));
-                                                let _e823 = (_e798[1][2] - _e461);
-                                                let _e826 = (((_e798[1][0] - _e328) * _e497) - (_e823 * _e365));
-                                                let _e829 = (((_e798[1][1] - _e395) * _e497) - (_e823 * _e431));
-                                                let _e832 = (_e798[2][2] - _e461);
-                                                let _e835 = (((_e798[2][0] - _e328) * _e497) - (_e832 * _e365));
-                                                let _e838 = (((_e798[2][1] - _e395) * _e497) - (_e832 * _e431));
-                                                let _e839 = (_e835 * _e829);
-                                                let _e840 = (_e838 * _e826);
-                                                let _e841 = (_e817 * _e838);
-                                                let _e842 = (_e820 * _e835);
-                                                let _e843 = (_e826 * _e820);
-                                                let _e844 = (_e829 * _e817);
-                                                let _e849 = (((_e839 >= _e840) && (_e841 >= _e842)) && (_e843 >= _e844));
-                                                let _e855 = (_e849 || (((_e839 <= _e840) && (_e841 <= _e842)) && (_e843 <= _e844)));
-                                                if _e855 {
-                                                    let _e857 = select(-1f, 1f, _e849);
-                                                    let _e859 = ((_e839 - _e840) * _e857);
-                                                    let _e861 = select(0f, _e859, (_e859 > 0f));
-                                                    let _e863 = ((_e841 - _e842) * _e857);
-                                                    let _e865 = select(0f, _e863, (_e863 > 0f));
-                                                    let _e867 = ((_e843 - _e844) * _e857);
-                                                    let _e869 = select(0f, _e867, (_e867 > 0f));
-                                                    let _e871 = ((_e861 + _e865) + _e869);
-                                                    let _e873 = select(_e798[1][0], _e798[0][0], (_e798[0][0] < _e798[1][0]));
-                                                    let _e877 = select(_e798[1][0], _e798[0][0], (_e798[0][0] > _e798[1][0]));
-                                                    let _e881 = select(_e798[1][1], _e798[0][1], (_e798[0][1] < _e798[1][1]));
-                                                    let _e885 = select(_e798[1][1], _e798[0][1], (_e798[0][1] > _e798[1][1]));
-                                                    let _e889 = select(_e798[1][2], _e798[0][2], (_e798[0][2] < _e798[1][2]));
-                                                    let _e893 = select(_e798[1][2], _e798[0][2], (_e798[0][2] > _e798[1][2]));
-                                                    let _e898 = ((select(_e798[2][0], _e873, (_e873 < _e798[2][0])) - _e366) * _e369);
-                                                    let _e899 = ((select(_e798[2][0], _e877, (_e877 > _e798[2][0])) - _e367) * _e369);
-                                                    let _e902 = ((select(_e798[2][1], _e881, (_e881 < _e798[2][1])) - _e432) * _e435);
-                                                    let _e903 = ((select(_e798[2][1], _e885, (_e885 > _e798[2][1])) - _e433) * _e435);
-                                                    let _e906 = ((select(_e798[2][2], _e889, (_e889 < _e798[2][2])) - _e498) * _e501);
-                                                    let _e907 = ((select(_e798[2][2], _e893, (_e893 > _e798[2][2])) - _e499) * _e501);
-                                                    let _e909 = select(_e907, _e906, (_e906 < _e907));
-                                                    let _e911 = select(_e907, _e906, (_e906 > _e907));
-                                                    let _e913 = select(_e899, _e898, (_e898 < _e899));
-                                                    let _e915 = select(_e903, _e902, (_e902 < _e903));
-                                                    let _e917 = select(_e915, _e913, (_e913 > _e915));
-                                                    let _e919 = select(_e909, _e917, (_e917 > _e909));
-                                                    let _e921 = select(_e899, _e898, (_e898 > _e899));
-                                                    let _e923 = select(_e903, _e902, (_e902 > _e903));
-                                                    let _e925 = select(_e923, _e921, (_e921 < _e923));
-                                                    let _e927 = select(_e911, _e925, (_e925 < _e911));
-                                                    let _e928 = -(_e909);
-                                                    let _e934 = select(_e604, _e919, (_e919 > _e604));
-                                                    let _e938 = select(_e826, _e817, (_e817 < _e826));
-                                                    let _e943 = select(_e826, _e817, (_e817 > _e826));
-                                                    let _e950 = select(_e829, _e820, (_e820 < _e829));
-                                                    let _e955 = select(_e829, _e820, (_e820 > _e829));
-                                                    let _e964 = (((((_e855 && (_e871 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e835, _e938, (_e938 < _e835)) <= 0f) && (select(_e835, _e943, (_e943 > _e835)) >= 0f))) && ((select(_e838, _e950, (_e950 < _e838)) <= 0f) && (select(_e838, _e955, (_e955 > _e838)) >= 0f))) && (_e934 <= (_e927 + (select(_e928, _e911, (_e911 > _e928)) * 0.0000019073523f)))) && (_e934 <= _e702.member_1));
-                                                    if _e964 {
-                                                        let _e969 = (_e798[1][0] - _e798[0][0]);
-                                                        let _e970 = (_e798[1][1] - _e798[0][1]);
-                                                        let _e971 = (_e798[1][2] - _e798[0][2]);
-                                                        let _e972 = vec3<f32>(_e969, _e970, _e971);
-                                                        let _e973 = (_e798[2][0] - _e798[1][0]);
-                                                        let _e974 = (_e798[2][1] - _e798[1][1]);
-                                                        let _e975 = (_e798[2][2] - _e798[1][2]);
-                                                        let _e976 = vec3<f32>(_e973, _e974, _e975);
-                                                        let _e977 = (_e798[0][0] - _e798[2][0]);
-                                                        let _e978 = (_e798[0][1] - _e798[2][1]);
-                                                        let _e979 = (_e798[0][2] - _e798[2][2]);
-                                                        let _e980 = vec3<f32>(_e977, _e978, _e979);
-                                                        let _e981 = abs(_e969);
-                                                        let _e982 = abs(_e970);
-                                                        if (_e981 != _e981) {
-                                                            phi_3633_ = true;
+                                                let _e1236 = phi_1453_;
+                                                let _e1252 = (_e1236[0][2] - _e461);
+                                                let _e1255 = (((_e1236[0][0] - _e328) * _e497) - (_e1252 * _e365));
+                                                let _e1258 = (((_e1236[0][1] - _e395) * _e497) - (_e1252 * _e431));
+                                                let _e1261 = (_e1236[1][2] - _e461);
+                                                let _e1264 = (((_e1236[1][0] - _e328) * _e497) - (_e1261 * _e365));
+                                                let _e1267 = (((_e1236[1][1] - _e395) * _e497) - (_e1261 * _e431));
+                                                let _e1270 = (_e1236[2][2] - _e461);
+                                                let _e1273 = (((_e1236[2][0] - _e328) * _e497) - (_e1270 * _e365));
+                                                let _e1276 = (((_e1236[2][1] - _e395) * _e497) - (_e1270 * _e431));
+                                                let _e1277 = (_e1273 * _e1267);
+                                                let _e1278 = (_e1276 * _e1264);
+                                                let _e1279 = (_e1255 * _e1276);
+                                                let _e1280 = (_e1258 * _e1273);
+                                                let _e1281 = (_e1264 * _e1258);
+                                                let _e1282 = (_e1267 * _e1255);
+                                                let _e1287 = (((_e1277 >= _e1278) && (_e1279 >= _e1280)) && (_e1281 >= _e1282));
+                                                let _e1293 = (_e1287 || (((_e1277 <= _e1278) && (_e1279 <= _e1280)) && (_e1281 <= _e1282)));
+                                                if _e1293 {
+                                                    let _e1295 = select(-1f, 1f, _e1287);
+                                                    let _e1297 = ((_e1277 - _e1278) * _e1295);
+                                                    let _e1299 = select(0f, _e1297, (_e1297 > 0f));
+                                                    let _e1301 = ((_e1279 - _e1280) * _e1295);
+                                                    let _e1303 = select(0f, _e1301, (_e1301 > 0f));
+                                                    let _e1305 = ((_e1281 - _e1282) * _e1295);
+                                                    let _e1307 = select(0f, _e1305, (_e1305 > 0f));
+                                                    let _e1309 = ((_e1299 + _e1303) + _e1307);
+                                                    let _e1311 = select(_e1236[1][0], _e1236[0][0], (_e1236[0][0] < _e1236[1][0]));
+                                                    let _e1315 = select(_e1236[1][0], _e1236[0][0], (_e1236[0][0] > _e1236[1][0]));
+                                                    let _e1319 = select(_e1236[1][1], _e1236[0][1], (_e1236[0][1] < _e1236[1][1]));
+                                                    let _e1323 = select(_e1236[1][1], _e1236[0][1], (_e1236[0][1] > _e1236[1][1]));
+                                                    let _e1327 = select(_e1236[1][2], _e1236[0][2], (_e1236[0][2] < _e1236[1][2]));
+                                                    let _e1331 = select(_e1236[1][2], _e1236[0][2], (_e1236[0][2] > _e1236[1][2]));
+                                                    let _e1336 = ((select(_e1236[2][0], _e1311, (_e1311 < _e1236[2][0])) - _e366) * _e369);
+                                                    let _e1337 = ((select(_e1236[2][0], _e1315, (_e1315 > _e1236[2][0])) - _e367) * _e369);
+                                                    let _e1340 = ((select(_e1236[2][1], _e1319, (_e1319 < _e1236[2][1])) - _e432) * _e435);
+                                                    let _e1341 = ((select(_e1236[2][1], _e1323, (_e1323 > _e1236[2][1])) - _e433) * _e435);
+                                                    let _e1344 = ((select(_e1236[2][2], _e1327, (_e1327 < _e1236[2][2])) - _e498) * _e501);
+                                                    let _e1345 = ((select(_e1236[2][2], _e1331, (_e1331 > _e1236[2][2])) - _e499) * _e501);
+                                                    let _e1347 = select(_e1345, _e1344, (_e1344 < _e1345));
+                                                    let _e1349 = select(_e1345, _e1344, (_e1344 > _e1345));
+                                                    let _e1351 = select(_e1337, _e1336, (_e1336 < _e1337));
+                                                    let _e1353 = select(_e1341, _e1340, (_e1340 < _e1341));
+                                                    let _e1355 = select(_e1353, _e1351, (_e1351 > _e1353));
+                                                    let _e1357 = select(_e1347, _e1355, (_e1355 > _e1347));
+                                                    let _e1359 = select(_e1337, _e1336, (_e1336 > _e1337));
+                                                    let _e1361 = select(_e1341, _e1340, (_e1340 > _e1341));
+                                                    let _e1363 = select(_e1361, _e1359, (_e1359 < _e1361));
+                                                    let _e1365 = select(_e1349, _e1363, (_e1363 < _e1349));
+                                                    let _e1366 = -(_e1347);
+                                                    let _e1372 = select(_e604, _e1357, (_e1357 > _e604));
+                                                    let _e1376 = select(_e1264, _e1255, (_e1255 < _e1264));
+                                                    let _e1381 = select(_e1264, _e1255, (_e1255 > _e1264));
+                                                    let _e1388 = select(_e1267, _e1258, (_e1258 < _e1267));
+                                                    let _e1393 = select(_e1267, _e1258, (_e1258 > _e1267));
+                                                    let _e1402 = (((((_e1293 && (_e1309 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1273, _e1376, (_e1376 < _e1273)) <= 0f) && (select(_e1273, _e1381, (_e1381 > _e1273)) >= 0f))) && ((select(_e1276, _e1388, (_e1388 < _e1276)) <= 0f) && (select(_e1276, _e1393, (_e1393 > _e1276)) >= 0f))) && (_e1372 <= (_e1365 + (select(_e1366, _e1349, (_e1349 > _e1366)) * 0.0000019073523f)))) && (_e1372 <= _e1140.member_1));
+                                                    if _e1402 {
+                                                        let _e1407 = (_e1236[1][0] - _e1236[0][0]);
+                                                        let _e1408 = (_e1236[1][1] - _e1236[0][1]);
+                                                        let _e1409 = (_e1236[1][2] - _e1236[0][2]);
+                                                        let _e1410 = vec3<f32>(_e1407, _e1408, _e1409);
+                                                        let _e1411 = (_e1236[2][0] - _e1236[1][0]);
+                                                        let _e1412 = (_e1236[2][1] - _e1236[1][1]);
+                                                        let _e1413 = (_e1236[2][2] - _e1236[1][2]);
+                                                        let _e1414 = vec3<f32>(_e1411, _e1412, _e1413);
+                                                        let _e1415 = (_e1236[0][0] - _e1236[2][0]);
+                                                        let _e1416 = (_e1236[0][1] - _e1236[2][1]);
+                                                        let _e1417 = (_e1236[0][2] - _e1236[2][2]);
+                                                        let _e1418 = vec3<f32>(_e1415, _e1416, _e1417);
+                                                        let _e1421 = bitcast<f32>((bitcast<u32>(_e1407) & 2147483647u));
+                                                        let _e1424 = bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u));
+                                                        let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
+                                                        let _e1429 = bitcast<f32>((bitcast<u32>(_e1409) & 2147483647u));
+                                                        let _e1431 = select(_e1429, _e1426, (_e1426 > _e1429));
+                                                        let _e1434 = bitcast<f32>((bitcast<u32>(_e1411) & 2147483647u));
+                                                        let _e1437 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
+                                                        let _e1439 = select(_e1437, _e1434, (_e1434 > _e1437));
+                                                        let _e1442 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
+                                                        let _e1444 = select(_e1442, _e1439, (_e1439 > _e1442));
+                                                        let _e1447 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
+                                                        let _e1450 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
+                                                        let _e1452 = select(_e1450, _e1447, (_e1447 > _e1450));
+                                                        let _e1455 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
+                                                        let _e1457 = select(_e1455, _e1452, (_e1452 > _e1455));
+                                                        let _e1459 = select(_e1444, _e1431, (_e1431 > _e1444));
+                                                        let _e1461 = select(_e1457, _e1459, (_e1459 > _e1457));
+                                                        if (_e1431 == _e1461) {
+                                                            phi_1983_ = _e1267;
+                                                            phi_1984_ = _e1264;
+                                                            phi_1985_ = _e1258;
+                                                            phi_1986_ = _e1255;
+                                                            phi_1987_ = vec3<f32>(_e1236[0][0], _e1236[0][1], _e1236[0][2]);
+                                                            phi_1988_ = _e1418;
+                                                            phi_1989_ = _e1414;
+                                                            phi_1990_ = _e1410;
                                                         } else {
-                                                            phi_3633_ = (_e982 >= _e981);
+                                                            let _e1463 = (_e1444 == _e1461);
+                                                            let _e1468 = vec3(_e1463);
+                                                            phi_1983_ = select(_e1258, _e1276, _e1463);
+                                                            phi_1984_ = select(_e1255, _e1273, _e1463);
+                                                            phi_1985_ = select(_e1276, _e1267, _e1463);
+                                                            phi_1986_ = select(_e1273, _e1264, _e1463);
+                                                            phi_1987_ = select(vec3<f32>(_e1236[2][0], _e1236[2][1], _e1236[2][2]), vec3<f32>(_e1236[1][0], _e1236[1][1], _e1236[1][2]), _e1468);
+                                                            phi_1988_ = select(_e1414, _e1410, _e1468);
+                                                            phi_1989_ = select(_e1410, _e1418, _e1468);
+                                                            phi_1990_ = select(_e1418, _e1414, _e1468);
                                                         }
-                                                        let _e986 = phi_3633_;
-                                                        let _e987 = select(_e981, _e982, _e986);
-                                                        let _e988 = abs(_e971);
-                                                        if (_e987 != _e987) {
-                                                            phi_3648_ = true;
+                                                        let _e1474 = phi_1983_;
+                                                        let _e1476 = phi_1984_;
+                                                        let _e1478 = phi_1985_;
+                                                        let _e1480 = phi_1986_;
+                                                        let _e1482 = phi_1987_;
+                                                        let _e1484 = phi_1988_;
+                                                        let _e1486 = phi_1989_;
+                                                        let _e1488 = phi_1990_;
+                                                        let _e1495 = ((_e1486.y * _e1484.z) - (_e1484.y * _e1486.z));
+                                                        let _e1500 = ((_e1486.z * _e1484.x) - (_e1484.z * _e1486.x));
+                                                        let _e1503 = ((_e1486.x * _e1484.y) - (_e1484.x * _e1486.y));
+                                                        let _e1506 = ((_e1299 >= _e1303) && (_e1299 >= _e1307));
+                                                        let _e1507 = (_e1303 >= _e1307);
+                                                        let _e1521 = (((_e1495 * (select(select(_e1236[2][0], _e1236[1][0], _e1507), _e1236[0][0], _e1506) - _e328)) + (_e1500 * (select(select(_e1236[2][1], _e1236[1][1], _e1507), _e1236[0][1], _e1506) - _e395))) + (_e1503 * (select(select(_e1236[2][2], _e1236[1][2], _e1507), _e1236[0][2], _e1506) - _e461)));
+                                                        let _e1526 = (((_e1495 * _e365) + (_e1500 * _e431)) + (_e1503 * _e497));
+                                                        let _e1527 = (_e1476 - _e1480);
+                                                        let _e1528 = (_e1474 - _e1478);
+                                                        let _e1531 = ((_e1527 * _e1527) + (_e1528 * _e1528));
+                                                        let _e1538 = (-(((_e1480 * _e1527) + (_e1478 * _e1528))) / select(0.000000000000000000000000000000000000011754944f, _e1531, (_e1531 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1540 = select(1f, _e1538, (_e1538 < 1f));
+                                                        let _e1542 = select(0f, _e1540, (_e1540 > 0f));
+                                                        let _e1551 = ((_e1482.x + (_e1488.x * _e1542)) - _e328);
+                                                        let _e1554 = ((_e1482.y + (_e1488.y * _e1542)) - _e395);
+                                                        let _e1557 = ((_e1482.z + (_e1488.z * _e1542)) - _e461);
+                                                        let _e1560 = bitcast<f32>((bitcast<u32>(_e1551) & 2147483647u));
+                                                        let _e1563 = bitcast<f32>((bitcast<u32>(_e1554) & 2147483647u));
+                                                        let _e1565 = select(_e1563, _e1560, (_e1560 > _e1563));
+                                                        let _e1568 = bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u));
+                                                        let _e1570 = select(_e1568, _e1565, (_e1565 > _e1568));
+                                                        let _e1576 = bitcast<f32>((bitcast<u32>(_e1495) & 2147483647u));
+                                                        let _e1579 = bitcast<f32>((bitcast<u32>(_e1500) & 2147483647u));
+                                                        let _e1581 = select(_e1579, _e1576, (_e1576 > _e1579));
+                                                        let _e1584 = bitcast<f32>((bitcast<u32>(_e1503) & 2147483647u));
+                                                        let _e1603 = bitcast<f32>((bitcast<u32>(_e1486.x) & 2147483647u));
+                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1486.y) & 2147483647u));
+                                                        let _e1608 = select(_e1606, _e1603, (_e1603 > _e1606));
+                                                        let _e1611 = bitcast<f32>((bitcast<u32>(_e1486.z) & 2147483647u));
+                                                        let _e1617 = bitcast<f32>((bitcast<u32>(_e1484.x) & 2147483647u));
+                                                        let _e1620 = bitcast<f32>((bitcast<u32>(_e1484.y) & 2147483647u));
+                                                        let _e1622 = select(_e1620, _e1617, (_e1617 > _e1620));
+                                                        let _e1625 = bitcast<f32>((bitcast<u32>(_e1484.z) & 2147483647u));
+                                                        let _e1631 = ((bitcast<f32>((bitcast<u32>(((((_e1495 * _e1551) + (_e1500 * _e1554)) + (_e1503 * _e1557)) - _e1521)) & 2147483647u)) <= ((0.0000009536743f * select(_e1461, _e1570, (_e1570 > _e1461))) * select(_e1584, _e1581, (_e1581 > _e1584)))) && !((bitcast<f32>((bitcast<u32>(_e1526) & 2147483647u)) <= ((0.0000038146973f * select(_e1611, _e1608, (_e1608 > _e1611))) * select(_e1625, _e1622, (_e1622 > _e1625))))));
+                                                        let _e1632 = (_e1521 / _e1526);
+                                                        if (_e1402 && !(_e1631)) {
+                                                            let _e1635 = (_e1557 / _e497);
+                                                            let _e1643 = (((_e1495 * (_e1551 - (_e365 * _e1635))) + (_e1500 * (_e1554 - (_e431 * _e1635)))) / _e1526);
+                                                            phi_2181_ = select(select(_e1635, (_e1635 + _e1643), (bitcast<f32>((bitcast<u32>(_e1643) & 2147483647u)) <= _e1461)), _e1632, _e1631);
                                                         } else {
-                                                            phi_3648_ = (_e988 >= _e987);
+                                                            phi_2181_ = _e1632;
                                                         }
-                                                        let _e992 = phi_3648_;
-                                                        let _e993 = select(_e987, _e988, _e992);
-                                                        let _e994 = abs(_e973);
-                                                        let _e995 = abs(_e974);
-                                                        if (_e994 != _e994) {
-                                                            phi_3663_ = true;
-                                                        } else {
-                                                            phi_3663_ = (_e995 >= _e994);
-                                                        }
-                                                        let _e999 = phi_3663_;
-                                                        let _e1000 = select(_e994, _e995, _e999);
-                                                        let _e1001 = abs(_e975);
-                                                        if (_e1000 != _e1000) {
-                                                            phi_3678_ = true;
-                                                        } else {
-                                                            phi_3678_ = (_e1001 >= _e1000);
-                                                        }
-                                                        let _e1005 = phi_3678_;
-                                                        let _e1006 = select(_e1000, _e1001, _e1005);
-                                                        let _e1007 = abs(_e977);
-                                                        let _e1008 = abs(_e978);
-                                                        if (_e1007 != _e1007) {
-                                                            phi_3693_ = true;
-                                                        } else {
-                                                            phi_3693_ = (_e1008 >= _e1007);
-                                                        }
-                                                        let _e1012 = phi_3693_;
-                                                        let _e1013 = select(_e1007, _e1008, _e1012);
-                                                        let _e1014 = abs(_e979);
-                                                        if (_e1013 != _e1013) {
-                                                            phi_3708_ = true;
-                                                        } else {
-                                                            phi_3708_ = (_e1014 >= _e1013);
-                                                        }
-                                                        let _e1018 = phi_3708_;
-                                                        let _e1019 = select(_e1013, _e1014, _e1018);
-                                                        let _e1021 = select(_e1006, _e993, (_e993 > _e1006));
-                                                        let _e1023 = select(_e1019, _e1021, (_e1021 > _e1019));
-                                                        if (_e993 == _e1023) {
-                                                            phi_1988_ = _e829;
-                                                            phi_1989_ = _e826;
-                                                            phi_1990_ = _e820;
-                                                            phi_1991_ = _e817;
-                                                            phi_1992_ = vec3<f32>(_e798[0][0], _e798[0][1], _e798[0][2]);
-                                                            phi_1993_ = _e980;
-                                                            phi_1994_ = _e976;
-                                                            phi_1995_ = _e972;
-                                                        } else {
-                                                            let _e1025 = (_e1006 == _e1023);
-                                                            let _e1030 = vec3(_e1025);
-                                                            phi_1988_ = select(_e820, _e838, _e1025);
-                                                            phi_1989_ = select(_e817, _e835, _e1025);
-                                                            phi_1990_ = select(_e838, _e829, _e1025);
-                                                            phi_1991_ = select(_e835, _e826, _e1025);
-                                                            phi_1992_ = select(vec3<f32>(_e798[2][0], _e798[2][1], _e798[2][2]), vec3<f32>(_e798[1][0], _e798[1][1], _e798[1][2]), _e1030);
-                                                            phi_1993_ = select(_e976, _e972, _e1030);
-                                                            phi_1994_ = select(_e972, _e980, _e1030);
-                                                            phi_1995_ = select(_e980, _e976, _e1030);
-                                                        }
-                                                        let _e1036 = phi_1988_;
-                                                        let _e1038 = phi_1989_;
-                                                        let _e1040 = phi_1990_;
-                                                        let _e1042 = phi_1991_;
-                                                        let _e1044 = phi_1992_;
-                                                        let _e1046 = phi_1993_;
-                                                        let _e1048 = phi_1994_;
-                                                        let _e1050 = phi_1995_;
-                                                        let _e1057 = ((_e1048.y * _e1046.z) - (_e1046.y * _e1048.z));
-                                                        let _e1062 = ((_e1048.z * _e1046.x) - (_e1046.z * _e1048.x));
-                                                        let _e1065 = ((_e1048.x * _e1046.y) - (_e1046.x * _e1048.y));
-                                                        let _e1068 = ((_e861 >= _e865) && (_e861 >= _e869));
-                                                        let _e1069 = (_e865 >= _e869);
-                                                        let _e1083 = (((_e1057 * (select(select(_e798[2][0], _e798[1][0], _e1069), _e798[0][0], _e1068) - _e328)) + (_e1062 * (select(select(_e798[2][1], _e798[1][1], _e1069), _e798[0][1], _e1068) - _e395))) + (_e1065 * (select(select(_e798[2][2], _e798[1][2], _e1069), _e798[0][2], _e1068) - _e461)));
-                                                        let _e1088 = (((_e1057 * _e365) + (_e1062 * _e431)) + (_e1065 * _e497));
-                                                        let _e1089 = (_e1038 - _e1042);
-                                                        let _e1090 = (_e1036 - _e1040);
-                                                        let _e1093 = ((_e1089 * _e1089) + (_e1090 * _e1090));
-                                                        let _e1100 = (-(((_e1042 * _e1089) + (_e1040 * _e1090))) / select(0.000000000000000000000000000000000000011754944f, _e1093, (_e1093 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1102 = select(1f, _e1100, (_e1100 < 1f));
-                                                        let _e1104 = select(0f, _e1102, (_e1102 > 0f));
-                                                        let _e1113 = ((_e1044.x + (_e1050.x * _e1104)) - _e328);
-                                                        let _e1116 = ((_e1044.y + (_e1050.y * _e1104)) - _e395);
-                                                        let _e1119 = ((_e1044.z + (_e1050.z * _e1104)) - _e461);
-                                                        let _e1122 = bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u));
-                                                        let _e1125 = bitcast<f32>((bitcast<u32>(_e1116) & 2147483647u));
-                                                        let _e1127 = select(_e1125, _e1122, (_e1122 > _e1125));
-                                                        let _e1130 = bitcast<f32>((bitcast<u32>(_e1119) & 2147483647u));
-                                                        let _e1132 = select(_e1130, _e1127, (_e1127 > _e1130));
-                                                        let _e1136 = abs(_e1057);
-                                                        let _e1137 = abs(_e1062);
-                                                        if (_e1136 != _e1136) {
-                                                            phi_3723_ = true;
-                                                        } else {
-                                                            phi_3723_ = (_e1137 >= _e1136);
-                                                        }
-                                                        let _e1141 = phi_3723_;
-                                                        let _e1142 = select(_e1136, _e1137, _e1141);
-                                                        let _e1143 = abs(_e1065);
-                                                        if (_e1142 != _e1142) {
-                                                            phi_3738_ = true;
-                                                        } else {
-                                                            phi_3738_ = (_e1143 >= _e1142);
-                                                        }
-                                                        let _e1147 = phi_3738_;
-                                                        let _e1163 = abs(_e1048.x);
-                                                        let _e1164 = abs(_e1048.y);
-                                                        if (_e1163 != _e1163) {
-                                                            phi_3753_ = true;
-                                                        } else {
-                                                            phi_3753_ = (_e1164 >= _e1163);
-                                                        }
-                                                        let _e1168 = phi_3753_;
-                                                        let _e1169 = select(_e1163, _e1164, _e1168);
-                                                        let _e1170 = abs(_e1048.z);
-                                                        if (_e1169 != _e1169) {
-                                                            phi_3768_ = true;
-                                                        } else {
-                                                            phi_3768_ = (_e1170 >= _e1169);
-                                                        }
-                                                        let _e1174 = phi_3768_;
-                                                        let _e1177 = abs(_e1046.x);
-                                                        let _e1178 = abs(_e1046.y);
-                                                        if (_e1177 != _e1177) {
-                                                            phi_3783_ = true;
-                                                        } else {
-                                                            phi_3783_ = (_e1178 >= _e1177);
-                                                        }
-                                                        let _e1182 = phi_3783_;
-                                                        let _e1183 = select(_e1177, _e1178, _e1182);
-                                                        let _e1184 = abs(_e1046.z);
-                                                        if (_e1183 != _e1183) {
-                                                            phi_3798_ = true;
-                                                        } else {
-                                                            phi_3798_ = (_e1184 >= _e1183);
-                                                        }
-                                                        let _e1188 = phi_3798_;
-                                                        let _e1193 = ((bitcast<f32>((bitcast<u32>(((((_e1057 * _e1113) + (_e1062 * _e1116)) + (_e1065 * _e1119)) - _e1083)) & 2147483647u)) <= ((0.0000009536743f * select(_e1023, _e1132, (_e1132 > _e1023))) * select(_e1142, _e1143, _e1147))) && !((bitcast<f32>((bitcast<u32>(_e1088) & 2147483647u)) <= ((0.0000038146973f * select(_e1169, _e1170, _e1174)) * select(_e1183, _e1184, _e1188)))));
-                                                        let _e1194 = (_e1083 / _e1088);
-                                                        if (_e964 && !(_e1193)) {
-                                                            let _e1197 = (_e1119 / _e497);
-                                                            let _e1205 = (((_e1057 * (_e1113 - (_e365 * _e1197))) + (_e1062 * (_e1116 - (_e431 * _e1197)))) / _e1088);
-                                                            phi_2203_ = select(select(_e1197, (_e1197 + _e1205), (bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u)) <= _e1023)), _e1194, _e1193);
-                                                        } else {
-                                                            phi_2203_ = _e1194;
-                                                        }
-                                                        let _e1214 = phi_2203_;
-                                                        let _e1216 = select(_e927, _e1214, (_e1214 < _e927));
-                                                        let _e1218 = select(_e919, _e1216, (_e1216 > _e919));
-                                                        let _e1219 = (1f / _e871);
-                                                        phi_2223_ = type_41(_e1218, (_e865 * _e1219), (_e869 * _e1219), ((_e964 && (_e1218 >= _e604)) && (_e1218 <= _e702.member_1)));
-                                                        phi_2224_ = type_41();
+                                                        let _e1652 = phi_2181_;
+                                                        let _e1654 = select(_e1365, _e1652, (_e1652 < _e1365));
+                                                        let _e1656 = select(_e1357, _e1654, (_e1654 > _e1357));
+                                                        let _e1657 = (1f / _e1309);
+                                                        phi_2201_ = type_41(_e1656, (_e1303 * _e1657), (_e1307 * _e1657), ((_e1402 && (_e1656 >= _e604)) && (_e1656 <= _e1140.member_1)));
+                                                        phi_2202_ = type_41();
                                                     } else {
-                                                        phi_2223_ = type_41();
-                                                        phi_2224_ = type_41(0f, 0f, 0f, _e964);
+                                                        phi_2201_ = type_41();
+                                                        phi_2202_ = type_41(0f, 0f, 0f, _e1402);
                                                     }
-                                                    let _e1228 = phi_2223_;
-                                                    let _e1230 = phi_2224_;
-                                                    phi_2227_ = _e1228;
-                                                    phi_2228_ = _e1230;
-                                                    phi_2229_ = select(true, false, _e964);
+                                                    let _e1666 = phi_2201_;
+                                                    let _e1668 = phi_2202_;
+                                                    phi_2205_ = _e1666;
+                                                    phi_2206_ = _e1668;
+                                                    phi_2207_ = select(true, false, _e1402);
                                                 } else {
-                                                    phi_2227_ = type_41();
-                                                    phi_2228_ = type_41(0f, 0f, 0f, _e855);
-                                                    phi_2229_ = true;
+                                                    phi_2205_ = type_41();
+                                                    phi_2206_ = type_41(0f, 0f, 0f, _e1293);
+                                                    phi_2207_ = true;
                                                 }
-                                                let _e1233 = phi_2227_;
-                                                let _e1235 = phi_2228_;
-                                                let _e1237 = phi_2229_;
-                                                if _e1237 {
-                                                    phi_2233_ = _e1235;
+                                                let _e1671 = phi_2205_;
+                                                let _e1673 = phi_2206_;
+                                                let _e1675 = phi_2207_;
+                                                if _e1675 {
+                                                    phi_2211_ = _e1673;
                                                 } else {
-                                                    phi_2233_ = _e1233;
+                                                    phi_2211_ = _e1671;
                                                 }
-                                                let _e1239 = phi_2233_;
-                                                if _e1239.member_3 {
-                                                    phi_2242_ = type_25(_e1239.member, _e1239.member_1, _e1239.member_2, _e731);
+                                                let _e1677 = phi_2211_;
+                                                if _e1677.member_3 {
+                                                    phi_2220_ = type_25(_e1677.member, _e1677.member_1, _e1677.member_2, _e1169);
                                                 } else {
-                                                    phi_2242_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2220_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1246 = phi_2242_;
-                                                if (_e1246.member_3 != 4294967295u) {
-                                                    if (_e731 != 4294967295u) {
-                                                        if (_e1246.member < _e702.member.member) {
-                                                            phi_2268_ = true;
+                                                let _e1684 = phi_2220_;
+                                                if (_e1684.member_3 != 4294967295u) {
+                                                    if (_e1169 != 4294967295u) {
+                                                        if (_e1684.member < _e1140.member.member) {
+                                                            phi_2246_ = true;
                                                         } else {
-                                                            if (_e1246.member == _e702.member.member) {
-                                                                phi_2267_ = (_e1246.member_3 < _e702.member.member_3);
+                                                            if (_e1684.member == _e1140.member.member) {
+                                                                phi_2245_ = (_e1684.member_3 < _e1140.member.member_3);
                                                             } else {
-                                                                phi_2267_ = false;
+                                                                phi_2245_ = false;
                                                             }
-                                                            let _e1259 = phi_2267_;
-                                                            phi_2268_ = _e1259;
+                                                            let _e1697 = phi_2245_;
+                                                            phi_2246_ = _e1697;
                                                         }
-                                                        let _e1261 = phi_2268_;
-                                                        if _e1261 {
-                                                            phi_2274_ = type_38(_e1246, _e1246.member);
+                                                        let _e1699 = phi_2246_;
+                                                        if _e1699 {
+                                                            phi_2252_ = type_38(_e1684, _e1684.member);
                                                         } else {
-                                                            phi_2274_ = _e702;
+                                                            phi_2252_ = _e1140;
                                                         }
-                                                        let _e1264 = phi_2274_;
-                                                        phi_2275_ = _e1264;
+                                                        let _e1702 = phi_2252_;
+                                                        phi_2253_ = _e1702;
                                                     } else {
-                                                        phi_2275_ = _e702;
+                                                        phi_2253_ = _e1140;
                                                     }
-                                                    let _e1266 = phi_2275_;
-                                                    phi_2276_ = _e1266;
+                                                    let _e1704 = phi_2253_;
+                                                    phi_2254_ = _e1704;
                                                 } else {
-                                                    phi_2276_ = _e702;
+                                                    phi_2254_ = _e1140;
                                                 }
-                                                let _e1268 = phi_2276_;
-                                                phi_1308_ = _e1268;
+                                                let _e1706 = phi_2254_;
+                                                phi_1315_ = _e1706;
                                             } else {
-                                                phi_1308_ = type_38();
+                                                phi_1315_ = type_38();
                                             }
-                                            let _e1270 = phi_1308_;
+                                            let _e1708 = phi_1315_;
                                             continue;
                                             continuing {
-                                                phi_1307_ = _e1270;
-                                                phi_1310_ = _e717;
-                                                phi_4066_ = _e646;
-                                                break if !(_e723);
+                                                phi_1314_ = _e1708;
+                                                phi_1317_ = _e1155;
+                                                phi_3995_ = _e646;
+                                                break if !(_e1161);
                                             }
                                         }
-                                        let _e1273 = phi_4066_;
-                                        phi_4231_ = _e1273;
-                                        if _e1273 {
+                                        let _e1711 = phi_3995_;
+                                        phi_4148_ = _e1711;
+                                        if _e1711 {
                                             break;
                                         }
-                                        phi_4317_ = _e1273;
-                                        let _e1977 = local_11;
-                                        phi_2277_ = _e1977;
+                                        let _e1713 = local_10;
+                                        phi_4152_ = _e1711;
+                                        let _e1985 = local_12;
+                                        phi_3481_ = _e1985;
+                                        phi_3482_ = false;
+                                        phi_3483_ = _e689;
+                                        phi_3484_ = select(_e691, 0u, (_e604 > _e1713.member_1));
                                     } else {
-                                        phi_4317_ = _e646;
-                                        phi_2277_ = _e648;
-                                    }
-                                    let _e1275 = phi_4317_;
-                                    let _e1277 = phi_2277_;
-                                    if _e695 {
-                                        phi_3507_ = bool();
-                                        phi_3508_ = u32();
-                                        phi_3509_ = type_51();
-                                    } else {
-                                        if (_e691.member_1 >= _e94) {
-                                            phi_3043_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e689.member_1 >= _e94) {
+                                            phi_3020_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e691.member_1 < _e94) {
+                                            if (_e689.member_1 < _e94) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1281 = ((1u + _e264) % 4u);
-                                            if (_e1281 < 4u) {
+                                            let _e703 = ((1u + _e264) % 4u);
+                                            if (_e703 < 4u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1286 = global_4.member[_e691.member_1][_e1281];
-                                            let _e1288 = (_e1286 >> bitcast<u32>(11u));
-                                            let _e1290 = ((1u + _e263) % 4u);
-                                            if (_e1290 < 4u) {
+                                            let _e708 = global_4.member[_e689.member_1][_e703];
+                                            let _e710 = (_e708 >> bitcast<u32>(11u));
+                                            let _e712 = ((1u + _e263) % 4u);
+                                            if (_e712 < 4u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1295 = global_4.member[_e691.member_1][_e1290];
-                                            let _e1297 = (_e1295 >> bitcast<u32>(11u));
-                                            let _e1299 = ((1u + _e265) % 4u);
-                                            if (_e1299 < 4u) {
+                                            let _e717 = global_4.member[_e689.member_1][_e712];
+                                            let _e719 = (_e717 >> bitcast<u32>(11u));
+                                            let _e721 = ((1u + _e265) % 4u);
+                                            if (_e721 < 4u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1304 = global_4.member[_e691.member_1][_e1299];
-                                            let _e1306 = (_e1304 >> bitcast<u32>(11u));
-                                            let _e1329 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.x - _e691.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e1330 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.y - _e691.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e1331 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.z - _e691.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e1333 = select(_e144, _e1329, (_e1329 > _e144));
-                                            let _e1335 = select(_e144, _e1330, (_e1330 > _e144));
-                                            let _e1337 = select(_e144, _e1331, (_e1331 > _e144));
-                                            let _e1368 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1286 & 1023u))) - 8388608f) * _e1333));
-                                            let _e1373 = (bitcast<i32>((_e1286 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1376 = bitcast<f32>((_e1368 & bitcast<u32>(_e1373)));
-                                            let _e1377 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1295 & 1023u))) - 8388608f) * _e1335));
-                                            let _e1382 = (bitcast<i32>((_e1295 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1385 = bitcast<f32>((_e1377 & bitcast<u32>(_e1382)));
-                                            let _e1386 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1304 & 1023u))) - 8388608f) * _e1337));
-                                            let _e1391 = (bitcast<i32>((_e1304 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1394 = bitcast<f32>((_e1386 & bitcast<u32>(_e1391)));
-                                            let _e1398 = bitcast<f32>((_e1368 & bitcast<u32>(~(_e1373))));
-                                            let _e1402 = bitcast<f32>((_e1377 & bitcast<u32>(~(_e1382))));
-                                            let _e1406 = bitcast<f32>((_e1386 & bitcast<u32>(~(_e1391))));
-                                            let _e1407 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1288 & 1023u))) - 8388608f) * _e1333));
-                                            let _e1412 = (bitcast<i32>((_e1288 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1415 = bitcast<f32>((_e1407 & bitcast<u32>(_e1412)));
-                                            let _e1416 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1297 & 1023u))) - 8388608f) * _e1335));
-                                            let _e1421 = (bitcast<i32>((_e1297 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1424 = bitcast<f32>((_e1416 & bitcast<u32>(_e1421)));
-                                            let _e1425 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1306 & 1023u))) - 8388608f) * _e1337));
-                                            let _e1430 = (bitcast<i32>((_e1306 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1433 = bitcast<f32>((_e1425 & bitcast<u32>(_e1430)));
-                                            let _e1437 = bitcast<f32>((_e1407 & bitcast<u32>(~(_e1412))));
-                                            let _e1441 = bitcast<f32>((_e1416 & bitcast<u32>(~(_e1421))));
-                                            let _e1445 = bitcast<f32>((_e1425 & bitcast<u32>(~(_e1430))));
-                                            let _e1475 = global_4.member[_e691.member_1][0u];
-                                            let _e1479 = global_4.member[_e691.member_1][1u];
-                                            let _e1483 = global_4.member[_e691.member_1][2u];
-                                            let _e1487 = global_4.member[_e691.member_1][3u];
-                                            let _e1499 = (((_e1479 >> bitcast<u32>(22i)) | ((_e1483 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1487 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1500 = (_e1475 & 268435455u);
-                                            let _e1501 = (_e1499 & 268435455u);
-                                            let _e1504 = ((_e1475 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1512 = ((_e1475 >> bitcast<u32>(31i)) | (((_e1499 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1513 = (_e1504 != 0u);
-                                            if (_e1504 == 0u) {
-                                                phi_3005_ = _e1500;
+                                            let _e726 = global_4.member[_e689.member_1][_e721];
+                                            let _e728 = (_e726 >> bitcast<u32>(11u));
+                                            let _e751 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.x - _e689.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e752 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.y - _e689.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e753 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.z - _e689.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e755 = select(_e144, _e751, (_e751 > _e144));
+                                            let _e757 = select(_e144, _e752, (_e752 > _e144));
+                                            let _e759 = select(_e144, _e753, (_e753 > _e144));
+                                            let _e790 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e708 & 1023u))) - 8388608f) * _e755));
+                                            let _e795 = (bitcast<i32>((_e708 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e798 = bitcast<f32>((_e790 & bitcast<u32>(_e795)));
+                                            let _e799 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e717 & 1023u))) - 8388608f) * _e757));
+                                            let _e804 = (bitcast<i32>((_e717 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e807 = bitcast<f32>((_e799 & bitcast<u32>(_e804)));
+                                            let _e808 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e726 & 1023u))) - 8388608f) * _e759));
+                                            let _e813 = (bitcast<i32>((_e726 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e816 = bitcast<f32>((_e808 & bitcast<u32>(_e813)));
+                                            let _e820 = bitcast<f32>((_e790 & bitcast<u32>(~(_e795))));
+                                            let _e824 = bitcast<f32>((_e799 & bitcast<u32>(~(_e804))));
+                                            let _e828 = bitcast<f32>((_e808 & bitcast<u32>(~(_e813))));
+                                            let _e829 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e710 & 1023u))) - 8388608f) * _e755));
+                                            let _e834 = (bitcast<i32>((_e710 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e837 = bitcast<f32>((_e829 & bitcast<u32>(_e834)));
+                                            let _e838 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e719 & 1023u))) - 8388608f) * _e757));
+                                            let _e843 = (bitcast<i32>((_e719 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e846 = bitcast<f32>((_e838 & bitcast<u32>(_e843)));
+                                            let _e847 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e728 & 1023u))) - 8388608f) * _e759));
+                                            let _e852 = (bitcast<i32>((_e728 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e855 = bitcast<f32>((_e847 & bitcast<u32>(_e852)));
+                                            let _e859 = bitcast<f32>((_e829 & bitcast<u32>(~(_e834))));
+                                            let _e863 = bitcast<f32>((_e838 & bitcast<u32>(~(_e843))));
+                                            let _e867 = bitcast<f32>((_e847 & bitcast<u32>(~(_e852))));
+                                            let _e897 = global_4.member[_e689.member_1][0u];
+                                            let _e901 = global_4.member[_e689.member_1][1u];
+                                            let _e905 = global_4.member[_e689.member_1][2u];
+                                            let _e909 = global_4.member[_e689.member_1][3u];
+                                            let _e921 = (((_e901 >> bitcast<u32>(22i)) | ((_e905 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e909 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e922 = (_e897 & 268435455u);
+                                            let _e923 = (_e921 & 268435455u);
+                                            let _e926 = ((_e897 >> bitcast<u32>(28u)) & 7u);
+                                            let _e934 = ((_e897 >> bitcast<u32>(31i)) | (((_e921 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e935 = (_e926 != 0u);
+                                            if (_e926 == 0u) {
+                                                phi_2982_ = _e922;
                                             } else {
-                                                if (_e1504 == 7u) {
-                                                    phi_3004_ = 2147483648u;
+                                                if (_e926 == 7u) {
+                                                    phi_2981_ = 2147483648u;
                                                 } else {
-                                                    phi_3004_ = ((2147483648u | (_e1504 << bitcast<u32>(28u))) | (_e1501 & 268435455u));
+                                                    phi_2981_ = ((2147483648u | (_e926 << bitcast<u32>(28u))) | (_e923 & 268435455u));
                                                 }
-                                                let _e1522 = phi_3004_;
-                                                phi_3005_ = _e1522;
+                                                let _e944 = phi_2981_;
+                                                phi_2982_ = _e944;
                                             }
-                                            let _e1524 = phi_3005_;
-                                            if _e1513 {
-                                                let _e1525 = (_e1504 != 7u);
-                                                if _e1525 {
-                                                    phi_3015_ = (_e1501 + _e1504);
+                                            let _e946 = phi_2982_;
+                                            if _e935 {
+                                                let _e947 = (_e926 != 7u);
+                                                if _e947 {
+                                                    phi_2992_ = (_e923 + _e926);
                                                 } else {
-                                                    phi_3015_ = u32();
+                                                    phi_2992_ = u32();
                                                 }
-                                                let _e1528 = phi_3015_;
-                                                phi_3017_ = _e1528;
-                                                phi_3018_ = select(true, false, _e1525);
+                                                let _e950 = phi_2992_;
+                                                phi_2994_ = _e950;
+                                                phi_2995_ = select(true, false, _e947);
                                             } else {
-                                                phi_3017_ = u32();
-                                                phi_3018_ = true;
+                                                phi_2994_ = u32();
+                                                phi_2995_ = true;
                                             }
-                                            let _e1531 = phi_3017_;
-                                            let _e1533 = phi_3018_;
-                                            if (_e1512 == 0u) {
-                                                phi_3039_ = (_e1500 + select(0u, 1u, !(_e1513)));
+                                            let _e953 = phi_2994_;
+                                            let _e955 = phi_2995_;
+                                            if (_e934 == 0u) {
+                                                phi_3016_ = (_e922 + select(0u, 1u, !(_e935)));
                                             } else {
-                                                if (_e1512 == 7u) {
-                                                    phi_3038_ = 2147483648u;
+                                                if (_e934 == 7u) {
+                                                    phi_3015_ = 2147483648u;
                                                 } else {
-                                                    phi_3038_ = ((2147483648u | (_e1512 << bitcast<u32>(28u))) | (select(_e1531, _e1501, _e1533) & 268435455u));
+                                                    phi_3015_ = ((2147483648u | (_e934 << bitcast<u32>(28u))) | (select(_e953, _e923, _e955) & 268435455u));
                                                 }
-                                                let _e1546 = phi_3038_;
-                                                phi_3039_ = _e1546;
+                                                let _e968 = phi_3015_;
+                                                phi_3016_ = _e968;
                                             }
-                                            let _e1548 = phi_3039_;
-                                            phi_3043_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e691.member.member.x + _e1376), (_e691.member.member.x + _e1398), (_e691.member.member_1.x - _e1415), (_e691.member.member_1.x - _e1437)), vec4<f32>((_e691.member.member.y + _e1385), (_e691.member.member.y + _e1402), (_e691.member.member_1.y - _e1424), (_e691.member.member_1.y - _e1441)), vec4<f32>((_e691.member.member.z + _e1394), (_e691.member.member.z + _e1406), (_e691.member.member_1.z - _e1433), (_e691.member.member_1.z - _e1445))), type_51(type_33((_e691.member.member + vec4<f32>(_e1376, _e1385, _e1394, 0f)), (_e691.member.member_1 - vec4<f32>(_e1415, _e1424, _e1433, 0f))), _e1524), type_51(type_33((_e691.member.member + vec4<f32>(_e1398, _e1402, _e1406, 0f)), (_e691.member.member_1 - vec4<f32>(_e1437, _e1441, _e1445, 0f))), _e1548));
+                                            let _e970 = phi_3016_;
+                                            phi_3020_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e689.member.member.x + _e798), (_e689.member.member.x + _e820), (_e689.member.member_1.x - _e837), (_e689.member.member_1.x - _e859)), vec4<f32>((_e689.member.member.y + _e807), (_e689.member.member.y + _e824), (_e689.member.member_1.y - _e846), (_e689.member.member_1.y - _e863)), vec4<f32>((_e689.member.member.z + _e816), (_e689.member.member.z + _e828), (_e689.member.member_1.z - _e855), (_e689.member.member_1.z - _e867))), type_51(type_33((_e689.member.member + vec4<f32>(_e798, _e807, _e816, 0f)), (_e689.member.member_1 - vec4<f32>(_e837, _e846, _e855, 0f))), _e946), type_51(type_33((_e689.member.member + vec4<f32>(_e820, _e824, _e828, 0f)), (_e689.member.member_1 - vec4<f32>(_e859, _e863, _e867, 0f))), _e970));
                                         }
-                                        let _e1553 = phi_3043_;
-                                        let _e1565 = ((_e1553.member[0].x - _e366) * _e369);
-                                        let _e1566 = ((_e1553.member[0].y - _e366) * _e369);
-                                        let _e1567 = ((_e1553.member[0].z - _e367) * _e369);
-                                        let _e1568 = ((_e1553.member[0].w - _e367) * _e369);
-                                        let _e1578 = ((_e1553.member[1].x - _e432) * _e435);
-                                        let _e1579 = ((_e1553.member[1].y - _e432) * _e435);
-                                        let _e1580 = ((_e1553.member[1].z - _e433) * _e435);
-                                        let _e1581 = ((_e1553.member[1].w - _e433) * _e435);
-                                        let _e1591 = ((_e1553.member[2].x - _e498) * _e501);
-                                        let _e1592 = ((_e1553.member[2].y - _e498) * _e501);
-                                        let _e1593 = ((_e1553.member[2].z - _e499) * _e501);
-                                        let _e1594 = ((_e1553.member[2].w - _e499) * _e501);
-                                        let _e1596 = select(_e1593, _e1591, (_e1591 < _e1593));
-                                        let _e1598 = select(_e1594, _e1592, (_e1592 < _e1594));
-                                        let _e1600 = select(_e1593, _e1591, (_e1591 > _e1593));
-                                        let _e1602 = select(_e1594, _e1592, (_e1592 > _e1594));
-                                        let _e1604 = select(_e1567, _e1565, (_e1565 < _e1567));
-                                        let _e1606 = select(_e1568, _e1566, (_e1566 < _e1568));
-                                        let _e1608 = select(_e1580, _e1578, (_e1578 < _e1580));
-                                        let _e1610 = select(_e1581, _e1579, (_e1579 < _e1581));
-                                        let _e1612 = select(_e1608, _e1604, (_e1604 > _e1608));
-                                        let _e1614 = select(_e1610, _e1606, (_e1606 > _e1610));
-                                        let _e1616 = select(_e1596, _e1612, (_e1612 > _e1596));
-                                        let _e1618 = select(_e1598, _e1614, (_e1614 > _e1598));
-                                        let _e1620 = select(_e1567, _e1565, (_e1565 > _e1567));
-                                        let _e1622 = select(_e1568, _e1566, (_e1566 > _e1568));
-                                        let _e1624 = select(_e1580, _e1578, (_e1578 > _e1580));
-                                        let _e1626 = select(_e1581, _e1579, (_e1579 > _e1581));
-                                        let _e1628 = select(_e1624, _e1620, (_e1620 < _e1624));
-                                        let _e1630 = select(_e1626, _e1622, (_e1622 < _e1626));
-                                        let _e1635 = -(_e1596);
-                                        let _e1636 = -(_e1598);
-                                        let _e1643 = (select(_e1600, _e1628, (_e1628 < _e1600)) + (select(_e1635, _e1600, (_e1600 > _e1635)) * 0.0000019073523f));
-                                        let _e1644 = (select(_e1602, _e1630, (_e1630 < _e1602)) + (select(_e1636, _e1602, (_e1602 > _e1636)) * 0.0000019073523f));
-                                        let _e1646 = select(_e604, _e1616, (_e1616 > _e604));
-                                        let _e1648 = select(_e604, _e1618, (_e1618 > _e604));
-                                        let _e1653 = (_e1646 <= select(_e1277.member_1, _e1643, (_e1643 < _e1277.member_1)));
-                                        let _e1654 = (_e1648 <= select(_e1277.member_1, _e1644, (_e1644 < _e1277.member_1)));
-                                        let _e1655 = (_e1646 <= _e1648);
-                                        if _e1653 {
-                                            if _e1654 {
-                                                if _e1655 {
-                                                    phi_3405_ = _e1553.member_2;
+                                        let _e975 = phi_3020_;
+                                        let _e987 = ((_e975.member[0].x - _e366) * _e369);
+                                        let _e988 = ((_e975.member[0].y - _e366) * _e369);
+                                        let _e989 = ((_e975.member[0].z - _e367) * _e369);
+                                        let _e990 = ((_e975.member[0].w - _e367) * _e369);
+                                        let _e1000 = ((_e975.member[1].x - _e432) * _e435);
+                                        let _e1001 = ((_e975.member[1].y - _e432) * _e435);
+                                        let _e1002 = ((_e975.member[1].z - _e433) * _e435);
+                                        let _e1003 = ((_e975.member[1].w - _e433) * _e435);
+                                        let _e1013 = ((_e975.member[2].x - _e498) * _e501);
+                                        let _e1014 = ((_e975.member[2].y - _e498) * _e501);
+                                        let _e1015 = ((_e975.member[2].z - _e499) * _e501);
+                                        let _e1016 = ((_e975.member[2].w - _e499) * _e501);
+                                        let _e1018 = select(_e1015, _e1013, (_e1013 < _e1015));
+                                        let _e1020 = select(_e1016, _e1014, (_e1014 < _e1016));
+                                        let _e1022 = select(_e1015, _e1013, (_e1013 > _e1015));
+                                        let _e1024 = select(_e1016, _e1014, (_e1014 > _e1016));
+                                        let _e1026 = select(_e989, _e987, (_e987 < _e989));
+                                        let _e1028 = select(_e990, _e988, (_e988 < _e990));
+                                        let _e1030 = select(_e1002, _e1000, (_e1000 < _e1002));
+                                        let _e1032 = select(_e1003, _e1001, (_e1001 < _e1003));
+                                        let _e1034 = select(_e1030, _e1026, (_e1026 > _e1030));
+                                        let _e1036 = select(_e1032, _e1028, (_e1028 > _e1032));
+                                        let _e1038 = select(_e1018, _e1034, (_e1034 > _e1018));
+                                        let _e1040 = select(_e1020, _e1036, (_e1036 > _e1020));
+                                        let _e1042 = select(_e989, _e987, (_e987 > _e989));
+                                        let _e1044 = select(_e990, _e988, (_e988 > _e990));
+                                        let _e1046 = select(_e1002, _e1000, (_e1000 > _e1002));
+                                        let _e1048 = select(_e1003, _e1001, (_e1001 > _e1003));
+                                        let _e1050 = select(_e1046, _e1042, (_e1042 < _e1046));
+                                        let _e1052 = select(_e1048, _e1044, (_e1044 < _e1048));
+                                        let _e1057 = -(_e1018);
+                                        let _e1058 = -(_e1020);
+                                        let _e1065 = (select(_e1022, _e1050, (_e1050 < _e1022)) + (select(_e1057, _e1022, (_e1022 > _e1057)) * 0.0000019073523f));
+                                        let _e1066 = (select(_e1024, _e1052, (_e1052 < _e1024)) + (select(_e1058, _e1024, (_e1024 > _e1058)) * 0.0000019073523f));
+                                        let _e1068 = select(_e604, _e1038, (_e1038 > _e604));
+                                        let _e1070 = select(_e604, _e1040, (_e1040 > _e604));
+                                        let _e1075 = (_e1068 <= select(_e648.member_1, _e1065, (_e1065 < _e648.member_1)));
+                                        let _e1076 = (_e1070 <= select(_e648.member_1, _e1066, (_e1066 < _e648.member_1)));
+                                        let _e1077 = (_e1068 <= _e1070);
+                                        if _e1075 {
+                                            if _e1076 {
+                                                if _e1077 {
+                                                    phi_3382_ = _e975.member_2;
                                                 } else {
-                                                    phi_3405_ = _e1553.member_1;
+                                                    phi_3382_ = _e975.member_1;
                                                 }
-                                                let _e1659 = phi_3405_;
-                                                let _e1680 = (_e689 % 128u);
-                                                let _e1681 = (_e1680 < 128u);
-                                                if _e1681 {
+                                                let _e1081 = phi_3382_;
+                                                let _e1102 = (_e691 % 128u);
+                                                let _e1103 = (_e1102 < 128u);
+                                                if _e1103 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1680] = _e1659.member_1;
-                                                if _e1681 {
+                                                local_8[_e1102] = _e1081.member_1;
+                                                if _e1103 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1680] = _e1659.member.member.x;
-                                                if _e1681 {
+                                                local_7[_e1102] = _e1081.member.member.x;
+                                                if _e1103 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1680] = _e1659.member.member.y;
-                                                if _e1681 {
+                                                local_6[_e1102] = _e1081.member.member.y;
+                                                if _e1103 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1680] = _e1659.member.member.z;
-                                                if _e1681 {
+                                                local_5[_e1102] = _e1081.member.member.z;
+                                                if _e1103 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1680] = _e1659.member.member_1.x;
-                                                if _e1681 {
+                                                local_4[_e1102] = _e1081.member.member_1.x;
+                                                if _e1103 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1680] = _e1659.member.member_1.y;
-                                                if _e1681 {
+                                                local_3[_e1102] = _e1081.member.member_1.y;
+                                                if _e1103 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1680] = _e1659.member.member_1.z;
-                                                if _e1681 {
+                                                local_2[_e1102] = _e1081.member.member_1.z;
+                                                if _e1103 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1680] = select(_e1646, _e1648, _e1655);
-                                                if _e1655 {
-                                                    phi_3481_ = _e1553.member_1;
+                                                local_9[_e1102] = select(_e1068, _e1070, _e1077);
+                                                if _e1077 {
+                                                    phi_3458_ = _e975.member_1;
                                                 } else {
-                                                    phi_3481_ = _e1553.member_2;
+                                                    phi_3458_ = _e975.member_2;
                                                 }
-                                                let _e1694 = phi_3481_;
-                                                phi_3482_ = (_e689 + 1u);
-                                                phi_3483_ = _e1694;
+                                                let _e1116 = phi_3458_;
+                                                phi_3459_ = _e1116;
+                                                phi_3460_ = (_e691 + 1u);
                                             } else {
-                                                phi_3482_ = u32();
-                                                phi_3483_ = type_51();
+                                                phi_3459_ = type_51();
+                                                phi_3460_ = u32();
                                             }
-                                            let _e1696 = phi_3482_;
-                                            let _e1698 = phi_3483_;
-                                            phi_3485_ = _e1696;
-                                            phi_3486_ = _e1698;
-                                            phi_3487_ = select(true, false, _e1654);
+                                            let _e1118 = phi_3459_;
+                                            let _e1120 = phi_3460_;
+                                            phi_3462_ = _e1118;
+                                            phi_3463_ = _e1120;
+                                            phi_3464_ = select(true, false, _e1076);
                                         } else {
-                                            phi_3485_ = u32();
-                                            phi_3486_ = type_51();
-                                            phi_3487_ = true;
+                                            phi_3462_ = type_51();
+                                            phi_3463_ = u32();
+                                            phi_3464_ = true;
                                         }
-                                        let _e1701 = phi_3485_;
-                                        let _e1703 = phi_3486_;
-                                        let _e1705 = phi_3487_;
-                                        if _e1705 {
-                                            if _e1653 {
-                                                phi_3496_ = _e1553.member_1;
+                                        let _e1123 = phi_3462_;
+                                        let _e1125 = phi_3463_;
+                                        let _e1127 = phi_3464_;
+                                        if _e1127 {
+                                            if _e1075 {
+                                                phi_3473_ = _e975.member_1;
                                             } else {
-                                                phi_3496_ = _e1553.member_2;
+                                                phi_3473_ = _e975.member_2;
                                             }
-                                            let _e1709 = phi_3496_;
-                                            phi_3501_ = select(_e1654, true, _e1653);
-                                            phi_3503_ = _e1709;
+                                            let _e1131 = phi_3473_;
+                                            phi_3478_ = select(_e1076, true, _e1075);
+                                            phi_3479_ = _e1131;
                                         } else {
-                                            phi_3501_ = _e687;
-                                            phi_3503_ = _e1703;
+                                            phi_3478_ = _e687;
+                                            phi_3479_ = _e1123;
                                         }
-                                        let _e1712 = phi_3501_;
-                                        let _e1714 = phi_3503_;
-                                        phi_3507_ = _e1712;
-                                        phi_3508_ = select(_e1701, _e689, _e1705);
-                                        phi_3509_ = _e1714;
+                                        let _e1134 = phi_3478_;
+                                        let _e1136 = phi_3479_;
+                                        phi_4152_ = _e646;
+                                        phi_3481_ = _e648;
+                                        phi_3482_ = _e1134;
+                                        phi_3483_ = _e1136;
+                                        phi_3484_ = select(_e1125, _e691, _e1127);
                                     }
-                                    let _e1717 = phi_3507_;
-                                    let _e1719 = phi_3508_;
-                                    let _e1721 = phi_3509_;
-                                    if _e695 {
-                                        phi_3519_ = _e691;
-                                    } else {
-                                        phi_3519_ = _e1721;
-                                    }
-                                    let _e1723 = phi_3519_;
-                                    phi_4234_ = _e1275;
-                                    phi_3520_ = _e1277;
-                                    phi_3521_ = (_e650 - 1u);
-                                    phi_3522_ = select(_e1717, false, _e695);
-                                    phi_3523_ = select(_e1719, _e689, _e695);
-                                    phi_3524_ = _e1723;
+                                    let _e1718 = phi_4152_;
+                                    let _e1720 = phi_3481_;
+                                    let _e1722 = phi_3482_;
+                                    let _e1724 = phi_3483_;
+                                    let _e1726 = phi_3484_;
+                                    phi_4151_ = _e1718;
+                                    phi_3485_ = _e1720;
+                                    phi_3486_ = _e1722;
+                                    phi_3487_ = _e1724;
+                                    phi_3488_ = _e1726;
+                                    phi_3489_ = (_e656 - 1u);
                                 } else {
-                                    phi_4234_ = _e646;
-                                    phi_3520_ = _e648;
-                                    phi_3521_ = _e650;
-                                    phi_3522_ = _e687;
-                                    phi_3523_ = _e689;
-                                    phi_3524_ = _e691;
+                                    phi_4151_ = _e646;
+                                    phi_3485_ = _e648;
+                                    phi_3486_ = _e687;
+                                    phi_3487_ = _e689;
+                                    phi_3488_ = _e691;
+                                    phi_3489_ = _e656;
                                 }
-                                let _e1727 = phi_4234_;
-                                let _e1729 = phi_3520_;
-                                let _e1731 = phi_3521_;
-                                let _e1733 = phi_3522_;
-                                let _e1735 = phi_3523_;
-                                let _e1737 = phi_3524_;
-                                phi_4233_ = _e1727;
-                                phi_3525_ = _e1729;
-                                phi_3526_ = _e1731;
-                                phi_3527_ = _e1733;
-                                phi_3528_ = _e1735;
-                                phi_3529_ = _e1737;
+                                let _e1728 = phi_4151_;
+                                let _e1730 = phi_3485_;
+                                let _e1732 = phi_3486_;
+                                let _e1734 = phi_3487_;
+                                let _e1736 = phi_3488_;
+                                let _e1738 = phi_3489_;
+                                phi_4150_ = _e1728;
+                                phi_3490_ = _e1730;
+                                phi_3491_ = _e1732;
+                                phi_3492_ = _e1734;
+                                phi_3493_ = _e1736;
+                                phi_3494_ = _e1738;
                             } else {
-                                phi_4233_ = _e646;
-                                phi_3525_ = type_38();
-                                phi_3526_ = u32();
-                                phi_3527_ = bool();
-                                phi_3528_ = u32();
-                                phi_3529_ = type_51();
+                                phi_4150_ = _e646;
+                                phi_3490_ = type_38();
+                                phi_3491_ = bool();
+                                phi_3492_ = type_51();
+                                phi_3493_ = u32();
+                                phi_3494_ = u32();
                             }
-                            let _e1739 = phi_4233_;
-                            let _e1741 = phi_3525_;
-                            let _e1743 = phi_3526_;
-                            let _e1745 = phi_3527_;
-                            let _e1747 = phi_3528_;
-                            let _e1749 = phi_3529_;
-                            phi_4232_ = _e1739;
-                            phi_1182_ = _e1741;
-                            phi_1185_ = _e1743;
-                            phi_1187_ = _e1745;
-                            phi_1189_ = _e1747;
-                            phi_1191_ = _e1749;
-                            phi_3530_ = _e660;
+                            let _e1740 = phi_4150_;
+                            let _e1742 = phi_3490_;
+                            let _e1744 = phi_3491_;
+                            let _e1746 = phi_3492_;
+                            let _e1748 = phi_3493_;
+                            let _e1750 = phi_3494_;
+                            phi_4149_ = _e1740;
+                            phi_1189_ = _e1742;
+                            phi_1192_ = _e1744;
+                            phi_1194_ = _e1746;
+                            phi_1196_ = _e1748;
+                            phi_1198_ = _e1750;
+                            phi_3495_ = _e660;
                         } else {
-                            phi_4232_ = _e646;
-                            phi_1182_ = type_38();
-                            phi_1185_ = u32();
-                            phi_1187_ = bool();
-                            phi_1189_ = u32();
-                            phi_1191_ = type_51();
-                            phi_3530_ = false;
+                            phi_4149_ = _e646;
+                            phi_1189_ = type_38();
+                            phi_1192_ = bool();
+                            phi_1194_ = type_51();
+                            phi_1196_ = u32();
+                            phi_1198_ = u32();
+                            phi_3495_ = false;
                         }
-                        let _e1751 = phi_4232_;
-                        let _e1753 = phi_1182_;
-                        let _e1755 = phi_1185_;
-                        let _e1757 = phi_1187_;
-                        let _e1759 = phi_1189_;
-                        let _e1761 = phi_1191_;
-                        let _e1763 = phi_3530_;
+                        let _e1752 = phi_4149_;
+                        let _e1754 = phi_1189_;
+                        let _e1756 = phi_1192_;
+                        let _e1758 = phi_1194_;
+                        let _e1760 = phi_1196_;
+                        let _e1762 = phi_1198_;
+                        let _e1764 = phi_3495_;
                         continue;
                         continuing {
-                            phi_4072_ = _e1751;
-                            phi_1181_ = _e1753;
-                            phi_1184_ = _e1755;
-                            phi_1186_ = _e1757;
-                            phi_1188_ = _e1759;
-                            phi_1190_ = _e1761;
-                            phi_4231_ = _e1751;
-                            break if !(_e1763);
+                            phi_4001_ = _e1752;
+                            phi_1188_ = _e1754;
+                            phi_1191_ = _e1756;
+                            phi_1193_ = _e1758;
+                            phi_1195_ = _e1760;
+                            phi_1197_ = _e1762;
+                            phi_4148_ = _e1752;
+                            break if !(_e1764);
                         }
                     }
-                    let _e1766 = phi_4231_;
-                    if _e1766 {
+                    let _e1767 = phi_4148_;
+                    if _e1767 {
                         break;
                     }
-                    let _e1768 = local_10;
-                    if (_e1768.member.member_3 != 4294967295u) {
-                        let _e1773 = -(_e506);
-                        let _e1774 = bitcast<u32>(_e1768.member.member);
-                        let _e1778 = (bitcast<i32>((_e1774 >> bitcast<u32>(23i))) & 255i);
-                        let _e1779 = (_e1778 + _e1773);
-                        if (_e1778 == 255i) {
-                            phi_3589_ = _e1768.member.member;
+                    let _e1769 = local_11;
+                    if (_e1769.member.member_3 != 4294967295u) {
+                        let _e1774 = -(_e506);
+                        let _e1775 = bitcast<u32>(_e1769.member.member);
+                        let _e1779 = (bitcast<i32>((_e1775 >> bitcast<u32>(23i))) & 255i);
+                        let _e1780 = (_e1779 + _e1774);
+                        if (_e1779 == 255i) {
+                            phi_3554_ = _e1769.member.member;
                         } else {
-                            if (_e1778 > 0i) {
-                                if (_e1779 > 0i) {
-                                    let _e1783 = (_e1779 < 255i);
-                                    if _e1783 {
-                                        phi_3568_ = bitcast<f32>((_e1774 + bitcast<u32>((_e1773 << bitcast<u32>(23i)))));
+                            if (_e1779 > 0i) {
+                                if (_e1780 > 0i) {
+                                    let _e1784 = (_e1780 < 255i);
+                                    if _e1784 {
+                                        phi_3533_ = bitcast<f32>((_e1775 + bitcast<u32>((_e1774 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3568_ = f32();
+                                        phi_3533_ = f32();
                                     }
-                                    let _e1790 = phi_3568_;
-                                    phi_3570_ = _e1790;
-                                    phi_3571_ = select(true, false, _e1783);
+                                    let _e1791 = phi_3533_;
+                                    phi_3535_ = _e1791;
+                                    phi_3536_ = select(true, false, _e1784);
                                 } else {
-                                    phi_3570_ = f32();
-                                    phi_3571_ = true;
+                                    phi_3535_ = f32();
+                                    phi_3536_ = true;
                                 }
-                                let _e1793 = phi_3570_;
-                                let _e1795 = phi_3571_;
-                                phi_3572_ = _e1793;
-                                phi_3573_ = _e1795;
+                                let _e1794 = phi_3535_;
+                                let _e1796 = phi_3536_;
+                                phi_3537_ = _e1794;
+                                phi_3538_ = _e1796;
                             } else {
-                                phi_3572_ = f32();
-                                phi_3573_ = true;
+                                phi_3537_ = f32();
+                                phi_3538_ = true;
                             }
-                            let _e1797 = phi_3572_;
-                            let _e1799 = phi_3573_;
-                            if _e1799 {
-                                let _e1800 = (_e1774 & 2147483648u);
-                                let _e1807 = ((_e1774 & 8388607u) | (select(0u, 1u, ((_e1774 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1811 = (_e1807 == 0u);
-                                if _e1811 {
-                                    phi_4024_ = bitcast<f32>(_e1800);
+                            let _e1798 = phi_3537_;
+                            let _e1800 = phi_3538_;
+                            if _e1800 {
+                                let _e1801 = (_e1775 & 2147483648u);
+                                let _e1808 = ((_e1775 & 8388607u) | (select(0u, 1u, ((_e1775 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1812 = (_e1808 == 0u);
+                                if _e1812 {
+                                    phi_3953_ = bitcast<f32>(_e1801);
                                 } else {
-                                    let _e1816 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1807)), 32u, _e1811) - 8u);
-                                    let _e1819 = (_e1807 << bitcast<u32>((_e1816 & 31u)));
-                                    let _e1821 = ((_e1779 + select(0i, 1i, (_e1778 == 0i))) - bitcast<i32>(_e1816));
-                                    if (_e1821 >= 255i) {
-                                        phi_4014_ = bitcast<f32>((_e1800 | 2139095040u));
-                                        phi_4015_ = f32();
-                                        phi_4016_ = true;
+                                    let _e1817 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1808)), 32u, _e1812) - 8u);
+                                    let _e1820 = (_e1808 << bitcast<u32>((_e1817 & 31u)));
+                                    let _e1822 = ((_e1780 + select(0i, 1i, (_e1779 == 0i))) - bitcast<i32>(_e1817));
+                                    if (_e1822 >= 255i) {
+                                        phi_3943_ = bitcast<f32>((_e1801 | 2139095040u));
+                                        phi_3944_ = f32();
+                                        phi_3945_ = true;
                                     } else {
-                                        let _e1823 = (_e1821 > 0i);
-                                        if _e1823 {
-                                            phi_4008_ = bitcast<f32>(((_e1800 | (bitcast<u32>(_e1821) << bitcast<u32>(23i))) | (_e1819 & 8388607u)));
-                                            phi_4009_ = f32();
+                                        let _e1824 = (_e1822 > 0i);
+                                        if _e1824 {
+                                            phi_3937_ = bitcast<f32>(((_e1801 | (bitcast<u32>(_e1822) << bitcast<u32>(23i))) | (_e1820 & 8388607u)));
+                                            phi_3938_ = f32();
                                         } else {
-                                            if (_e1821 < -24i) {
-                                                phi_3974_ = 26u;
+                                            if (_e1822 < -24i) {
+                                                phi_3903_ = 26u;
                                             } else {
-                                                phi_3974_ = bitcast<u32>((1i - _e1821));
+                                                phi_3903_ = bitcast<u32>((1i - _e1822));
                                             }
-                                            let _e1828 = phi_3974_;
-                                            let _e1829 = (_e1828 & 31u);
-                                            let _e1831 = (_e1819 >> bitcast<u32>(_e1829));
-                                            let _e1835 = (_e1819 & ((1u << bitcast<u32>(_e1829)) - 1u));
-                                            let _e1839 = (1u << bitcast<u32>(((_e1828 - 1u) & 31u)));
-                                            if (_e1835 > _e1839) {
-                                                phi_3995_ = true;
+                                            let _e1829 = phi_3903_;
+                                            let _e1830 = (_e1829 & 31u);
+                                            let _e1832 = (_e1820 >> bitcast<u32>(_e1830));
+                                            let _e1836 = (_e1820 & ((1u << bitcast<u32>(_e1830)) - 1u));
+                                            let _e1840 = (1u << bitcast<u32>(((_e1829 - 1u) & 31u)));
+                                            if (_e1836 > _e1840) {
+                                                phi_3924_ = true;
                                             } else {
-                                                if (_e1835 == _e1839) {
-                                                    phi_3992_ = ((_e1831 & 1u) == 1u);
+                                                if (_e1836 == _e1840) {
+                                                    phi_3921_ = ((_e1832 & 1u) == 1u);
                                                 } else {
-                                                    phi_3992_ = false;
+                                                    phi_3921_ = false;
                                                 }
-                                                let _e1845 = phi_3992_;
-                                                phi_3995_ = _e1845;
+                                                let _e1846 = phi_3921_;
+                                                phi_3924_ = _e1846;
                                             }
-                                            let _e1847 = phi_3995_;
-                                            phi_4008_ = f32();
-                                            phi_4009_ = bitcast<f32>((_e1800 | (_e1831 + select(0u, 1u, _e1847))));
+                                            let _e1848 = phi_3924_;
+                                            phi_3937_ = f32();
+                                            phi_3938_ = bitcast<f32>((_e1801 | (_e1832 + select(0u, 1u, _e1848))));
                                         }
-                                        let _e1860 = phi_4008_;
-                                        let _e1862 = phi_4009_;
-                                        phi_4014_ = _e1860;
-                                        phi_4015_ = _e1862;
-                                        phi_4016_ = _e1823;
+                                        let _e1861 = phi_3937_;
+                                        let _e1863 = phi_3938_;
+                                        phi_3943_ = _e1861;
+                                        phi_3944_ = _e1863;
+                                        phi_3945_ = _e1824;
                                     }
-                                    let _e1866 = phi_4014_;
-                                    let _e1868 = phi_4015_;
-                                    let _e1870 = phi_4016_;
-                                    phi_4024_ = select(_e1868, _e1866, _e1870);
+                                    let _e1867 = phi_3943_;
+                                    let _e1869 = phi_3944_;
+                                    let _e1871 = phi_3945_;
+                                    phi_3953_ = select(_e1869, _e1867, _e1871);
                                 }
-                                let _e1874 = phi_4024_;
-                                phi_3588_ = _e1874;
+                                let _e1875 = phi_3953_;
+                                phi_3553_ = _e1875;
                             } else {
-                                phi_3588_ = _e1797;
+                                phi_3553_ = _e1798;
                             }
-                            let _e1876 = phi_3588_;
-                            phi_3589_ = _e1876;
+                            let _e1877 = phi_3553_;
+                            phi_3554_ = _e1877;
                         }
-                        let _e1878 = phi_3589_;
-                        let _e1879 = bitcast<u32>(_e1878);
-                        if ((_e1879 & 2147483647u) >= 2139095040u) {
-                            phi_3601_ = bitcast<f32>(((_e1879 & 2147483648u) | 2139095039u));
+                        let _e1879 = phi_3554_;
+                        let _e1880 = bitcast<u32>(_e1879);
+                        if ((_e1880 & 2147483647u) >= 2139095040u) {
+                            phi_3566_ = bitcast<f32>(((_e1880 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3601_ = _e1878;
+                            phi_3566_ = _e1879;
                         }
-                        let _e1886 = phi_3601_;
-                        phi_3606_ = type_25(_e1886, _e1768.member.member_1, _e1768.member.member_2, _e1768.member.member_3);
+                        let _e1887 = phi_3566_;
+                        phi_3571_ = type_25(_e1887, _e1769.member.member_1, _e1769.member.member_2, _e1769.member.member_3);
                     } else {
-                        phi_3606_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3571_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1891 = phi_3606_;
+                    let _e1892 = phi_3571_;
                     if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e150] = _e1891;
+                    global_6.member[_e150] = _e1892;
                 }
             }
             break;

@@ -99,150 +99,138 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_492_: i32;
-    var phi_493_: i32;
-    var phi_503_: bool;
-    var phi_513_: u32;
-    var phi_514_: u32;
-    var phi_516_: bool;
+    var phi_499_: i32;
+    var phi_500_: i32;
+    var phi_510_: bool;
+    var phi_520_: u32;
     var phi_521_: u32;
-    var phi_534_: i32;
-    var phi_554_: i32;
-    var phi_572_: f32;
-    var phi_578_: f32;
-    var phi_618_: f32;
-    var phi_624_: f32;
-    var phi_697_: f32;
-    var phi_703_: f32;
-    var phi_743_: f32;
-    var phi_749_: f32;
-    var phi_822_: f32;
-    var phi_828_: f32;
-    var phi_868_: f32;
-    var phi_874_: f32;
-    var phi_993_: i32;
-    var phi_1015_: u32;
-    var phi_1016_: u32;
-    var phi_1053_: i32;
-    var phi_1075_: u32;
-    var phi_1076_: u32;
-    var phi_1084_: f32;
-    var phi_1085_: f32;
-    var phi_4072_: bool;
-    var phi_1181_: type_34;
-    var phi_1184_: u32;
-    var phi_1186_: bool;
-    var phi_1188_: u32;
-    var phi_1190_: type_51;
-    var phi_1201_: bool;
-    var phi_1287_: bool;
-    var phi_1288_: u32;
-    var phi_1289_: type_51;
-    var phi_1307_: type_34;
-    var phi_1310_: type_4;
-    var phi_1311_: type_4;
-    var phi_1333_: type_4;
-    var phi_1354_: u32;
-    var phi_1446_: array<array<f32, 3>, 3>;
-    var phi_3633_: bool;
-    var phi_3648_: bool;
-    var phi_3663_: bool;
-    var phi_3678_: bool;
-    var phi_3693_: bool;
-    var phi_3708_: bool;
-    var phi_1988_: f32;
-    var phi_1989_: f32;
-    var phi_1990_: f32;
-    var phi_1991_: f32;
-    var phi_1992_: vec3<f32>;
-    var phi_1993_: vec3<f32>;
-    var phi_1994_: vec3<f32>;
-    var phi_1995_: vec3<f32>;
-    var phi_3723_: bool;
-    var phi_3738_: bool;
-    var phi_3753_: bool;
-    var phi_3768_: bool;
-    var phi_3783_: bool;
-    var phi_3798_: bool;
-    var phi_2203_: f32;
-    var phi_2223_: type_37;
-    var phi_2224_: type_37;
-    var phi_2227_: type_37;
-    var phi_2228_: type_37;
-    var phi_2229_: bool;
-    var phi_2233_: type_37;
-    var phi_2242_: type_21;
-    var phi_2267_: bool;
-    var phi_2268_: bool;
-    var phi_2274_: type_34;
-    var phi_2275_: type_34;
-    var phi_2276_: type_34;
-    var phi_1308_: type_34;
-    var phi_4066_: bool;
-    var phi_4317_: bool;
-    var phi_2277_: type_34;
-    var phi_3004_: u32;
-    var phi_3005_: u32;
+    var phi_523_: bool;
+    var phi_528_: u32;
+    var phi_541_: i32;
+    var phi_561_: i32;
+    var phi_579_: f32;
+    var phi_585_: f32;
+    var phi_625_: f32;
+    var phi_631_: f32;
+    var phi_704_: f32;
+    var phi_710_: f32;
+    var phi_750_: f32;
+    var phi_756_: f32;
+    var phi_829_: f32;
+    var phi_835_: f32;
+    var phi_875_: f32;
+    var phi_881_: f32;
+    var phi_1000_: i32;
+    var phi_1022_: u32;
+    var phi_1023_: u32;
+    var phi_1060_: i32;
+    var phi_1082_: u32;
+    var phi_1083_: u32;
+    var phi_1091_: f32;
+    var phi_1092_: f32;
+    var phi_4001_: bool;
+    var phi_1188_: type_34;
+    var phi_1191_: bool;
+    var phi_1193_: type_51;
+    var phi_1195_: u32;
+    var phi_1197_: u32;
+    var phi_1208_: bool;
+    var phi_1294_: bool;
+    var phi_1295_: type_51;
+    var phi_1296_: u32;
+    var phi_2981_: u32;
+    var phi_2982_: u32;
+    var phi_2992_: u32;
+    var phi_2994_: u32;
+    var phi_2995_: bool;
     var phi_3015_: u32;
-    var phi_3017_: u32;
-    var phi_3018_: bool;
-    var phi_3038_: u32;
-    var phi_3039_: u32;
-    var phi_3043_: type_52;
-    var phi_3405_: type_51;
-    var phi_3481_: type_51;
-    var phi_3482_: u32;
-    var phi_3483_: type_51;
-    var phi_3485_: u32;
-    var phi_3486_: type_51;
-    var phi_3487_: bool;
-    var phi_3496_: type_51;
-    var phi_3501_: bool;
-    var phi_3503_: type_51;
-    var phi_3507_: bool;
-    var phi_3508_: u32;
-    var phi_3509_: type_51;
-    var phi_3519_: type_51;
-    var phi_4234_: bool;
-    var phi_3520_: type_34;
-    var phi_3521_: u32;
-    var phi_3522_: bool;
-    var phi_3523_: u32;
-    var phi_3524_: type_51;
-    var phi_4233_: bool;
-    var phi_3525_: type_34;
-    var phi_3526_: u32;
-    var phi_3527_: bool;
-    var phi_3528_: u32;
-    var phi_3529_: type_51;
-    var phi_4232_: bool;
-    var phi_1182_: type_34;
-    var phi_1185_: u32;
-    var phi_1187_: bool;
-    var phi_1189_: u32;
-    var phi_1191_: type_51;
-    var phi_3530_: bool;
-    var phi_4231_: bool;
-    var local_10: type_34;
-    var phi_3568_: f32;
-    var phi_3570_: f32;
-    var phi_3571_: bool;
-    var phi_3572_: f32;
-    var phi_3573_: bool;
-    var phi_3974_: u32;
-    var phi_3992_: bool;
+    var phi_3016_: u32;
+    var phi_3020_: type_52;
+    var phi_3382_: type_51;
+    var phi_3458_: type_51;
+    var phi_3459_: type_51;
+    var phi_3460_: u32;
+    var phi_3462_: type_51;
+    var phi_3463_: u32;
+    var phi_3464_: bool;
+    var phi_3473_: type_51;
+    var phi_3478_: bool;
+    var phi_3479_: type_51;
+    var phi_1314_: type_34;
+    var phi_1317_: type_4;
+    var phi_1318_: type_4;
+    var phi_1340_: type_4;
+    var phi_1361_: u32;
+    var phi_1453_: array<array<f32, 3>, 3>;
+    var phi_1983_: f32;
+    var phi_1984_: f32;
+    var phi_1985_: f32;
+    var phi_1986_: f32;
+    var phi_1987_: vec3<f32>;
+    var phi_1988_: vec3<f32>;
+    var phi_1989_: vec3<f32>;
+    var phi_1990_: vec3<f32>;
+    var phi_2181_: f32;
+    var phi_2201_: type_37;
+    var phi_2202_: type_37;
+    var phi_2205_: type_37;
+    var phi_2206_: type_37;
+    var phi_2207_: bool;
+    var phi_2211_: type_37;
+    var phi_2220_: type_21;
+    var phi_2245_: bool;
+    var phi_2246_: bool;
+    var phi_2252_: type_34;
+    var phi_2253_: type_34;
+    var phi_2254_: type_34;
+    var phi_1315_: type_34;
     var phi_3995_: bool;
-    var phi_4008_: f32;
-    var phi_4009_: f32;
-    var phi_4014_: f32;
-    var phi_4015_: f32;
-    var phi_4016_: bool;
-    var phi_4024_: f32;
-    var phi_3588_: f32;
-    var phi_3589_: f32;
-    var phi_3601_: f32;
-    var phi_3606_: type_21;
+    var local_10: type_34;
+    var phi_4152_: bool;
+    var phi_3481_: type_34;
+    var phi_3482_: bool;
+    var phi_3483_: type_51;
+    var phi_3484_: u32;
+    var phi_4151_: bool;
+    var phi_3485_: type_34;
+    var phi_3486_: bool;
+    var phi_3487_: type_51;
+    var phi_3488_: u32;
+    var phi_3489_: u32;
+    var phi_4150_: bool;
+    var phi_3490_: type_34;
+    var phi_3491_: bool;
+    var phi_3492_: type_51;
+    var phi_3493_: u32;
+    var phi_3494_: u32;
+    var phi_4149_: bool;
+    var phi_1189_: type_34;
+    var phi_1192_: bool;
+    var phi_1194_: type_51;
+    var phi_1196_: u32;
+    var phi_1198_: u32;
+    var phi_3495_: bool;
+    var phi_4148_: bool;
     var local_11: type_34;
+    var phi_3533_: f32;
+    var phi_3535_: f32;
+    var phi_3536_: bool;
+    var phi_3537_: f32;
+    var phi_3538_: bool;
+    var phi_3903_: u32;
+    var phi_3921_: bool;
+    var phi_3924_: bool;
+    var phi_3937_: f32;
+    var phi_3938_: f32;
+    var phi_3943_: f32;
+    var phi_3944_: f32;
+    var phi_3945_: bool;
+    var phi_3953_: f32;
+    var phi_3553_: f32;
+    var phi_3554_: f32;
+    var phi_3566_: f32;
+    var phi_3571_: type_21;
+    var local_12: type_34;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -297,93 +285,93 @@ fn function_() {
                     if _e224 {
                         let _e227 = (bitcast<u32>(bitcast<f32>(_e199)) & 2147483647u);
                         if (_e227 >= 8388608u) {
-                            phi_492_ = (bitcast<i32>((_e227 >> bitcast<u32>(23i))) - 127i);
+                            phi_499_ = (bitcast<i32>((_e227 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_492_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
+                            phi_499_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
                         }
-                        let _e241 = phi_492_;
-                        phi_493_ = _e241;
+                        let _e241 = phi_499_;
+                        phi_500_ = _e241;
                     } else {
-                        phi_493_ = 0i;
+                        phi_500_ = 0i;
                     }
-                    let _e243 = phi_493_;
+                    let _e243 = phi_500_;
                     let _e244 = (_e160 == _e199);
                     if _e244 {
-                        phi_503_ = true;
+                        phi_510_ = true;
                     } else {
-                        phi_503_ = (_e167 == _e199);
+                        phi_510_ = (_e167 == _e199);
                     }
-                    let _e247 = phi_503_;
+                    let _e247 = phi_510_;
                     let _e248 = select(1u, 0u, _e244);
                     if _e247 {
                         let _e249 = (_e248 + 1u);
-                        phi_513_ = _e249;
-                        phi_514_ = _e249;
-                        phi_516_ = select(true, false, (_e249 == 2u));
+                        phi_520_ = _e249;
+                        phi_521_ = _e249;
+                        phi_523_ = select(true, false, (_e249 == 2u));
                     } else {
-                        phi_513_ = u32();
-                        phi_514_ = 0u;
-                        phi_516_ = true;
-                    }
-                    let _e253 = phi_513_;
-                    let _e255 = phi_514_;
-                    let _e257 = phi_516_;
-                    if _e257 {
-                        phi_521_ = (_e255 + 1u);
-                    } else {
+                        phi_520_ = u32();
                         phi_521_ = 0u;
+                        phi_523_ = true;
                     }
-                    let _e261 = phi_521_;
+                    let _e253 = phi_520_;
+                    let _e255 = phi_521_;
+                    let _e257 = phi_523_;
+                    if _e257 {
+                        phi_528_ = (_e255 + 1u);
+                    } else {
+                        phi_528_ = 0u;
+                    }
+                    let _e261 = phi_528_;
                     let _e262 = select(_e253, _e255, _e257);
                     let _e263 = select(_e248, select(2u, _e248, _e247), _e257);
                     if (_e130 < -126i) {
-                        phi_534_ = -126i;
+                        phi_541_ = -126i;
                     } else {
-                        phi_534_ = select(_e130, 127i, (_e130 > 127i));
+                        phi_541_ = select(_e130, 127i, (_e130 > 127i));
                     }
-                    let _e268 = phi_534_;
+                    let _e268 = phi_541_;
                     let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
                     let _e279 = bitcast<f32>((bitcast<u32>(((_e130 - _e268) + 127i)) << bitcast<u32>(23i)));
                     let _e280 = -(_e243);
                     if (_e280 < -126i) {
-                        phi_554_ = -126i;
+                        phi_561_ = -126i;
                     } else {
-                        phi_554_ = select(_e280, 127i, (_e280 > 127i));
+                        phi_561_ = select(_e280, 127i, (_e280 > 127i));
                     }
-                    let _e285 = phi_554_;
+                    let _e285 = phi_561_;
                     let _e290 = bitcast<f32>((bitcast<u32>((_e285 + 127i)) << bitcast<u32>(23i)));
                     let _e296 = bitcast<f32>((bitcast<u32>(((_e280 - _e285) + 127i)) << bitcast<u32>(23i)));
                     let _e300 = global_4.member[_e148].member;
                     let _e301 = (_e262 == 0u);
                     if _e301 {
-                        phi_572_ = _e300[0];
+                        phi_579_ = _e300[0];
                     } else {
-                        phi_572_ = _e300[1];
+                        phi_579_ = _e300[1];
                     }
-                    let _e305 = phi_572_;
+                    let _e305 = phi_579_;
                     let _e306 = (_e262 == 2u);
                     if _e306 {
-                        phi_578_ = _e300[2];
+                        phi_585_ = _e300[2];
                     } else {
-                        phi_578_ = _e305;
+                        phi_585_ = _e305;
                     }
-                    let _e309 = phi_578_;
+                    let _e309 = phi_585_;
                     let _e310 = bitcast<u32>(_e309);
                     let _e312 = ((_e310 & 2139095040u) != 0u);
                     let _e326 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e310 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e310 & 2147483648u))), _e309, _e312) * _e273) * select(0.00000011920929f, 1f, _e312)) * _e279);
                     let _e327 = global_4.member[_e148].member_2;
                     if _e301 {
-                        phi_618_ = _e327[0];
+                        phi_625_ = _e327[0];
                     } else {
-                        phi_618_ = _e327[1];
+                        phi_625_ = _e327[1];
                     }
-                    let _e331 = phi_618_;
+                    let _e331 = phi_625_;
                     if _e306 {
-                        phi_624_ = _e327[2];
+                        phi_631_ = _e327[2];
                     } else {
-                        phi_624_ = _e331;
+                        phi_631_ = _e331;
                     }
-                    let _e334 = phi_624_;
+                    let _e334 = phi_631_;
                     let _e335 = bitcast<u32>(_e334);
                     let _e337 = ((_e335 & 2139095040u) != 0u);
                     let _e351 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e335 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e335 & 2147483648u))), _e334, _e337) * _e290) * select(0.00000011920929f, 1f, _e337)) * _e296);
@@ -397,33 +385,33 @@ fn function_() {
                     let _e367 = select(38685626000000000000000000f, (1f / _e351), _e355);
                     let _e368 = (_e261 == 0u);
                     if _e368 {
-                        phi_697_ = _e300[0];
+                        phi_704_ = _e300[0];
                     } else {
-                        phi_697_ = _e300[1];
+                        phi_704_ = _e300[1];
                     }
-                    let _e372 = phi_697_;
+                    let _e372 = phi_704_;
                     let _e373 = (_e261 == 2u);
                     if _e373 {
-                        phi_703_ = _e300[2];
+                        phi_710_ = _e300[2];
                     } else {
-                        phi_703_ = _e372;
+                        phi_710_ = _e372;
                     }
-                    let _e376 = phi_703_;
+                    let _e376 = phi_710_;
                     let _e377 = bitcast<u32>(_e376);
                     let _e379 = ((_e377 & 2139095040u) != 0u);
                     let _e393 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e377 & 2147483648u))), _e376, _e379) * _e273) * select(0.00000011920929f, 1f, _e379)) * _e279);
                     if _e368 {
-                        phi_743_ = _e327[0];
+                        phi_750_ = _e327[0];
                     } else {
-                        phi_743_ = _e327[1];
+                        phi_750_ = _e327[1];
                     }
-                    let _e397 = phi_743_;
+                    let _e397 = phi_750_;
                     if _e373 {
-                        phi_749_ = _e327[2];
+                        phi_756_ = _e327[2];
                     } else {
-                        phi_749_ = _e397;
+                        phi_756_ = _e397;
                     }
-                    let _e400 = phi_749_;
+                    let _e400 = phi_756_;
                     let _e401 = bitcast<u32>(_e400);
                     let _e403 = ((_e401 & 2139095040u) != 0u);
                     let _e417 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e400, _e403) * _e290) * select(0.00000011920929f, 1f, _e403)) * _e296);
@@ -437,33 +425,33 @@ fn function_() {
                     let _e433 = select(38685626000000000000000000f, (1f / _e417), _e421);
                     let _e434 = (_e263 == 0u);
                     if _e434 {
-                        phi_822_ = _e300[0];
+                        phi_829_ = _e300[0];
                     } else {
-                        phi_822_ = _e300[1];
+                        phi_829_ = _e300[1];
                     }
-                    let _e438 = phi_822_;
+                    let _e438 = phi_829_;
                     let _e439 = (_e263 == 2u);
                     if _e439 {
-                        phi_828_ = _e300[2];
+                        phi_835_ = _e300[2];
                     } else {
-                        phi_828_ = _e438;
+                        phi_835_ = _e438;
                     }
-                    let _e442 = phi_828_;
+                    let _e442 = phi_835_;
                     let _e443 = bitcast<u32>(_e442);
                     let _e445 = ((_e443 & 2139095040u) != 0u);
                     let _e459 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e443 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e443 & 2147483648u))), _e442, _e445) * _e273) * select(0.00000011920929f, 1f, _e445)) * _e279);
                     if _e434 {
-                        phi_868_ = _e327[0];
+                        phi_875_ = _e327[0];
                     } else {
-                        phi_868_ = _e327[1];
+                        phi_875_ = _e327[1];
                     }
-                    let _e463 = phi_868_;
+                    let _e463 = phi_875_;
                     if _e439 {
-                        phi_874_ = _e327[2];
+                        phi_881_ = _e327[2];
                     } else {
-                        phi_874_ = _e463;
+                        phi_881_ = _e463;
                     }
-                    let _e466 = phi_874_;
+                    let _e466 = phi_881_;
                     let _e467 = bitcast<u32>(_e466);
                     let _e469 = ((_e467 & 2139095040u) != 0u);
                     let _e483 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * _e290) * select(0.00000011920929f, 1f, _e469)) * _e296);
@@ -483,55 +471,55 @@ fn function_() {
                         let _e521 = (_e514 == 0u);
                         let _e524 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e514)), 32u, _e521)) - 8i);
                         if (_e517 == 255i) {
-                            phi_993_ = 255i;
+                            phi_1000_ = 255i;
                         } else {
-                            phi_993_ = (((_e517 + select(0i, 1i, (_e517 == 0i))) - _e524) + _e504);
+                            phi_1000_ = (((_e517 + select(0i, 1i, (_e517 == 0i))) - _e524) + _e504);
                         }
-                        let _e532 = phi_993_;
+                        let _e532 = phi_1000_;
                         let _e542 = (_e532 <= 0i);
                         if _e542 {
-                            phi_1016_ = u32();
+                            phi_1023_ = u32();
                         } else {
                             if _e521 {
-                                phi_1015_ = u32();
+                                phi_1022_ = u32();
                             } else {
-                                phi_1015_ = select(((bitcast<u32>(_e532) << bitcast<u32>(23i)) | ((_e514 << bitcast<u32>(((_e524 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e532 >= 255i));
+                                phi_1022_ = select(((bitcast<u32>(_e532) << bitcast<u32>(23i)) | ((_e514 << bitcast<u32>(((_e524 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e532 >= 255i));
                             }
-                            let _e546 = phi_1015_;
-                            phi_1016_ = _e546;
+                            let _e546 = phi_1022_;
+                            phi_1023_ = _e546;
                         }
-                        let _e548 = phi_1016_;
+                        let _e548 = phi_1023_;
                         let _e560 = ((_e220 & 8388607u) | (select(0u, 1u, ((_e220 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e563 = bitcast<i32>((_e220 >> bitcast<u32>(23i)));
                         let _e567 = (_e560 == 0u);
                         let _e570 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e560)), 32u, _e567)) - 8i);
                         if (_e563 == 255i) {
-                            phi_1053_ = 255i;
+                            phi_1060_ = 255i;
                         } else {
-                            phi_1053_ = (((_e563 + select(0i, 1i, (_e563 == 0i))) - _e570) + _e504);
+                            phi_1060_ = (((_e563 + select(0i, 1i, (_e563 == 0i))) - _e570) + _e504);
                         }
-                        let _e578 = phi_1053_;
+                        let _e578 = phi_1060_;
                         let _e588 = (_e578 <= 0i);
                         if _e588 {
-                            phi_1076_ = u32();
+                            phi_1083_ = u32();
                         } else {
                             if _e567 {
-                                phi_1075_ = u32();
+                                phi_1082_ = u32();
                             } else {
-                                phi_1075_ = select(((bitcast<u32>(_e578) << bitcast<u32>(23i)) | ((_e560 << bitcast<u32>(((_e570 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e578 >= 255i));
+                                phi_1082_ = select(((bitcast<u32>(_e578) << bitcast<u32>(23i)) | ((_e560 << bitcast<u32>(((_e570 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e578 >= 255i));
                             }
-                            let _e592 = phi_1075_;
-                            phi_1076_ = _e592;
+                            let _e592 = phi_1082_;
+                            phi_1083_ = _e592;
                         }
-                        let _e594 = phi_1076_;
-                        phi_1084_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e594, 0u, select(_e567, true, _e588))));
-                        phi_1085_ = bitcast<f32>(((_e210 & 2147483648u) | select(_e548, 0u, select(_e521, true, _e542))));
+                        let _e594 = phi_1083_;
+                        phi_1091_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e594, 0u, select(_e567, true, _e588))));
+                        phi_1092_ = bitcast<f32>(((_e210 & 2147483648u) | select(_e548, 0u, select(_e521, true, _e542))));
                     } else {
-                        phi_1084_ = 0f;
-                        phi_1085_ = 1f;
+                        phi_1091_ = 0f;
+                        phi_1092_ = 1f;
                     }
-                    let _e600 = phi_1084_;
-                    let _e602 = phi_1085_;
+                    let _e600 = phi_1091_;
+                    let _e602 = phi_1092_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -540,1039 +528,959 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e606 = (_e262 % 3u);
-                    let _e607 = (_e606 < 3u);
-                    if _e607 {
+                    let _e608 = (_e262 % 3u);
+                    let _e609 = (_e608 < 3u);
+                    if _e609 {
                     } else {
                         break;
                     }
-                    let _e609 = local_1[_e606];
-                    let _e612 = (_e261 % 3u);
-                    let _e613 = (_e612 < 3u);
-                    if _e613 {
+                    let _e611 = local_1[_e608];
+                    let _e614 = (_e261 % 3u);
+                    let _e615 = (_e614 < 3u);
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e615 = local_1[_e612];
-                    let _e618 = (_e263 % 3u);
-                    let _e619 = (_e618 < 3u);
-                    if _e619 {
+                    let _e617 = local_1[_e614];
+                    let _e620 = (_e263 % 3u);
+                    let _e621 = (_e620 < 3u);
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e621 = local_1[_e618];
-                    if _e607 {
+                    let _e623 = local_1[_e620];
+                    if _e609 {
                     } else {
                         break;
                     }
-                    let _e626 = local[_e606];
-                    if _e613 {
+                    let _e628 = local[_e608];
+                    if _e615 {
                     } else {
                         break;
                     }
-                    let _e630 = local[_e612];
-                    if _e619 {
+                    let _e632 = local[_e614];
+                    if _e621 {
                     } else {
                         break;
                     }
-                    let _e634 = local[_e618];
-                    phi_4072_ = false;
-                    phi_1181_ = type_34(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e600);
-                    phi_1184_ = ((3u * _e92) + 1u);
-                    phi_1186_ = (_e602 <= _e600);
-                    phi_1188_ = 0u;
-                    phi_1190_ = type_51(type_29(vec4<f32>((f32(_e609) * _e142), (f32(_e615) * _e142), (f32(_e621) * _e142), 0f), vec4<f32>((f32(_e626) * _e142), (f32(_e630) * _e142), (f32(_e634) * _e142), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
+                    let _e636 = local[_e620];
+                    phi_4001_ = false;
+                    phi_1188_ = type_34(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e600);
+                    phi_1191_ = (_e602 <= _e600);
+                    phi_1193_ = type_51(type_29(vec4<f32>((f32(_e611) * _e142), (f32(_e617) * _e142), (f32(_e623) * _e142), 0f), vec4<f32>((f32(_e628) * _e142), (f32(_e632) * _e142), (f32(_e636) * _e142), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
+                    phi_1195_ = 0u;
+                    phi_1197_ = ((3u * _e92) + 1u);
                     loop {
-                        let _e644 = phi_4072_;
-                        let _e646 = phi_1181_;
-                        let _e648 = phi_1184_;
-                        let _e650 = phi_1186_;
-                        let _e652 = phi_1188_;
-                        let _e654 = phi_1190_;
-                        local_10 = _e646;
-                        if _e650 {
-                            phi_1201_ = true;
+                        let _e644 = phi_4001_;
+                        let _e646 = phi_1188_;
+                        let _e648 = phi_1191_;
+                        let _e650 = phi_1193_;
+                        let _e652 = phi_1195_;
+                        let _e654 = phi_1197_;
+                        local_11 = _e646;
+                        if _e648 {
+                            phi_1208_ = true;
                         } else {
-                            phi_1201_ = (_e652 > 0u);
+                            phi_1208_ = (_e652 > 0u);
                         }
-                        let _e657 = phi_1201_;
+                        let _e657 = phi_1208_;
                         if _e657 {
-                            let _e658 = (_e648 > 0u);
+                            let _e658 = (_e654 > 0u);
                             if _e658 {
-                                if _e650 {
-                                    phi_1287_ = _e650;
-                                    phi_1288_ = _e652;
-                                    phi_1289_ = _e654;
+                                if _e648 {
+                                    phi_1294_ = _e648;
+                                    phi_1295_ = _e650;
+                                    phi_1296_ = _e652;
                                 } else {
                                     let _e659 = (_e652 - 1u);
                                     let _e660 = (_e659 % 128u);
                                     let _e661 = (_e660 < 128u);
                                     if _e661 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e663 = local_7[_e660];
                                     if _e661 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e665 = local_6[_e660];
                                     if _e661 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e667 = local_5[_e660];
                                     if _e661 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e669 = local_4[_e660];
                                     if _e661 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e671 = local_3[_e660];
                                     if _e661 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e673 = local_2[_e660];
                                     if _e661 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e678 = local_8[_e660];
                                     if _e661 {
                                     } else {
-                                        phi_4231_ = true;
+                                        phi_4148_ = true;
                                         break;
                                     }
                                     let _e681 = local_9[_e660];
-                                    phi_1287_ = (_e681 <= _e646.member_1);
-                                    phi_1288_ = _e659;
-                                    phi_1289_ = type_51(type_29(vec4<f32>(_e663, _e665, _e667, 0f), vec4<f32>(_e669, _e671, _e673, 0f)), _e678);
+                                    phi_1294_ = (_e681 <= _e646.member_1);
+                                    phi_1295_ = type_51(type_29(vec4<f32>(_e663, _e665, _e667, 0f), vec4<f32>(_e669, _e671, _e673, 0f)), _e678);
+                                    phi_1296_ = _e659;
                                 }
-                                let _e685 = phi_1287_;
-                                let _e687 = phi_1288_;
-                                let _e689 = phi_1289_;
+                                let _e685 = phi_1294_;
+                                let _e687 = phi_1295_;
+                                let _e689 = phi_1296_;
                                 if _e685 {
-                                    let _e693 = ((_e689.member_1 & 2147483648u) != 0u);
-                                    if _e693 {
-                                        phi_1307_ = _e646;
-                                        phi_1310_ = type_4(0u, ((_e689.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e687.member_1 & 2147483648u) != 0u) {
+                                        phi_1314_ = _e646;
+                                        phi_1317_ = type_4(0u, ((_e687.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e700 = phi_1307_;
-                                            let _e702 = phi_1310_;
-                                            local_11 = _e700;
-                                            if (_e702.member < _e702.member_1) {
-                                                phi_1311_ = type_4((_e702.member + 1u), _e702.member_1);
-                                                phi_1333_ = type_4(1u, _e702.member);
+                                            let _e1156 = phi_1314_;
+                                            let _e1158 = phi_1317_;
+                                            local_10 = _e1156;
+                                            local_12 = _e1156;
+                                            if (_e1158.member < _e1158.member_1) {
+                                                phi_1318_ = type_4((_e1158.member + 1u), _e1158.member_1);
+                                                phi_1340_ = type_4(1u, _e1158.member);
                                             } else {
-                                                phi_1311_ = _e702;
-                                                phi_1333_ = type_4(0u, type_4().member_1);
+                                                phi_1318_ = _e1158;
+                                                phi_1340_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e715 = phi_1311_;
-                                            let _e717 = phi_1333_;
-                                            let _e721 = (bitcast<i32>(_e717.member) != 0i);
-                                            if _e721 {
-                                                let _e722 = ((_e689.member_1 & 268435455u) + _e717.member_1);
-                                                let _e723 = (_e722 < _e94);
-                                                if _e723 {
-                                                    if _e723 {
+                                            let _e1171 = phi_1318_;
+                                            let _e1173 = phi_1340_;
+                                            let _e1177 = (bitcast<i32>(_e1173.member) != 0i);
+                                            if _e1177 {
+                                                let _e1178 = ((_e687.member_1 & 268435455u) + _e1173.member_1);
+                                                let _e1179 = (_e1178 < _e94);
+                                                if _e1179 {
+                                                    if _e1179 {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e727 = global_2.member[_e722].member_1;
-                                                    phi_1354_ = _e727;
+                                                    let _e1183 = global_2.member[_e1178].member_1;
+                                                    phi_1361_ = _e1183;
                                                 } else {
-                                                    phi_1354_ = 4294967295u;
+                                                    phi_1361_ = 4294967295u;
                                                 }
-                                                let _e729 = phi_1354_;
-                                                if (_e722 >= _e94) {
-                                                    phi_1446_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1185 = phi_1361_;
+                                                if (_e1178 >= _e94) {
+                                                    phi_1453_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e723 {
+                                                    if _e1179 {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    if (_e606 < 9u) {
+                                                    if (_e608 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e736 = global_2.member[_e722].member[_e606];
-                                                    if (_e612 < 9u) {
+                                                    let _e1192 = global_2.member[_e1178].member[_e608];
+                                                    if (_e614 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e742 = global_2.member[_e722].member[_e612];
-                                                    if (_e618 < 9u) {
+                                                    let _e1198 = global_2.member[_e1178].member[_e614];
+                                                    if (_e620 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e748 = global_2.member[_e722].member[_e618];
-                                                    let _e750 = (3u + _e606);
-                                                    if (_e750 < 9u) {
+                                                    let _e1204 = global_2.member[_e1178].member[_e620];
+                                                    let _e1206 = (3u + _e608);
+                                                    if (_e1206 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e756 = global_2.member[_e722].member[_e750];
-                                                    let _e757 = (3u + _e612);
-                                                    if (_e757 < 9u) {
+                                                    let _e1212 = global_2.member[_e1178].member[_e1206];
+                                                    let _e1213 = (3u + _e614);
+                                                    if (_e1213 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e763 = global_2.member[_e722].member[_e757];
-                                                    let _e764 = (3u + _e618);
-                                                    if (_e764 < 9u) {
+                                                    let _e1219 = global_2.member[_e1178].member[_e1213];
+                                                    let _e1220 = (3u + _e620);
+                                                    if (_e1220 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e770 = global_2.member[_e722].member[_e764];
-                                                    let _e772 = (6u + _e606);
-                                                    if (_e772 < 9u) {
+                                                    let _e1226 = global_2.member[_e1178].member[_e1220];
+                                                    let _e1228 = (6u + _e608);
+                                                    if (_e1228 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e778 = global_2.member[_e722].member[_e772];
-                                                    let _e779 = (6u + _e612);
-                                                    if (_e779 < 9u) {
+                                                    let _e1234 = global_2.member[_e1178].member[_e1228];
+                                                    let _e1235 = (6u + _e614);
+                                                    if (_e1235 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e785 = global_2.member[_e722].member[_e779];
-                                                    let _e786 = (6u + _e618);
-                                                    if (_e786 < 9u) {
+                                                    let _e1241 = global_2.member[_e1178].member[_e1235];
+                                                    let _e1242 = (6u + _e620);
+                                                    if (_e1242 < 9u) {
                                                     } else {
-                                                        phi_4066_ = true;
+                                                        phi_3995_ = true;
                                                         break;
                                                     }
-                                                    let _e792 = global_2.member[_e722].member[_e786];
-                                                    phi_1446_ = array<array<f32, 3>, 3>(array<f32, 3>(_e736, _e742, _e748), array<f32, 3>(_e756, _e763, _e770), array<f32, 3>(_e778, _e785, _e792));
+                                                    let _e1248 = global_2.member[_e1178].member[_e1242];
+                                                    phi_1453_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1192, _e1198, _e1204), array<f32, 3>(_e1212, _e1219, _e1226), array<f32, 3>(_e1234, _e1241, _e1248));
                                                 }
-                                                let _e796 = phi_1446_;
-                                                let _e812 = (_e796[0][2] - _e459);
-                                                let _e815 = (((_e796[0][0] - _e326) * _e495) - (_e812 * _e363));
-                                                let _e818 = (((_e796[0][1] - _e393) * _e495) - (_e812 * _e429));
-                                                let _e821 = (_e796[1][2] - _e459);
-                                                let _e824 = (((_e796[1][0] - _e326) * _e495) - (_e821 * _e363));
-                                                let _e827 = (((_e796[1][1] - _e393) * _e495) - (_e821 * _e429));
-                                                let _e830 = (_e796[2][2] - _e459);
-                                                let _e833 = (((_e796[2][0] - _e326) * _e495) - (_e830 * _e363));
-                                                let _e836 = (((_e796[2][1] - _e393) * _e495) - (_e830 * _e429));
-                                                let _e837 = (_e833 * _e827);
-                                                let _e838 = (_e836 * _e824);
-                                                let _e839 = (_e815 * _e836);
-                                                let _e840 = (_e818 * _e833);
-                                                let _e841 = (_e824 * _e818);
-                                                let _e842 = (_e827 * _e815);
-                                                let _e847 = (((_e837 >= _e838) && (_e839 >= _e840)) && (_e841 >= _e842));
-                                                let _e853 = (_e847 || (((_e837 <= _e838) && (_e839 <= _e840)) && (_e841 <= _e842)));
-                                                if _e853 {
-                                                    let _e855 = select(-1f, 1f, _e847);
-                                                    let _e857 = ((_e837 - _e838) * _e855);
-                                                    let _e859 = select(0f, _e857, (_e857 > 0f));
-                                                    let _e861 = ((_e839 - _e840) * _e855);
-                                                    let _e863 = select(0f, _e861, (_e861 > 0f));
-                                                    let _e865 = ((_e841 - _e842) * _e855);
-                                                    let _e867 = select(0f, _e865, (_e865 > 0f));
-                                                    let _e869 = ((_e859 + _e863) + _e867);
-                                                    let _e871 = select(_e796[1][0], _e796[0][0], (_e796[0][0] < _e796[1][0]));
-                                                    let _e875 = select(_e796[1][0], _e796[0][0], (_e796[0][0] > _e796[1][0]));
-                                                    let _e879 = select(_e796[1][1], _e796[0][1], (_e796[0][1] < _e796[1][1]));
-                                                    let _e883 = select(_e796[1][1], _e796[0][1], (_e796[0][1] > _e796[1][1]));
-                                                    let _e887 = select(_e796[1][2], _e796[0][2], (_e796[0][2] < _e796[1][2]));
-                                                    let _e891 = select(_e796[1][2], _e796[0][2], (_e796[0][2] > _e796[1][2]));
-                                                    let _e896 = ((select(_e796[2][0], _e871, (_e871 < _e796[2][0])) - _e364) * _e367);
-                                                    let _e897 = ((select(_e796[2][0], _e875, (_e875 > _e796[2][0])) - _e365) * _e367);
-                                                    let _e900 = ((select(_e796[2][1], _e879, (_e879 < _e796[2][1])) - _e430) * _e433);
-                                                    let _e901 = ((select(_e796[2][1], _e883, (_e883 > _e796[2][1])) - _e431) * _e433);
-                                                    let _e904 = ((select(_e796[2][2], _e887, (_e887 < _e796[2][2])) - _e496) * _e499);
-                                                    let _e905 = ((select(_e796[2][2], _e891, (_e891 > _e796[2][2])) - _e497) * _e499);
-                                                    let _e907 = select(_e905, _e904, (_e904 < _e905));
-                                                    let _e909 = select(_e905, _e904, (_e904 > _e905));
-                                                    let _e911 = select(_e897, _e896, (_e896 < _e897));
-                                                    let _e913 = select(_e901, _e900, (_e900 < _e901));
-                                                    let _e915 = select(_e913, _e911, (_e911 > _e913));
-                                                    let _e917 = select(_e907, _e915, (_e915 > _e907));
-                                                    let _e919 = select(_e897, _e896, (_e896 > _e897));
-                                                    let _e921 = select(_e901, _e900, (_e900 > _e901));
-                                                    let _e923 = select(_e921, _e919, (_e919 < _e921));
-                                                    let _e925 = select(_e909, _e923, (_e923 < _e909));
-                                                    let _e926 = -(_e907);
-                                                    let _e932 = select(_e602, _e917, (_e917 > _e602));
-                                                    let _e936 = select(_e824, _e815, (_e815 < _e824));
-                                                    let _e941 = select(_e824, _e815, (_e815 > _e824));
-                                                    let _e948 = select(_e827, _e818, (_e818 < _e827));
-                                                    let _e953 = select(_e827, _e818, (_e818 > _e827));
-                                                    let _e962 = (((((_e853 && (_e869 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e833, _e936, (_e936 < _e833)) <= 0f) && (select(_e833, _e941, (_e941 > _e833)) >= 0f))) && ((select(_e836, _e948, (_e948 < _e836)) <= 0f) && (select(_e836, _e953, (_e953 > _e836)) >= 0f))) && (_e932 <= (_e925 + (select(_e926, _e909, (_e909 > _e926)) * 0.0000019073523f)))) && (_e932 <= _e700.member_1));
-                                                    if _e962 {
-                                                        let _e967 = (_e796[1][0] - _e796[0][0]);
-                                                        let _e968 = (_e796[1][1] - _e796[0][1]);
-                                                        let _e969 = (_e796[1][2] - _e796[0][2]);
-                                                        let _e970 = vec3<f32>(_e967, _e968, _e969);
-                                                        let _e971 = (_e796[2][0] - _e796[1][0]);
-                                                        let _e972 = (_e796[2][1] - _e796[1][1]);
-                                                        let _e973 = (_e796[2][2] - _e796[1][2]);
-                                                        let _e974 = vec3<f32>(_e971, _e972, _e973);
-                                                        let _e975 = (_e796[0][0] - _e796[2][0]);
-                                                        let _e976 = (_e796[0][1] - _e796[2][1]);
-                                                        let _e977 = (_e796[0][2] - _e796[2][2]);
-                                                        let _e978 = vec3<f32>(_e975, _e976, _e977);
-                                                        let _e979 = abs(_e967);
-                                                        let _e980 = abs(_e968);
-                                                        if (_e979 != _e979) {
-                                                            phi_3633_ = true;
+                                                let _e1252 = phi_1453_;
+                                                let _e1268 = (_e1252[0][2] - _e459);
+                                                let _e1271 = (((_e1252[0][0] - _e326) * _e495) - (_e1268 * _e363));
+                                                let _e1274 = (((_e1252[0][1] - _e393) * _e495) - (_e1268 * _e429));
+                                                let _e1277 = (_e1252[1][2] - _e459);
+                                                let _e1280 = (((_e1252[1][0] - _e326) * _e495) - (_e1277 * _e363));
+                                                let _e1283 = (((_e1252[1][1] - _e393) * _e495) - (_e1277 * _e429));
+                                                let _e1286 = (_e1252[2][2] - _e459);
+                                                let _e1289 = (((_e1252[2][0] - _e326) * _e495) - (_e1286 * _e363));
+                                                let _e1292 = (((_e1252[2][1] - _e393) * _e495) - (_e1286 * _e429));
+                                                let _e1293 = (_e1289 * _e1283);
+                                                let _e1294 = (_e1292 * _e1280);
+                                                let _e1295 = (_e1271 * _e1292);
+                                                let _e1296 = (_e1274 * _e1289);
+                                                let _e1297 = (_e1280 * _e1274);
+                                                let _e1298 = (_e1283 * _e1271);
+                                                let _e1303 = (((_e1293 >= _e1294) && (_e1295 >= _e1296)) && (_e1297 >= _e1298));
+                                                let _e1309 = (_e1303 || (((_e1293 <= _e1294) && (_e1295 <= _e1296)) && (_e1297 <= _e1298)));
+                                                if _e1309 {
+                                                    let _e1311 = select(-1f, 1f, _e1303);
+                                                    let _e1313 = ((_e1293 - _e1294) * _e1311);
+                                                    let _e1315 = select(0f, _e1313, (_e1313 > 0f));
+                                                    let _e1317 = ((_e1295 - _e1296) * _e1311);
+                                                    let _e1319 = select(0f, _e1317, (_e1317 > 0f));
+                                                    let _e1321 = ((_e1297 - _e1298) * _e1311);
+                                                    let _e1323 = select(0f, _e1321, (_e1321 > 0f));
+                                                    let _e1325 = ((_e1315 + _e1319) + _e1323);
+                                                    let _e1327 = select(_e1252[1][0], _e1252[0][0], (_e1252[0][0] < _e1252[1][0]));
+                                                    let _e1331 = select(_e1252[1][0], _e1252[0][0], (_e1252[0][0] > _e1252[1][0]));
+                                                    let _e1335 = select(_e1252[1][1], _e1252[0][1], (_e1252[0][1] < _e1252[1][1]));
+                                                    let _e1339 = select(_e1252[1][1], _e1252[0][1], (_e1252[0][1] > _e1252[1][1]));
+                                                    let _e1343 = select(_e1252[1][2], _e1252[0][2], (_e1252[0][2] < _e1252[1][2]));
+                                                    let _e1347 = select(_e1252[1][2], _e1252[0][2], (_e1252[0][2] > _e1252[1][2]));
+                                                    let _e1352 = ((select(_e1252[2][0], _e1327, (_e1327 < _e1252[2][0])) - _e364) * _e367);
+                                                    let _e1353 = ((select(_e1252[2][0], _e1331, (_e1331 > _e1252[2][0])) - _e365) * _e367);
+                                                    let _e1356 = ((select(_e1252[2][1], _e1335, (_e1335 < _e1252[2][1])) - _e430) * _e433);
+                                                    let _e1357 = ((select(_e1252[2][1], _e1339, (_e1339 > _e1252[2][1])) - _e431) * _e433);
+                                                    let _e1360 = ((select(_e1252[2][2], _e1343, (_e1343 < _e1252[2][2])) - _e496) * _e499);
+                                                    let _e1361 = ((select(_e1252[2][2], _e1347, (_e1347 > _e1252[2][2])) - _e497) * _e499);
+                                                    let _e1363 = select(_e1361, _e1360, (_e1360 < _e1361));
+                                                    let _e1365 = select(_e1361, _e1360, (_e1360 > _e1361));
+                                                    let _e1367 = select(_e1353, _e1352, (_e1352 < _e1353));
+                                                    let _e1369 = select(_e1357, _e1356, (_e1356 < _e1357));
+                                                    let _e1371 = select(_e1369, _e1367, (_e1367 > _e1369));
+                                                    let _e1373 = select(_e1363, _e1371, (_e1371 > _e1363));
+                                                    let _e1375 = select(_e1353, _e1352, (_e1352 > _e1353));
+                                                    let _e1377 = select(_e1357, _e1356, (_e1356 > _e1357));
+                                                    let _e1379 = select(_e1377, _e1375, (_e1375 < _e1377));
+                                                    let _e1381 = select(_e1365, _e1379, (_e1379 < _e1365));
+                                                    let _e1382 = -(_e1363);
+                                                    let _e1388 = select(_e602, _e1373, (_e1373 > _e602));
+                                                    let _e1392 = select(_e1280, _e1271, (_e1271 < _e1280));
+                                                    let _e1397 = select(_e1280, _e1271, (_e1271 > _e1280));
+                                                    let _e1404 = select(_e1283, _e1274, (_e1274 < _e1283));
+                                                    let _e1409 = select(_e1283, _e1274, (_e1274 > _e1283));
+                                                    let _e1418 = (((((_e1309 && (_e1325 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1289, _e1392, (_e1392 < _e1289)) <= 0f) && (select(_e1289, _e1397, (_e1397 > _e1289)) >= 0f))) && ((select(_e1292, _e1404, (_e1404 < _e1292)) <= 0f) && (select(_e1292, _e1409, (_e1409 > _e1292)) >= 0f))) && (_e1388 <= (_e1381 + (select(_e1382, _e1365, (_e1365 > _e1382)) * 0.0000019073523f)))) && (_e1388 <= _e1156.member_1));
+                                                    if _e1418 {
+                                                        let _e1423 = (_e1252[1][0] - _e1252[0][0]);
+                                                        let _e1424 = (_e1252[1][1] - _e1252[0][1]);
+                                                        let _e1425 = (_e1252[1][2] - _e1252[0][2]);
+                                                        let _e1426 = vec3<f32>(_e1423, _e1424, _e1425);
+                                                        let _e1427 = (_e1252[2][0] - _e1252[1][0]);
+                                                        let _e1428 = (_e1252[2][1] - _e1252[1][1]);
+                                                        let _e1429 = (_e1252[2][2] - _e1252[1][2]);
+                                                        let _e1430 = vec3<f32>(_e1427, _e1428, _e1429);
+                                                        let _e1431 = (_e1252[0][0] - _e1252[2][0]);
+                                                        let _e1432 = (_e1252[0][1] - _e1252[2][1]);
+                                                        let _e1433 = (_e1252[0][2] - _e1252[2][2]);
+                                                        let _e1434 = vec3<f32>(_e1431, _e1432, _e1433);
+                                                        let _e1437 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
+                                                        let _e1440 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                        let _e1442 = select(_e1440, _e1437, (_e1437 > _e1440));
+                                                        let _e1445 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
+                                                        let _e1447 = select(_e1445, _e1442, (_e1442 > _e1445));
+                                                        let _e1450 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                        let _e1453 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
+                                                        let _e1455 = select(_e1453, _e1450, (_e1450 > _e1453));
+                                                        let _e1458 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
+                                                        let _e1460 = select(_e1458, _e1455, (_e1455 > _e1458));
+                                                        let _e1463 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
+                                                        let _e1466 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                        let _e1468 = select(_e1466, _e1463, (_e1463 > _e1466));
+                                                        let _e1471 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                        let _e1473 = select(_e1471, _e1468, (_e1468 > _e1471));
+                                                        let _e1475 = select(_e1460, _e1447, (_e1447 > _e1460));
+                                                        let _e1477 = select(_e1473, _e1475, (_e1475 > _e1473));
+                                                        if (_e1447 == _e1477) {
+                                                            phi_1983_ = _e1283;
+                                                            phi_1984_ = _e1280;
+                                                            phi_1985_ = _e1274;
+                                                            phi_1986_ = _e1271;
+                                                            phi_1987_ = vec3<f32>(_e1252[0][0], _e1252[0][1], _e1252[0][2]);
+                                                            phi_1988_ = _e1434;
+                                                            phi_1989_ = _e1430;
+                                                            phi_1990_ = _e1426;
                                                         } else {
-                                                            phi_3633_ = (_e980 >= _e979);
+                                                            let _e1479 = (_e1460 == _e1477);
+                                                            let _e1484 = vec3(_e1479);
+                                                            phi_1983_ = select(_e1274, _e1292, _e1479);
+                                                            phi_1984_ = select(_e1271, _e1289, _e1479);
+                                                            phi_1985_ = select(_e1292, _e1283, _e1479);
+                                                            phi_1986_ = select(_e1289, _e1280, _e1479);
+                                                            phi_1987_ = select(vec3<f32>(_e1252[2][0], _e1252[2][1], _e1252[2][2]), vec3<f32>(_e1252[1][0], _e1252[1][1], _e1252[1][2]), _e1484);
+                                                            phi_1988_ = select(_e1430, _e1426, _e1484);
+                                                            phi_1989_ = select(_e1426, _e1434, _e1484);
+                                                            phi_1990_ = select(_e1434, _e1430, _e1484);
                                                         }
-                                                        let _e984 = phi_3633_;
-                                                        let _e985 = select(_e979, _e980, _e984);
-                                                        let _e986 = abs(_e969);
-                                                        if (_e985 != _e985) {
-                                                            phi_3648_ = true;
+                                                        let _e1490 = phi_1983_;
+                                                        let _e1492 = phi_1984_;
+                                                        let _e1494 = phi_1985_;
+                                                        let _e1496 = phi_1986_;
+                                                        let _e1498 = phi_1987_;
+                                                        let _e1500 = phi_1988_;
+                                                        let _e1502 = phi_1989_;
+                                                        let _e1504 = phi_1990_;
+                                                        let _e1511 = ((_e1502.y * _e1500.z) - (_e1500.y * _e1502.z));
+                                                        let _e1516 = ((_e1502.z * _e1500.x) - (_e1500.z * _e1502.x));
+                                                        let _e1519 = ((_e1502.x * _e1500.y) - (_e1500.x * _e1502.y));
+                                                        let _e1522 = ((_e1315 >= _e1319) && (_e1315 >= _e1323));
+                                                        let _e1523 = (_e1319 >= _e1323);
+                                                        let _e1537 = (((_e1511 * (select(select(_e1252[2][0], _e1252[1][0], _e1523), _e1252[0][0], _e1522) - _e326)) + (_e1516 * (select(select(_e1252[2][1], _e1252[1][1], _e1523), _e1252[0][1], _e1522) - _e393))) + (_e1519 * (select(select(_e1252[2][2], _e1252[1][2], _e1523), _e1252[0][2], _e1522) - _e459)));
+                                                        let _e1542 = (((_e1511 * _e363) + (_e1516 * _e429)) + (_e1519 * _e495));
+                                                        let _e1543 = (_e1492 - _e1496);
+                                                        let _e1544 = (_e1490 - _e1494);
+                                                        let _e1547 = ((_e1543 * _e1543) + (_e1544 * _e1544));
+                                                        let _e1554 = (-(((_e1496 * _e1543) + (_e1494 * _e1544))) / select(0.000000000000000000000000000000000000011754944f, _e1547, (_e1547 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1556 = select(1f, _e1554, (_e1554 < 1f));
+                                                        let _e1558 = select(0f, _e1556, (_e1556 > 0f));
+                                                        let _e1567 = ((_e1498.x + (_e1504.x * _e1558)) - _e326);
+                                                        let _e1570 = ((_e1498.y + (_e1504.y * _e1558)) - _e393);
+                                                        let _e1573 = ((_e1498.z + (_e1504.z * _e1558)) - _e459);
+                                                        let _e1576 = bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u));
+                                                        let _e1579 = bitcast<f32>((bitcast<u32>(_e1570) & 2147483647u));
+                                                        let _e1581 = select(_e1579, _e1576, (_e1576 > _e1579));
+                                                        let _e1584 = bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u));
+                                                        let _e1586 = select(_e1584, _e1581, (_e1581 > _e1584));
+                                                        let _e1592 = bitcast<f32>((bitcast<u32>(_e1511) & 2147483647u));
+                                                        let _e1595 = bitcast<f32>((bitcast<u32>(_e1516) & 2147483647u));
+                                                        let _e1597 = select(_e1595, _e1592, (_e1592 > _e1595));
+                                                        let _e1600 = bitcast<f32>((bitcast<u32>(_e1519) & 2147483647u));
+                                                        let _e1619 = bitcast<f32>((bitcast<u32>(_e1502.x) & 2147483647u));
+                                                        let _e1622 = bitcast<f32>((bitcast<u32>(_e1502.y) & 2147483647u));
+                                                        let _e1624 = select(_e1622, _e1619, (_e1619 > _e1622));
+                                                        let _e1627 = bitcast<f32>((bitcast<u32>(_e1502.z) & 2147483647u));
+                                                        let _e1633 = bitcast<f32>((bitcast<u32>(_e1500.x) & 2147483647u));
+                                                        let _e1636 = bitcast<f32>((bitcast<u32>(_e1500.y) & 2147483647u));
+                                                        let _e1638 = select(_e1636, _e1633, (_e1633 > _e1636));
+                                                        let _e1641 = bitcast<f32>((bitcast<u32>(_e1500.z) & 2147483647u));
+                                                        let _e1647 = ((bitcast<f32>((bitcast<u32>(((((_e1511 * _e1567) + (_e1516 * _e1570)) + (_e1519 * _e1573)) - _e1537)) & 2147483647u)) <= ((0.0000009536743f * select(_e1477, _e1586, (_e1586 > _e1477))) * select(_e1600, _e1597, (_e1597 > _e1600)))) && !((bitcast<f32>((bitcast<u32>(_e1542) & 2147483647u)) <= ((0.0000038146973f * select(_e1627, _e1624, (_e1624 > _e1627))) * select(_e1641, _e1638, (_e1638 > _e1641))))));
+                                                        let _e1648 = (_e1537 / _e1542);
+                                                        if (_e1418 && !(_e1647)) {
+                                                            let _e1651 = (_e1573 / _e495);
+                                                            let _e1659 = (((_e1511 * (_e1567 - (_e363 * _e1651))) + (_e1516 * (_e1570 - (_e429 * _e1651)))) / _e1542);
+                                                            phi_2181_ = select(select(_e1651, (_e1651 + _e1659), (bitcast<f32>((bitcast<u32>(_e1659) & 2147483647u)) <= _e1477)), _e1648, _e1647);
                                                         } else {
-                                                            phi_3648_ = (_e986 >= _e985);
+                                                            phi_2181_ = _e1648;
                                                         }
-                                                        let _e990 = phi_3648_;
-                                                        let _e991 = select(_e985, _e986, _e990);
-                                                        let _e992 = abs(_e971);
-                                                        let _e993 = abs(_e972);
-                                                        if (_e992 != _e992) {
-                                                            phi_3663_ = true;
-                                                        } else {
-                                                            phi_3663_ = (_e993 >= _e992);
-                                                        }
-                                                        let _e997 = phi_3663_;
-                                                        let _e998 = select(_e992, _e993, _e997);
-                                                        let _e999 = abs(_e973);
-                                                        if (_e998 != _e998) {
-                                                            phi_3678_ = true;
-                                                        } else {
-                                                            phi_3678_ = (_e999 >= _e998);
-                                                        }
-                                                        let _e1003 = phi_3678_;
-                                                        let _e1004 = select(_e998, _e999, _e1003);
-                                                        let _e1005 = abs(_e975);
-                                                        let _e1006 = abs(_e976);
-                                                        if (_e1005 != _e1005) {
-                                                            phi_3693_ = true;
-                                                        } else {
-                                                            phi_3693_ = (_e1006 >= _e1005);
-                                                        }
-                                                        let _e1010 = phi_3693_;
-                                                        let _e1011 = select(_e1005, _e1006, _e1010);
-                                                        let _e1012 = abs(_e977);
-                                                        if (_e1011 != _e1011) {
-                                                            phi_3708_ = true;
-                                                        } else {
-                                                            phi_3708_ = (_e1012 >= _e1011);
-                                                        }
-                                                        let _e1016 = phi_3708_;
-                                                        let _e1017 = select(_e1011, _e1012, _e1016);
-                                                        let _e1019 = select(_e1004, _e991, (_e991 > _e1004));
-                                                        let _e1021 = select(_e1017, _e1019, (_e1019 > _e1017));
-                                                        if (_e991 == _e1021) {
-                                                            phi_1988_ = _e827;
-                                                            phi_1989_ = _e824;
-                                                            phi_1990_ = _e818;
-                                                            phi_1991_ = _e815;
-                                                            phi_1992_ = vec3<f32>(_e796[0][0], _e796[0][1], _e796[0][2]);
-                                                            phi_1993_ = _e978;
-                                                            phi_1994_ = _e974;
-                                                            phi_1995_ = _e970;
-                                                        } else {
-                                                            let _e1023 = (_e1004 == _e1021);
-                                                            let _e1028 = vec3(_e1023);
-                                                            phi_1988_ = select(_e818, _e836, _e1023);
-                                                            phi_1989_ = select(_e815, _e833, _e1023);
-                                                            phi_1990_ = select(_e836, _e827, _e1023);
-                                                            phi_1991_ = select(_e833, _e824, _e1023);
-                                                            phi_1992_ = select(vec3<f32>(_e796[2][0], _e796[2][1], _e796[2][2]), vec3<f32>(_e796[1][0], _e796[1][1], _e796[1][2]), _e1028);
-                                                            phi_1993_ = select(_e974, _e970, _e1028);
-                                                            phi_1994_ = select(_e970, _e978, _e1028);
-                                                            phi_1995_ = select(_e978, _e974, _e1028);
-                                                        }
-                                                        let _e1034 = phi_1988_;
-                                                        let _e1036 = phi_1989_;
-                                                        let _e1038 = phi_1990_;
-                                                        let _e1040 = phi_1991_;
-                                                        let _e1042 = phi_1992_;
-                                                        let _e1044 = phi_1993_;
-                                                        let _e1046 = phi_1994_;
-                                                        let _e1048 = phi_1995_;
-                                                        let _e1055 = ((_e1046.y * _e1044.z) - (_e1044.y * _e1046.z));
-                                                        let _e1060 = ((_e1046.z * _e1044.x) - (_e1044.z * _e1046.x));
-                                                        let _e1063 = ((_e1046.x * _e1044.y) - (_e1044.x * _e1046.y));
-                                                        let _e1066 = ((_e859 >= _e863) && (_e859 >= _e867));
-                                                        let _e1067 = (_e863 >= _e867);
-                                                        let _e1081 = (((_e1055 * (select(select(_e796[2][0], _e796[1][0], _e1067), _e796[0][0], _e1066) - _e326)) + (_e1060 * (select(select(_e796[2][1], _e796[1][1], _e1067), _e796[0][1], _e1066) - _e393))) + (_e1063 * (select(select(_e796[2][2], _e796[1][2], _e1067), _e796[0][2], _e1066) - _e459)));
-                                                        let _e1086 = (((_e1055 * _e363) + (_e1060 * _e429)) + (_e1063 * _e495));
-                                                        let _e1087 = (_e1036 - _e1040);
-                                                        let _e1088 = (_e1034 - _e1038);
-                                                        let _e1091 = ((_e1087 * _e1087) + (_e1088 * _e1088));
-                                                        let _e1098 = (-(((_e1040 * _e1087) + (_e1038 * _e1088))) / select(0.000000000000000000000000000000000000011754944f, _e1091, (_e1091 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1100 = select(1f, _e1098, (_e1098 < 1f));
-                                                        let _e1102 = select(0f, _e1100, (_e1100 > 0f));
-                                                        let _e1111 = ((_e1042.x + (_e1048.x * _e1102)) - _e326);
-                                                        let _e1114 = ((_e1042.y + (_e1048.y * _e1102)) - _e393);
-                                                        let _e1117 = ((_e1042.z + (_e1048.z * _e1102)) - _e459);
-                                                        let _e1120 = bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u));
-                                                        let _e1123 = bitcast<f32>((bitcast<u32>(_e1114) & 2147483647u));
-                                                        let _e1125 = select(_e1123, _e1120, (_e1120 > _e1123));
-                                                        let _e1128 = bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u));
-                                                        let _e1130 = select(_e1128, _e1125, (_e1125 > _e1128));
-                                                        let _e1134 = abs(_e1055);
-                                                        let _e1135 = abs(_e1060);
-                                                        if (_e1134 != _e1134) {
-                                                            phi_3723_ = true;
-                                                        } else {
-                                                            phi_3723_ = (_e1135 >= _e1134);
-                                                        }
-                                                        let _e1139 = phi_3723_;
-                                                        let _e1140 = select(_e1134, _e1135, _e1139);
-                                                        let _e1141 = abs(_e1063);
-                                                        if (_e1140 != _e1140) {
-                                                            phi_3738_ = true;
-                                                        } else {
-                                                            phi_3738_ = (_e1141 >= _e1140);
-                                                        }
-                                                        let _e1145 = phi_3738_;
-                                                        let _e1161 = abs(_e1046.x);
-                                                        let _e1162 = abs(_e1046.y);
-                                                        if (_e1161 != _e1161) {
-                                                            phi_3753_ = true;
-                                                        } else {
-                                                            phi_3753_ = (_e1162 >= _e1161);
-                                                        }
-                                                        let _e1166 = phi_3753_;
-                                                        let _e1167 = select(_e1161, _e1162, _e1166);
-                                                        let _e1168 = abs(_e1046.z);
-                                                        if (_e1167 != _e1167) {
-                                                            phi_3768_ = true;
-                                                        } else {
-                                                            phi_3768_ = (_e1168 >= _e1167);
-                                                        }
-                                                        let _e1172 = phi_3768_;
-                                                        let _e1175 = abs(_e1044.x);
-                                                        let _e1176 = abs(_e1044.y);
-                                                        if (_e1175 != _e1175) {
-                                                            phi_3783_ = true;
-                                                        } else {
-                                                            phi_3783_ = (_e1176 >= _e1175);
-                                                        }
-                                                        let _e1180 = phi_3783_;
-                                                        let _e1181 = select(_e1175, _e1176, _e1180);
-                                                        let _e1182 = abs(_e1044.z);
-                                                        if (_e1181 != _e1181) {
-                                                            phi_3798_ = true;
-                                                        } else {
-                                                            phi_3798_ = (_e1182 >= _e1181);
-                                                        }
-                                                        let _e1186 = phi_3798_;
-                                                        let _e1191 = ((bitcast<f32>((bitcast<u32>(((((_e1055 * _e1111) + (_e1060 * _e1114)) + (_e1063 * _e1117)) - _e1081)) & 2147483647u)) <= ((0.0000009536743f * select(_e1021, _e1130, (_e1130 > _e1021))) * select(_e1140, _e1141, _e1145))) && !((bitcast<f32>((bitcast<u32>(_e1086) & 2147483647u)) <= ((0.0000038146973f * select(_e1167, _e1168, _e1172)) * select(_e1181, _e1182, _e1186)))));
-                                                        let _e1192 = (_e1081 / _e1086);
-                                                        if (_e962 && !(_e1191)) {
-                                                            let _e1195 = (_e1117 / _e495);
-                                                            let _e1203 = (((_e1055 * (_e1111 - (_e363 * _e1195))) + (_e1060 * (_e1114 - (_e429 * _e1195)))) / _e1086);
-                                                            phi_2203_ = select(select(_e1195, (_e1195 + _e1203), (bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u)) <= _e1021)), _e1192, _e1191);
-                                                        } else {
-                                                            phi_2203_ = _e1192;
-                                                        }
-                                                        let _e1212 = phi_2203_;
-                                                        let _e1214 = select(_e925, _e1212, (_e1212 < _e925));
-                                                        let _e1216 = select(_e917, _e1214, (_e1214 > _e917));
-                                                        let _e1217 = (1f / _e869);
-                                                        phi_2223_ = type_37(_e1216, (_e863 * _e1217), (_e867 * _e1217), ((_e962 && (_e1216 >= _e602)) && (_e1216 <= _e700.member_1)));
-                                                        phi_2224_ = type_37();
+                                                        let _e1668 = phi_2181_;
+                                                        let _e1670 = select(_e1381, _e1668, (_e1668 < _e1381));
+                                                        let _e1672 = select(_e1373, _e1670, (_e1670 > _e1373));
+                                                        let _e1673 = (1f / _e1325);
+                                                        phi_2201_ = type_37(_e1672, (_e1319 * _e1673), (_e1323 * _e1673), ((_e1418 && (_e1672 >= _e602)) && (_e1672 <= _e1156.member_1)));
+                                                        phi_2202_ = type_37();
                                                     } else {
-                                                        phi_2223_ = type_37();
-                                                        phi_2224_ = type_37(0f, 0f, 0f, _e962);
+                                                        phi_2201_ = type_37();
+                                                        phi_2202_ = type_37(0f, 0f, 0f, _e1418);
                                                     }
-                                                    let _e1226 = phi_2223_;
-                                                    let _e1228 = phi_2224_;
-                                                    phi_2227_ = _e1226;
-                                                    phi_2228_ = _e1228;
-                                                    phi_2229_ = select(true, false, _e962);
+                                                    let _e1682 = phi_2201_;
+                                                    let _e1684 = phi_2202_;
+                                                    phi_2205_ = _e1682;
+                                                    phi_2206_ = _e1684;
+                                                    phi_2207_ = select(true, false, _e1418);
                                                 } else {
-                                                    phi_2227_ = type_37();
-                                                    phi_2228_ = type_37(0f, 0f, 0f, _e853);
-                                                    phi_2229_ = true;
+                                                    phi_2205_ = type_37();
+                                                    phi_2206_ = type_37(0f, 0f, 0f, _e1309);
+                                                    phi_2207_ = true;
                                                 }
-                                                let _e1231 = phi_2227_;
-                                                let _e1233 = phi_2228_;
-                                                let _e1235 = phi_2229_;
-                                                if _e1235 {
-                                                    phi_2233_ = _e1233;
+                                                let _e1687 = phi_2205_;
+                                                let _e1689 = phi_2206_;
+                                                let _e1691 = phi_2207_;
+                                                if _e1691 {
+                                                    phi_2211_ = _e1689;
                                                 } else {
-                                                    phi_2233_ = _e1231;
+                                                    phi_2211_ = _e1687;
                                                 }
-                                                let _e1237 = phi_2233_;
-                                                if _e1237.member_3 {
-                                                    phi_2242_ = type_21(_e1237.member, _e1237.member_1, _e1237.member_2, _e729);
+                                                let _e1693 = phi_2211_;
+                                                if _e1693.member_3 {
+                                                    phi_2220_ = type_21(_e1693.member, _e1693.member_1, _e1693.member_2, _e1185);
                                                 } else {
-                                                    phi_2242_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2220_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1244 = phi_2242_;
-                                                if (_e1244.member_3 != 4294967295u) {
-                                                    if (_e729 != 4294967295u) {
-                                                        if (_e1244.member < _e700.member.member) {
-                                                            phi_2268_ = true;
+                                                let _e1700 = phi_2220_;
+                                                if (_e1700.member_3 != 4294967295u) {
+                                                    if (_e1185 != 4294967295u) {
+                                                        if (_e1700.member < _e1156.member.member) {
+                                                            phi_2246_ = true;
                                                         } else {
-                                                            if (_e1244.member == _e700.member.member) {
-                                                                phi_2267_ = (_e1244.member_3 < _e700.member.member_3);
+                                                            if (_e1700.member == _e1156.member.member) {
+                                                                phi_2245_ = (_e1700.member_3 < _e1156.member.member_3);
                                                             } else {
-                                                                phi_2267_ = false;
+                                                                phi_2245_ = false;
                                                             }
-                                                            let _e1257 = phi_2267_;
-                                                            phi_2268_ = _e1257;
+                                                            let _e1713 = phi_2245_;
+                                                            phi_2246_ = _e1713;
                                                         }
-                                                        let _e1259 = phi_2268_;
-                                                        if _e1259 {
-                                                            phi_2274_ = type_34(_e1244, _e1244.member);
+                                                        let _e1715 = phi_2246_;
+                                                        if _e1715 {
+                                                            phi_2252_ = type_34(_e1700, _e1700.member);
                                                         } else {
-                                                            phi_2274_ = _e700;
+                                                            phi_2252_ = _e1156;
                                                         }
-                                                        let _e1262 = phi_2274_;
-                                                        phi_2275_ = _e1262;
+                                                        let _e1718 = phi_2252_;
+                                                        phi_2253_ = _e1718;
                                                     } else {
-                                                        phi_2275_ = _e700;
+                                                        phi_2253_ = _e1156;
                                                     }
-                                                    let _e1264 = phi_2275_;
-                                                    phi_2276_ = _e1264;
+                                                    let _e1720 = phi_2253_;
+                                                    phi_2254_ = _e1720;
                                                 } else {
-                                                    phi_2276_ = _e700;
+                                                    phi_2254_ = _e1156;
                                                 }
-                                                let _e1266 = phi_2276_;
-                                                phi_1308_ = _e1266;
+                                                let _e1722 = phi_2254_;
+                                                phi_1315_ = _e1722;
                                             } else {
-                                                phi_1308_ = type_34();
+                                                phi_1315_ = type_34();
                                             }
-                                            let _e1268 = phi_1308_;
+                                            let _e1724 = phi_1315_;
                                             continue;
                                             continuing {
-                                                phi_1307_ = _e1268;
-                                                phi_1310_ = _e715;
-                                                phi_4066_ = _e644;
-                                                break if !(_e721);
+                                                phi_1314_ = _e1724;
+                                                phi_1317_ = _e1171;
+                                                phi_3995_ = _e644;
+                                                break if !(_e1177);
                                             }
                                         }
-                                        let _e1271 = phi_4066_;
-                                        phi_4231_ = _e1271;
-                                        if _e1271 {
+                                        let _e1727 = phi_3995_;
+                                        phi_4148_ = _e1727;
+                                        if _e1727 {
                                             break;
                                         }
-                                        phi_4317_ = _e1271;
-                                        let _e1993 = local_11;
-                                        phi_2277_ = _e1993;
+                                        let _e1729 = local_10;
+                                        phi_4152_ = _e1727;
+                                        let _e2001 = local_12;
+                                        phi_3481_ = _e2001;
+                                        phi_3482_ = false;
+                                        phi_3483_ = _e687;
+                                        phi_3484_ = select(_e689, 0u, (_e602 > _e1729.member_1));
                                     } else {
-                                        phi_4317_ = _e644;
-                                        phi_2277_ = _e646;
-                                    }
-                                    let _e1273 = phi_4317_;
-                                    let _e1275 = phi_2277_;
-                                    if _e693 {
-                                        phi_3507_ = bool();
-                                        phi_3508_ = u32();
-                                        phi_3509_ = type_51();
-                                    } else {
-                                        if (_e689.member_1 >= _e92) {
-                                            phi_3043_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e687.member_1 >= _e92) {
+                                            phi_3020_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e689.member_1 < _e92) {
+                                            if (_e687.member_1 < _e92) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1278 = (_e262 * 2u);
-                                            let _e1280 = ((1u + _e1278) % 7u);
-                                            if (_e1280 < 7u) {
+                                            let _e700 = (_e262 * 2u);
+                                            let _e702 = ((1u + _e700) % 7u);
+                                            if (_e702 < 7u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1285 = global_5.member[_e689.member_1][_e1280];
-                                            let _e1287 = ((_e1278 + 2u) % 7u);
-                                            if (_e1287 < 7u) {
+                                            let _e707 = global_5.member[_e687.member_1][_e702];
+                                            let _e709 = ((_e700 + 2u) % 7u);
+                                            if (_e709 < 7u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1292 = global_5.member[_e689.member_1][_e1287];
-                                            let _e1293 = (_e261 * 2u);
-                                            let _e1295 = ((1u + _e1293) % 7u);
-                                            if (_e1295 < 7u) {
+                                            let _e714 = global_5.member[_e687.member_1][_e709];
+                                            let _e715 = (_e261 * 2u);
+                                            let _e717 = ((1u + _e715) % 7u);
+                                            if (_e717 < 7u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1300 = global_5.member[_e689.member_1][_e1295];
-                                            let _e1302 = ((_e1293 + 2u) % 7u);
-                                            if (_e1302 < 7u) {
+                                            let _e722 = global_5.member[_e687.member_1][_e717];
+                                            let _e724 = ((_e715 + 2u) % 7u);
+                                            if (_e724 < 7u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1307 = global_5.member[_e689.member_1][_e1302];
-                                            let _e1308 = (_e263 * 2u);
-                                            let _e1310 = ((1u + _e1308) % 7u);
-                                            if (_e1310 < 7u) {
+                                            let _e729 = global_5.member[_e687.member_1][_e724];
+                                            let _e730 = (_e263 * 2u);
+                                            let _e732 = ((1u + _e730) % 7u);
+                                            if (_e732 < 7u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1315 = global_5.member[_e689.member_1][_e1310];
-                                            let _e1317 = ((_e1308 + 2u) % 7u);
-                                            if (_e1317 < 7u) {
+                                            let _e737 = global_5.member[_e687.member_1][_e732];
+                                            let _e739 = ((_e730 + 2u) % 7u);
+                                            if (_e739 < 7u) {
                                             } else {
-                                                phi_4231_ = true;
+                                                phi_4148_ = true;
                                                 break;
                                             }
-                                            let _e1322 = global_5.member[_e689.member_1][_e1317];
-                                            let _e1345 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.x - _e689.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1346 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.y - _e689.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1347 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.z - _e689.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1349 = select(_e142, _e1345, (_e1345 > _e142));
-                                            let _e1351 = select(_e142, _e1346, (_e1346 > _e142));
-                                            let _e1353 = select(_e142, _e1347, (_e1347 > _e142));
-                                            let _e1384 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1285 & 2097151u))) - 8388608f) * _e1349));
-                                            let _e1389 = (bitcast<i32>((_e1285 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1392 = bitcast<f32>((_e1384 & bitcast<u32>(_e1389)));
-                                            let _e1393 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1300 & 2097151u))) - 8388608f) * _e1351));
-                                            let _e1398 = (bitcast<i32>((_e1300 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1401 = bitcast<f32>((_e1393 & bitcast<u32>(_e1398)));
-                                            let _e1402 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1315 & 2097151u))) - 8388608f) * _e1353));
-                                            let _e1407 = (bitcast<i32>((_e1315 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1410 = bitcast<f32>((_e1402 & bitcast<u32>(_e1407)));
-                                            let _e1414 = bitcast<f32>((_e1384 & bitcast<u32>(~(_e1389))));
-                                            let _e1418 = bitcast<f32>((_e1393 & bitcast<u32>(~(_e1398))));
-                                            let _e1422 = bitcast<f32>((_e1402 & bitcast<u32>(~(_e1407))));
-                                            let _e1423 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1292 & 2097151u))) - 8388608f) * _e1349));
-                                            let _e1428 = (bitcast<i32>((_e1292 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1431 = bitcast<f32>((_e1423 & bitcast<u32>(_e1428)));
-                                            let _e1432 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1307 & 2097151u))) - 8388608f) * _e1351));
-                                            let _e1437 = (bitcast<i32>((_e1307 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1440 = bitcast<f32>((_e1432 & bitcast<u32>(_e1437)));
-                                            let _e1441 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1322 & 2097151u))) - 8388608f) * _e1353));
-                                            let _e1446 = (bitcast<i32>((_e1322 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1449 = bitcast<f32>((_e1441 & bitcast<u32>(_e1446)));
-                                            let _e1453 = bitcast<f32>((_e1423 & bitcast<u32>(~(_e1428))));
-                                            let _e1457 = bitcast<f32>((_e1432 & bitcast<u32>(~(_e1437))));
-                                            let _e1461 = bitcast<f32>((_e1441 & bitcast<u32>(~(_e1446))));
-                                            let _e1491 = global_5.member[_e689.member_1][0u];
-                                            let _e1495 = global_5.member[_e689.member_1][2u];
-                                            let _e1499 = global_5.member[_e689.member_1][4u];
-                                            let _e1503 = global_5.member[_e689.member_1][6u];
-                                            let _e1515 = (((_e1495 >> bitcast<u32>(22i)) | ((_e1499 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1503 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1516 = (_e1491 & 268435455u);
-                                            let _e1517 = (_e1515 & 268435455u);
-                                            let _e1520 = ((_e1491 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1528 = ((_e1491 >> bitcast<u32>(31i)) | (((_e1515 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1529 = (_e1520 != 0u);
-                                            if (_e1520 == 0u) {
-                                                phi_3005_ = _e1516;
+                                            let _e744 = global_5.member[_e687.member_1][_e739];
+                                            let _e767 = (bitcast<f32>((bitcast<u32>((_e687.member.member_1.x - _e687.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e768 = (bitcast<f32>((bitcast<u32>((_e687.member.member_1.y - _e687.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e769 = (bitcast<f32>((bitcast<u32>((_e687.member.member_1.z - _e687.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e771 = select(_e142, _e767, (_e767 > _e142));
+                                            let _e773 = select(_e142, _e768, (_e768 > _e142));
+                                            let _e775 = select(_e142, _e769, (_e769 > _e142));
+                                            let _e806 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e707 & 2097151u))) - 8388608f) * _e771));
+                                            let _e811 = (bitcast<i32>((_e707 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e814 = bitcast<f32>((_e806 & bitcast<u32>(_e811)));
+                                            let _e815 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e722 & 2097151u))) - 8388608f) * _e773));
+                                            let _e820 = (bitcast<i32>((_e722 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e823 = bitcast<f32>((_e815 & bitcast<u32>(_e820)));
+                                            let _e824 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e737 & 2097151u))) - 8388608f) * _e775));
+                                            let _e829 = (bitcast<i32>((_e737 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e832 = bitcast<f32>((_e824 & bitcast<u32>(_e829)));
+                                            let _e836 = bitcast<f32>((_e806 & bitcast<u32>(~(_e811))));
+                                            let _e840 = bitcast<f32>((_e815 & bitcast<u32>(~(_e820))));
+                                            let _e844 = bitcast<f32>((_e824 & bitcast<u32>(~(_e829))));
+                                            let _e845 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e714 & 2097151u))) - 8388608f) * _e771));
+                                            let _e850 = (bitcast<i32>((_e714 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e853 = bitcast<f32>((_e845 & bitcast<u32>(_e850)));
+                                            let _e854 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 2097151u))) - 8388608f) * _e773));
+                                            let _e859 = (bitcast<i32>((_e729 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e862 = bitcast<f32>((_e854 & bitcast<u32>(_e859)));
+                                            let _e863 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e744 & 2097151u))) - 8388608f) * _e775));
+                                            let _e868 = (bitcast<i32>((_e744 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e871 = bitcast<f32>((_e863 & bitcast<u32>(_e868)));
+                                            let _e875 = bitcast<f32>((_e845 & bitcast<u32>(~(_e850))));
+                                            let _e879 = bitcast<f32>((_e854 & bitcast<u32>(~(_e859))));
+                                            let _e883 = bitcast<f32>((_e863 & bitcast<u32>(~(_e868))));
+                                            let _e913 = global_5.member[_e687.member_1][0u];
+                                            let _e917 = global_5.member[_e687.member_1][2u];
+                                            let _e921 = global_5.member[_e687.member_1][4u];
+                                            let _e925 = global_5.member[_e687.member_1][6u];
+                                            let _e937 = (((_e917 >> bitcast<u32>(22i)) | ((_e921 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e925 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e938 = (_e913 & 268435455u);
+                                            let _e939 = (_e937 & 268435455u);
+                                            let _e942 = ((_e913 >> bitcast<u32>(28u)) & 7u);
+                                            let _e950 = ((_e913 >> bitcast<u32>(31i)) | (((_e937 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e951 = (_e942 != 0u);
+                                            if (_e942 == 0u) {
+                                                phi_2982_ = _e938;
                                             } else {
-                                                if (_e1520 == 7u) {
-                                                    phi_3004_ = 2147483648u;
+                                                if (_e942 == 7u) {
+                                                    phi_2981_ = 2147483648u;
                                                 } else {
-                                                    phi_3004_ = ((2147483648u | (_e1520 << bitcast<u32>(28u))) | (_e1517 & 268435455u));
+                                                    phi_2981_ = ((2147483648u | (_e942 << bitcast<u32>(28u))) | (_e939 & 268435455u));
                                                 }
-                                                let _e1538 = phi_3004_;
-                                                phi_3005_ = _e1538;
+                                                let _e960 = phi_2981_;
+                                                phi_2982_ = _e960;
                                             }
-                                            let _e1540 = phi_3005_;
-                                            if _e1529 {
-                                                let _e1541 = (_e1520 != 7u);
-                                                if _e1541 {
-                                                    phi_3015_ = (_e1517 + _e1520);
+                                            let _e962 = phi_2982_;
+                                            if _e951 {
+                                                let _e963 = (_e942 != 7u);
+                                                if _e963 {
+                                                    phi_2992_ = (_e939 + _e942);
                                                 } else {
-                                                    phi_3015_ = u32();
+                                                    phi_2992_ = u32();
                                                 }
-                                                let _e1544 = phi_3015_;
-                                                phi_3017_ = _e1544;
-                                                phi_3018_ = select(true, false, _e1541);
+                                                let _e966 = phi_2992_;
+                                                phi_2994_ = _e966;
+                                                phi_2995_ = select(true, false, _e963);
                                             } else {
-                                                phi_3017_ = u32();
-                                                phi_3018_ = true;
+                                                phi_2994_ = u32();
+                                                phi_2995_ = true;
                                             }
-                                            let _e1547 = phi_3017_;
-                                            let _e1549 = phi_3018_;
-                                            if (_e1528 == 0u) {
-                                                phi_3039_ = (_e1516 + select(0u, 1u, !(_e1529)));
+                                            let _e969 = phi_2994_;
+                                            let _e971 = phi_2995_;
+                                            if (_e950 == 0u) {
+                                                phi_3016_ = (_e938 + select(0u, 1u, !(_e951)));
                                             } else {
-                                                if (_e1528 == 7u) {
-                                                    phi_3038_ = 2147483648u;
+                                                if (_e950 == 7u) {
+                                                    phi_3015_ = 2147483648u;
                                                 } else {
-                                                    phi_3038_ = ((2147483648u | (_e1528 << bitcast<u32>(28u))) | (select(_e1547, _e1517, _e1549) & 268435455u));
+                                                    phi_3015_ = ((2147483648u | (_e950 << bitcast<u32>(28u))) | (select(_e969, _e939, _e971) & 268435455u));
                                                 }
-                                                let _e1562 = phi_3038_;
-                                                phi_3039_ = _e1562;
+                                                let _e984 = phi_3015_;
+                                                phi_3016_ = _e984;
                                             }
-                                            let _e1564 = phi_3039_;
-                                            phi_3043_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e689.member.member.x + _e1392), (_e689.member.member.x + _e1414), (_e689.member.member_1.x - _e1431), (_e689.member.member_1.x - _e1453)), vec4<f32>((_e689.member.member.y + _e1401), (_e689.member.member.y + _e1418), (_e689.member.member_1.y - _e1440), (_e689.member.member_1.y - _e1457)), vec4<f32>((_e689.member.member.z + _e1410), (_e689.member.member.z + _e1422), (_e689.member.member_1.z - _e1449), (_e689.member.member_1.z - _e1461))), type_51(type_29((_e689.member.member + vec4<f32>(_e1392, _e1401, _e1410, 0f)), (_e689.member.member_1 - vec4<f32>(_e1431, _e1440, _e1449, 0f))), _e1540), type_51(type_29((_e689.member.member + vec4<f32>(_e1414, _e1418, _e1422, 0f)), (_e689.member.member_1 - vec4<f32>(_e1453, _e1457, _e1461, 0f))), _e1564));
+                                            let _e986 = phi_3016_;
+                                            phi_3020_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e687.member.member.x + _e814), (_e687.member.member.x + _e836), (_e687.member.member_1.x - _e853), (_e687.member.member_1.x - _e875)), vec4<f32>((_e687.member.member.y + _e823), (_e687.member.member.y + _e840), (_e687.member.member_1.y - _e862), (_e687.member.member_1.y - _e879)), vec4<f32>((_e687.member.member.z + _e832), (_e687.member.member.z + _e844), (_e687.member.member_1.z - _e871), (_e687.member.member_1.z - _e883))), type_51(type_29((_e687.member.member + vec4<f32>(_e814, _e823, _e832, 0f)), (_e687.member.member_1 - vec4<f32>(_e853, _e862, _e871, 0f))), _e962), type_51(type_29((_e687.member.member + vec4<f32>(_e836, _e840, _e844, 0f)), (_e687.member.member_1 - vec4<f32>(_e875, _e879, _e883, 0f))), _e986));
                                         }
-                                        let _e1569 = phi_3043_;
-                                        let _e1581 = ((_e1569.member[0].x - _e364) * _e367);
-                                        let _e1582 = ((_e1569.member[0].y - _e364) * _e367);
-                                        let _e1583 = ((_e1569.member[0].z - _e365) * _e367);
-                                        let _e1584 = ((_e1569.member[0].w - _e365) * _e367);
-                                        let _e1594 = ((_e1569.member[1].x - _e430) * _e433);
-                                        let _e1595 = ((_e1569.member[1].y - _e430) * _e433);
-                                        let _e1596 = ((_e1569.member[1].z - _e431) * _e433);
-                                        let _e1597 = ((_e1569.member[1].w - _e431) * _e433);
-                                        let _e1607 = ((_e1569.member[2].x - _e496) * _e499);
-                                        let _e1608 = ((_e1569.member[2].y - _e496) * _e499);
-                                        let _e1609 = ((_e1569.member[2].z - _e497) * _e499);
-                                        let _e1610 = ((_e1569.member[2].w - _e497) * _e499);
-                                        let _e1612 = select(_e1609, _e1607, (_e1607 < _e1609));
-                                        let _e1614 = select(_e1610, _e1608, (_e1608 < _e1610));
-                                        let _e1616 = select(_e1609, _e1607, (_e1607 > _e1609));
-                                        let _e1618 = select(_e1610, _e1608, (_e1608 > _e1610));
-                                        let _e1620 = select(_e1583, _e1581, (_e1581 < _e1583));
-                                        let _e1622 = select(_e1584, _e1582, (_e1582 < _e1584));
-                                        let _e1624 = select(_e1596, _e1594, (_e1594 < _e1596));
-                                        let _e1626 = select(_e1597, _e1595, (_e1595 < _e1597));
-                                        let _e1628 = select(_e1624, _e1620, (_e1620 > _e1624));
-                                        let _e1630 = select(_e1626, _e1622, (_e1622 > _e1626));
-                                        let _e1632 = select(_e1612, _e1628, (_e1628 > _e1612));
-                                        let _e1634 = select(_e1614, _e1630, (_e1630 > _e1614));
-                                        let _e1636 = select(_e1583, _e1581, (_e1581 > _e1583));
-                                        let _e1638 = select(_e1584, _e1582, (_e1582 > _e1584));
-                                        let _e1640 = select(_e1596, _e1594, (_e1594 > _e1596));
-                                        let _e1642 = select(_e1597, _e1595, (_e1595 > _e1597));
-                                        let _e1644 = select(_e1640, _e1636, (_e1636 < _e1640));
-                                        let _e1646 = select(_e1642, _e1638, (_e1638 < _e1642));
-                                        let _e1651 = -(_e1612);
-                                        let _e1652 = -(_e1614);
-                                        let _e1659 = (select(_e1616, _e1644, (_e1644 < _e1616)) + (select(_e1651, _e1616, (_e1616 > _e1651)) * 0.0000019073523f));
-                                        let _e1660 = (select(_e1618, _e1646, (_e1646 < _e1618)) + (select(_e1652, _e1618, (_e1618 > _e1652)) * 0.0000019073523f));
-                                        let _e1662 = select(_e602, _e1632, (_e1632 > _e602));
-                                        let _e1664 = select(_e602, _e1634, (_e1634 > _e602));
-                                        let _e1669 = (_e1662 <= select(_e1275.member_1, _e1659, (_e1659 < _e1275.member_1)));
-                                        let _e1670 = (_e1664 <= select(_e1275.member_1, _e1660, (_e1660 < _e1275.member_1)));
-                                        let _e1671 = (_e1662 <= _e1664);
-                                        if _e1669 {
-                                            if _e1670 {
-                                                if _e1671 {
-                                                    phi_3405_ = _e1569.member_2;
+                                        let _e991 = phi_3020_;
+                                        let _e1003 = ((_e991.member[0].x - _e364) * _e367);
+                                        let _e1004 = ((_e991.member[0].y - _e364) * _e367);
+                                        let _e1005 = ((_e991.member[0].z - _e365) * _e367);
+                                        let _e1006 = ((_e991.member[0].w - _e365) * _e367);
+                                        let _e1016 = ((_e991.member[1].x - _e430) * _e433);
+                                        let _e1017 = ((_e991.member[1].y - _e430) * _e433);
+                                        let _e1018 = ((_e991.member[1].z - _e431) * _e433);
+                                        let _e1019 = ((_e991.member[1].w - _e431) * _e433);
+                                        let _e1029 = ((_e991.member[2].x - _e496) * _e499);
+                                        let _e1030 = ((_e991.member[2].y - _e496) * _e499);
+                                        let _e1031 = ((_e991.member[2].z - _e497) * _e499);
+                                        let _e1032 = ((_e991.member[2].w - _e497) * _e499);
+                                        let _e1034 = select(_e1031, _e1029, (_e1029 < _e1031));
+                                        let _e1036 = select(_e1032, _e1030, (_e1030 < _e1032));
+                                        let _e1038 = select(_e1031, _e1029, (_e1029 > _e1031));
+                                        let _e1040 = select(_e1032, _e1030, (_e1030 > _e1032));
+                                        let _e1042 = select(_e1005, _e1003, (_e1003 < _e1005));
+                                        let _e1044 = select(_e1006, _e1004, (_e1004 < _e1006));
+                                        let _e1046 = select(_e1018, _e1016, (_e1016 < _e1018));
+                                        let _e1048 = select(_e1019, _e1017, (_e1017 < _e1019));
+                                        let _e1050 = select(_e1046, _e1042, (_e1042 > _e1046));
+                                        let _e1052 = select(_e1048, _e1044, (_e1044 > _e1048));
+                                        let _e1054 = select(_e1034, _e1050, (_e1050 > _e1034));
+                                        let _e1056 = select(_e1036, _e1052, (_e1052 > _e1036));
+                                        let _e1058 = select(_e1005, _e1003, (_e1003 > _e1005));
+                                        let _e1060 = select(_e1006, _e1004, (_e1004 > _e1006));
+                                        let _e1062 = select(_e1018, _e1016, (_e1016 > _e1018));
+                                        let _e1064 = select(_e1019, _e1017, (_e1017 > _e1019));
+                                        let _e1066 = select(_e1062, _e1058, (_e1058 < _e1062));
+                                        let _e1068 = select(_e1064, _e1060, (_e1060 < _e1064));
+                                        let _e1073 = -(_e1034);
+                                        let _e1074 = -(_e1036);
+                                        let _e1081 = (select(_e1038, _e1066, (_e1066 < _e1038)) + (select(_e1073, _e1038, (_e1038 > _e1073)) * 0.0000019073523f));
+                                        let _e1082 = (select(_e1040, _e1068, (_e1068 < _e1040)) + (select(_e1074, _e1040, (_e1040 > _e1074)) * 0.0000019073523f));
+                                        let _e1084 = select(_e602, _e1054, (_e1054 > _e602));
+                                        let _e1086 = select(_e602, _e1056, (_e1056 > _e602));
+                                        let _e1091 = (_e1084 <= select(_e646.member_1, _e1081, (_e1081 < _e646.member_1)));
+                                        let _e1092 = (_e1086 <= select(_e646.member_1, _e1082, (_e1082 < _e646.member_1)));
+                                        let _e1093 = (_e1084 <= _e1086);
+                                        if _e1091 {
+                                            if _e1092 {
+                                                if _e1093 {
+                                                    phi_3382_ = _e991.member_2;
                                                 } else {
-                                                    phi_3405_ = _e1569.member_1;
+                                                    phi_3382_ = _e991.member_1;
                                                 }
-                                                let _e1675 = phi_3405_;
-                                                let _e1696 = (_e687 % 128u);
-                                                let _e1697 = (_e1696 < 128u);
-                                                if _e1697 {
+                                                let _e1097 = phi_3382_;
+                                                let _e1118 = (_e689 % 128u);
+                                                let _e1119 = (_e1118 < 128u);
+                                                if _e1119 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1696] = _e1675.member_1;
-                                                if _e1697 {
+                                                local_8[_e1118] = _e1097.member_1;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1696] = _e1675.member.member.x;
-                                                if _e1697 {
+                                                local_7[_e1118] = _e1097.member.member.x;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1696] = _e1675.member.member.y;
-                                                if _e1697 {
+                                                local_6[_e1118] = _e1097.member.member.y;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1696] = _e1675.member.member.z;
-                                                if _e1697 {
+                                                local_5[_e1118] = _e1097.member.member.z;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1696] = _e1675.member.member_1.x;
-                                                if _e1697 {
+                                                local_4[_e1118] = _e1097.member.member_1.x;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1696] = _e1675.member.member_1.y;
-                                                if _e1697 {
+                                                local_3[_e1118] = _e1097.member.member_1.y;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1696] = _e1675.member.member_1.z;
-                                                if _e1697 {
+                                                local_2[_e1118] = _e1097.member.member_1.z;
+                                                if _e1119 {
                                                 } else {
-                                                    phi_4231_ = true;
+                                                    phi_4148_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1696] = select(_e1662, _e1664, _e1671);
-                                                if _e1671 {
-                                                    phi_3481_ = _e1569.member_1;
+                                                local_9[_e1118] = select(_e1084, _e1086, _e1093);
+                                                if _e1093 {
+                                                    phi_3458_ = _e991.member_1;
                                                 } else {
-                                                    phi_3481_ = _e1569.member_2;
+                                                    phi_3458_ = _e991.member_2;
                                                 }
-                                                let _e1710 = phi_3481_;
-                                                phi_3482_ = (_e687 + 1u);
-                                                phi_3483_ = _e1710;
+                                                let _e1132 = phi_3458_;
+                                                phi_3459_ = _e1132;
+                                                phi_3460_ = (_e689 + 1u);
                                             } else {
-                                                phi_3482_ = u32();
-                                                phi_3483_ = type_51();
+                                                phi_3459_ = type_51();
+                                                phi_3460_ = u32();
                                             }
-                                            let _e1712 = phi_3482_;
-                                            let _e1714 = phi_3483_;
-                                            phi_3485_ = _e1712;
-                                            phi_3486_ = _e1714;
-                                            phi_3487_ = select(true, false, _e1670);
+                                            let _e1134 = phi_3459_;
+                                            let _e1136 = phi_3460_;
+                                            phi_3462_ = _e1134;
+                                            phi_3463_ = _e1136;
+                                            phi_3464_ = select(true, false, _e1092);
                                         } else {
-                                            phi_3485_ = u32();
-                                            phi_3486_ = type_51();
-                                            phi_3487_ = true;
+                                            phi_3462_ = type_51();
+                                            phi_3463_ = u32();
+                                            phi_3464_ = true;
                                         }
-                                        let _e1717 = phi_3485_;
-                                        let _e1719 = phi_3486_;
-                                        let _e1721 = phi_3487_;
-                                        if _e1721 {
-                                            if _e1669 {
-                                                phi_3496_ = _e1569.member_1;
+                                        let _e1139 = phi_3462_;
+                                        let _e1141 = phi_3463_;
+                                        let _e1143 = phi_3464_;
+                                        if _e1143 {
+                                            if _e1091 {
+                                                phi_3473_ = _e991.member_1;
                                             } else {
-                                                phi_3496_ = _e1569.member_2;
+                                                phi_3473_ = _e991.member_2;
                                             }
-                                            let _e1725 = phi_3496_;
-                                            phi_3501_ = select(_e1670, true, _e1669);
-                                            phi_3503_ = _e1725;
+                                            let _e1147 = phi_3473_;
+                                            phi_3478_ = select(_e1092, true, _e1091);
+                                            phi_3479_ = _e1147;
                                         } else {
-                                            phi_3501_ = _e685;
-                                            phi_3503_ = _e1719;
+                                            phi_3478_ = _e685;
+                                            phi_3479_ = _e1139;
                                         }
-                                        let _e1728 = phi_3501_;
-                                        let _e1730 = phi_3503_;
-                                        phi_3507_ = _e1728;
-                                        phi_3508_ = select(_e1717, _e687, _e1721);
-                                        phi_3509_ = _e1730;
+                                        let _e1150 = phi_3478_;
+                                        let _e1152 = phi_3479_;
+                                        phi_4152_ = _e644;
+                                        phi_3481_ = _e646;
+                                        phi_3482_ = _e1150;
+                                        phi_3483_ = _e1152;
+                                        phi_3484_ = select(_e1141, _e689, _e1143);
                                     }
-                                    let _e1733 = phi_3507_;
-                                    let _e1735 = phi_3508_;
-                                    let _e1737 = phi_3509_;
-                                    if _e693 {
-                                        phi_3519_ = _e689;
-                                    } else {
-                                        phi_3519_ = _e1737;
-                                    }
-                                    let _e1739 = phi_3519_;
-                                    phi_4234_ = _e1273;
-                                    phi_3520_ = _e1275;
-                                    phi_3521_ = (_e648 - 1u);
-                                    phi_3522_ = select(_e1733, false, _e693);
-                                    phi_3523_ = select(_e1735, _e687, _e693);
-                                    phi_3524_ = _e1739;
+                                    let _e1734 = phi_4152_;
+                                    let _e1736 = phi_3481_;
+                                    let _e1738 = phi_3482_;
+                                    let _e1740 = phi_3483_;
+                                    let _e1742 = phi_3484_;
+                                    phi_4151_ = _e1734;
+                                    phi_3485_ = _e1736;
+                                    phi_3486_ = _e1738;
+                                    phi_3487_ = _e1740;
+                                    phi_3488_ = _e1742;
+                                    phi_3489_ = (_e654 - 1u);
                                 } else {
-                                    phi_4234_ = _e644;
-                                    phi_3520_ = _e646;
-                                    phi_3521_ = _e648;
-                                    phi_3522_ = _e685;
-                                    phi_3523_ = _e687;
-                                    phi_3524_ = _e689;
+                                    phi_4151_ = _e644;
+                                    phi_3485_ = _e646;
+                                    phi_3486_ = _e685;
+                                    phi_3487_ = _e687;
+                                    phi_3488_ = _e689;
+                                    phi_3489_ = _e654;
                                 }
-                                let _e1743 = phi_4234_;
-                                let _e1745 = phi_3520_;
-                                let _e1747 = phi_3521_;
-                                let _e1749 = phi_3522_;
-                                let _e1751 = phi_3523_;
-                                let _e1753 = phi_3524_;
-                                phi_4233_ = _e1743;
-                                phi_3525_ = _e1745;
-                                phi_3526_ = _e1747;
-                                phi_3527_ = _e1749;
-                                phi_3528_ = _e1751;
-                                phi_3529_ = _e1753;
+                                let _e1744 = phi_4151_;
+                                let _e1746 = phi_3485_;
+                                let _e1748 = phi_3486_;
+                                let _e1750 = phi_3487_;
+                                let _e1752 = phi_3488_;
+                                let _e1754 = phi_3489_;
+                                phi_4150_ = _e1744;
+                                phi_3490_ = _e1746;
+                                phi_3491_ = _e1748;
+                                phi_3492_ = _e1750;
+                                phi_3493_ = _e1752;
+                                phi_3494_ = _e1754;
                             } else {
-                                phi_4233_ = _e644;
-                                phi_3525_ = type_34();
-                                phi_3526_ = u32();
-                                phi_3527_ = bool();
-                                phi_3528_ = u32();
-                                phi_3529_ = type_51();
+                                phi_4150_ = _e644;
+                                phi_3490_ = type_34();
+                                phi_3491_ = bool();
+                                phi_3492_ = type_51();
+                                phi_3493_ = u32();
+                                phi_3494_ = u32();
                             }
-                            let _e1755 = phi_4233_;
-                            let _e1757 = phi_3525_;
-                            let _e1759 = phi_3526_;
-                            let _e1761 = phi_3527_;
-                            let _e1763 = phi_3528_;
-                            let _e1765 = phi_3529_;
-                            phi_4232_ = _e1755;
-                            phi_1182_ = _e1757;
-                            phi_1185_ = _e1759;
-                            phi_1187_ = _e1761;
-                            phi_1189_ = _e1763;
-                            phi_1191_ = _e1765;
-                            phi_3530_ = _e658;
+                            let _e1756 = phi_4150_;
+                            let _e1758 = phi_3490_;
+                            let _e1760 = phi_3491_;
+                            let _e1762 = phi_3492_;
+                            let _e1764 = phi_3493_;
+                            let _e1766 = phi_3494_;
+                            phi_4149_ = _e1756;
+                            phi_1189_ = _e1758;
+                            phi_1192_ = _e1760;
+                            phi_1194_ = _e1762;
+                            phi_1196_ = _e1764;
+                            phi_1198_ = _e1766;
+                            phi_3495_ = _e658;
                         } else {
-                            phi_4232_ = _e644;
-                            phi_1182_ = type_34();
-                            phi_1185_ = u32();
-                            phi_1187_ = bool();
-                            phi_1189_ = u32();
-                            phi_1191_ = type_51();
-                            phi_3530_ = false;
+                            phi_4149_ = _e644;
+                            phi_1189_ = type_34();
+                            phi_1192_ = bool();
+                            phi_1194_ = type_51();
+                            phi_1196_ = u32();
+                            phi_1198_ = u32();
+                            phi_3495_ = false;
                         }
-                        let _e1767 = phi_4232_;
-                        let _e1769 = phi_1182_;
-                        let _e1771 = phi_1185_;
-                        let _e1773 = phi_1187_;
-                        let _e1775 = phi_1189_;
-                        let _e1777 = phi_1191_;
-                        let _e1779 = phi_3530_;
+                        let _e1768 = phi_4149_;
+                        let _e1770 = phi_1189_;
+                        let _e1772 = phi_1192_;
+                        let _e1774 = phi_1194_;
+                        let _e1776 = phi_1196_;
+                        let _e1778 = phi_1198_;
+                        let _e1780 = phi_3495_;
                         continue;
                         continuing {
-                            phi_4072_ = _e1767;
-                            phi_1181_ = _e1769;
-                            phi_1184_ = _e1771;
-                            phi_1186_ = _e1773;
-                            phi_1188_ = _e1775;
-                            phi_1190_ = _e1777;
-                            phi_4231_ = _e1767;
-                            break if !(_e1779);
+                            phi_4001_ = _e1768;
+                            phi_1188_ = _e1770;
+                            phi_1191_ = _e1772;
+                            phi_1193_ = _e1774;
+                            phi_1195_ = _e1776;
+                            phi_1197_ = _e1778;
+                            phi_4148_ = _e1768;
+                            break if !(_e1780);
                         }
                     }
-                    let _e1782 = phi_4231_;
-                    if _e1782 {
+                    let _e1783 = phi_4148_;
+                    if _e1783 {
                         break;
                     }
-                    let _e1784 = local_10;
-                    if (_e1784.member.member_3 != 4294967295u) {
-                        let _e1789 = -(_e504);
-                        let _e1790 = bitcast<u32>(_e1784.member.member);
-                        let _e1794 = (bitcast<i32>((_e1790 >> bitcast<u32>(23i))) & 255i);
-                        let _e1795 = (_e1794 + _e1789);
-                        if (_e1794 == 255i) {
-                            phi_3589_ = _e1784.member.member;
+                    let _e1785 = local_11;
+                    if (_e1785.member.member_3 != 4294967295u) {
+                        let _e1790 = -(_e504);
+                        let _e1791 = bitcast<u32>(_e1785.member.member);
+                        let _e1795 = (bitcast<i32>((_e1791 >> bitcast<u32>(23i))) & 255i);
+                        let _e1796 = (_e1795 + _e1790);
+                        if (_e1795 == 255i) {
+                            phi_3554_ = _e1785.member.member;
                         } else {
-                            if (_e1794 > 0i) {
-                                if (_e1795 > 0i) {
-                                    let _e1799 = (_e1795 < 255i);
-                                    if _e1799 {
-                                        phi_3568_ = bitcast<f32>((_e1790 + bitcast<u32>((_e1789 << bitcast<u32>(23i)))));
+                            if (_e1795 > 0i) {
+                                if (_e1796 > 0i) {
+                                    let _e1800 = (_e1796 < 255i);
+                                    if _e1800 {
+                                        phi_3533_ = bitcast<f32>((_e1791 + bitcast<u32>((_e1790 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3568_ = f32();
+                                        phi_3533_ = f32();
                                     }
-                                    let _e1806 = phi_3568_;
-                                    phi_3570_ = _e1806;
-                                    phi_3571_ = select(true, false, _e1799);
+                                    let _e1807 = phi_3533_;
+                                    phi_3535_ = _e1807;
+                                    phi_3536_ = select(true, false, _e1800);
                                 } else {
-                                    phi_3570_ = f32();
-                                    phi_3571_ = true;
+                                    phi_3535_ = f32();
+                                    phi_3536_ = true;
                                 }
-                                let _e1809 = phi_3570_;
-                                let _e1811 = phi_3571_;
-                                phi_3572_ = _e1809;
-                                phi_3573_ = _e1811;
+                                let _e1810 = phi_3535_;
+                                let _e1812 = phi_3536_;
+                                phi_3537_ = _e1810;
+                                phi_3538_ = _e1812;
                             } else {
-                                phi_3572_ = f32();
-                                phi_3573_ = true;
+                                phi_3537_ = f32();
+                                phi_3538_ = true;
                             }
-                            let _e1813 = phi_3572_;
-                            let _e1815 = phi_3573_;
-                            if _e1815 {
-                                let _e1816 = (_e1790 & 2147483648u);
-                                let _e1823 = ((_e1790 & 8388607u) | (select(0u, 1u, ((_e1790 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e1827 = (_e1823 == 0u);
-                                if _e1827 {
-                                    phi_4024_ = bitcast<f32>(_e1816);
+                            let _e1814 = phi_3537_;
+                            let _e1816 = phi_3538_;
+                            if _e1816 {
+                                let _e1817 = (_e1791 & 2147483648u);
+                                let _e1824 = ((_e1791 & 8388607u) | (select(0u, 1u, ((_e1791 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e1828 = (_e1824 == 0u);
+                                if _e1828 {
+                                    phi_3953_ = bitcast<f32>(_e1817);
                                 } else {
-                                    let _e1832 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1823)), 32u, _e1827) - 8u);
-                                    let _e1835 = (_e1823 << bitcast<u32>((_e1832 & 31u)));
-                                    let _e1837 = ((_e1795 + select(0i, 1i, (_e1794 == 0i))) - bitcast<i32>(_e1832));
-                                    if (_e1837 >= 255i) {
-                                        phi_4014_ = bitcast<f32>((_e1816 | 2139095040u));
-                                        phi_4015_ = f32();
-                                        phi_4016_ = true;
+                                    let _e1833 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1824)), 32u, _e1828) - 8u);
+                                    let _e1836 = (_e1824 << bitcast<u32>((_e1833 & 31u)));
+                                    let _e1838 = ((_e1796 + select(0i, 1i, (_e1795 == 0i))) - bitcast<i32>(_e1833));
+                                    if (_e1838 >= 255i) {
+                                        phi_3943_ = bitcast<f32>((_e1817 | 2139095040u));
+                                        phi_3944_ = f32();
+                                        phi_3945_ = true;
                                     } else {
-                                        let _e1839 = (_e1837 > 0i);
-                                        if _e1839 {
-                                            phi_4008_ = bitcast<f32>(((_e1816 | (bitcast<u32>(_e1837) << bitcast<u32>(23i))) | (_e1835 & 8388607u)));
-                                            phi_4009_ = f32();
+                                        let _e1840 = (_e1838 > 0i);
+                                        if _e1840 {
+                                            phi_3937_ = bitcast<f32>(((_e1817 | (bitcast<u32>(_e1838) << bitcast<u32>(23i))) | (_e1836 & 8388607u)));
+                                            phi_3938_ = f32();
                                         } else {
-                                            if (_e1837 < -24i) {
-                                                phi_3974_ = 26u;
+                                            if (_e1838 < -24i) {
+                                                phi_3903_ = 26u;
                                             } else {
-                                                phi_3974_ = bitcast<u32>((1i - _e1837));
+                                                phi_3903_ = bitcast<u32>((1i - _e1838));
                                             }
-                                            let _e1844 = phi_3974_;
-                                            let _e1845 = (_e1844 & 31u);
-                                            let _e1847 = (_e1835 >> bitcast<u32>(_e1845));
-                                            let _e1851 = (_e1835 & ((1u << bitcast<u32>(_e1845)) - 1u));
-                                            let _e1855 = (1u << bitcast<u32>(((_e1844 - 1u) & 31u)));
-                                            if (_e1851 > _e1855) {
-                                                phi_3995_ = true;
+                                            let _e1845 = phi_3903_;
+                                            let _e1846 = (_e1845 & 31u);
+                                            let _e1848 = (_e1836 >> bitcast<u32>(_e1846));
+                                            let _e1852 = (_e1836 & ((1u << bitcast<u32>(_e1846)) - 1u));
+                                            let _e1856 = (1u << bitcast<u32>(((_e1845 - 1u) & 31u)));
+                                            if (_e1852 > _e1856) {
+                                                phi_3924_ = true;
                                             } else {
-                                                if (_e1851 == _e1855) {
-                                                    phi_3992_ = ((_e1847 & 1u) == 1u);
+                                                if (_e1852 == _e1856) {
+                                                    phi_3921_ = ((_e1848 & 1u) == 1u);
                                                 } else {
-                                                    phi_3992_ = false;
+                                                    phi_3921_ = false;
                                                 }
-                                                let _e1861 = phi_3992_;
-                                                phi_3995_ = _e1861;
+                                                let _e1862 = phi_3921_;
+                                                phi_3924_ = _e1862;
                                             }
-                                            let _e1863 = phi_3995_;
-                                            phi_4008_ = f32();
-                                            phi_4009_ = bitcast<f32>((_e1816 | (_e1847 + select(0u, 1u, _e1863))));
+                                            let _e1864 = phi_3924_;
+                                            phi_3937_ = f32();
+                                            phi_3938_ = bitcast<f32>((_e1817 | (_e1848 + select(0u, 1u, _e1864))));
                                         }
-                                        let _e1876 = phi_4008_;
-                                        let _e1878 = phi_4009_;
-                                        phi_4014_ = _e1876;
-                                        phi_4015_ = _e1878;
-                                        phi_4016_ = _e1839;
+                                        let _e1877 = phi_3937_;
+                                        let _e1879 = phi_3938_;
+                                        phi_3943_ = _e1877;
+                                        phi_3944_ = _e1879;
+                                        phi_3945_ = _e1840;
                                     }
-                                    let _e1882 = phi_4014_;
-                                    let _e1884 = phi_4015_;
-                                    let _e1886 = phi_4016_;
-                                    phi_4024_ = select(_e1884, _e1882, _e1886);
+                                    let _e1883 = phi_3943_;
+                                    let _e1885 = phi_3944_;
+                                    let _e1887 = phi_3945_;
+                                    phi_3953_ = select(_e1885, _e1883, _e1887);
                                 }
-                                let _e1890 = phi_4024_;
-                                phi_3588_ = _e1890;
+                                let _e1891 = phi_3953_;
+                                phi_3553_ = _e1891;
                             } else {
-                                phi_3588_ = _e1813;
+                                phi_3553_ = _e1814;
                             }
-                            let _e1892 = phi_3588_;
-                            phi_3589_ = _e1892;
+                            let _e1893 = phi_3553_;
+                            phi_3554_ = _e1893;
                         }
-                        let _e1894 = phi_3589_;
-                        let _e1895 = bitcast<u32>(_e1894);
-                        if ((_e1895 & 2147483647u) >= 2139095040u) {
-                            phi_3601_ = bitcast<f32>(((_e1895 & 2147483648u) | 2139095039u));
+                        let _e1895 = phi_3554_;
+                        let _e1896 = bitcast<u32>(_e1895);
+                        if ((_e1896 & 2147483647u) >= 2139095040u) {
+                            phi_3566_ = bitcast<f32>(((_e1896 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3601_ = _e1894;
+                            phi_3566_ = _e1895;
                         }
-                        let _e1902 = phi_3601_;
-                        phi_3606_ = type_21(_e1902, _e1784.member.member_1, _e1784.member.member_2, _e1784.member.member_3);
+                        let _e1903 = phi_3566_;
+                        phi_3571_ = type_21(_e1903, _e1785.member.member_1, _e1785.member.member_2, _e1785.member.member_3);
                     } else {
-                        phi_3606_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3571_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1907 = phi_3606_;
+                    let _e1908 = phi_3571_;
                     if _e150 {
                     } else {
                         break;
                     }
-                    global_6.member[_e148] = _e1907;
+                    global_6.member[_e148] = _e1908;
                 }
             }
             break;

@@ -106,128 +106,114 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_361_: i32;
-    var phi_362_: i32;
-    var phi_372_: bool;
-    var phi_382_: u32;
-    var phi_383_: u32;
-    var phi_385_: bool;
+    var phi_368_: i32;
+    var phi_369_: i32;
+    var phi_379_: bool;
+    var phi_389_: u32;
     var phi_390_: u32;
-    var phi_403_: i32;
-    var phi_423_: i32;
-    var phi_441_: f32;
-    var phi_447_: f32;
-    var phi_487_: f32;
-    var phi_493_: f32;
-    var phi_566_: f32;
-    var phi_572_: f32;
-    var phi_612_: f32;
-    var phi_618_: f32;
-    var phi_691_: f32;
-    var phi_697_: f32;
-    var phi_737_: f32;
-    var phi_743_: f32;
-    var phi_862_: i32;
-    var phi_884_: u32;
-    var phi_885_: u32;
-    var phi_922_: i32;
-    var phi_944_: u32;
-    var phi_945_: u32;
-    var phi_953_: f32;
-    var phi_954_: f32;
-    var phi_3414_: bool;
-    var phi_1038_: type_39;
-    var phi_1041_: u32;
-    var phi_1043_: bool;
-    var phi_1045_: u32;
-    var phi_1047_: type_50;
-    var phi_1058_: bool;
-    var phi_1144_: bool;
-    var phi_1145_: u32;
-    var phi_1146_: type_50;
-    var phi_1164_: type_39;
-    var phi_1167_: type_4;
-    var phi_1168_: type_4;
-    var phi_1190_: type_4;
-    var phi_1214_: u32;
-    var phi_1306_: array<array<f32, 3>, 3>;
-    var phi_3209_: bool;
-    var phi_3224_: bool;
-    var phi_3239_: bool;
-    var phi_3254_: bool;
-    var phi_3269_: bool;
-    var phi_3284_: bool;
-    var phi_1848_: f32;
-    var phi_1849_: f32;
-    var phi_1850_: f32;
-    var phi_1851_: f32;
-    var phi_1852_: vec3<f32>;
-    var phi_1853_: vec3<f32>;
-    var phi_1854_: vec3<f32>;
-    var phi_1855_: vec3<f32>;
-    var phi_3299_: bool;
-    var phi_3314_: bool;
-    var phi_3329_: bool;
-    var phi_3344_: bool;
-    var phi_3359_: bool;
-    var phi_3374_: bool;
-    var phi_2063_: f32;
-    var phi_2083_: type_35;
-    var phi_2084_: type_35;
-    var phi_2087_: type_35;
-    var phi_2088_: type_35;
-    var phi_2089_: bool;
-    var phi_2093_: type_35;
-    var phi_2102_: type_25;
-    var phi_2127_: bool;
-    var phi_2128_: bool;
-    var phi_2135_: type_39;
-    var phi_2136_: type_39;
-    var phi_2137_: type_39;
-    var phi_1165_: type_39;
-    var phi_3408_: bool;
-    var phi_3632_: bool;
-    var phi_2138_: type_39;
-    var phi_2159_: type_43;
-    var phi_3048_: type_50;
+    var phi_392_: bool;
+    var phi_397_: u32;
+    var phi_410_: i32;
+    var phi_430_: i32;
+    var phi_448_: f32;
+    var phi_454_: f32;
+    var phi_494_: f32;
+    var phi_500_: f32;
+    var phi_573_: f32;
+    var phi_579_: f32;
+    var phi_619_: f32;
+    var phi_625_: f32;
+    var phi_698_: f32;
+    var phi_704_: f32;
+    var phi_744_: f32;
+    var phi_750_: f32;
+    var phi_869_: i32;
+    var phi_891_: u32;
+    var phi_892_: u32;
+    var phi_929_: i32;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_960_: f32;
+    var phi_961_: f32;
+    var phi_3340_: bool;
+    var phi_1045_: type_39;
+    var phi_1048_: bool;
+    var phi_1050_: type_50;
+    var phi_1052_: u32;
+    var phi_1054_: u32;
+    var phi_1065_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: type_50;
+    var phi_1153_: u32;
+    var phi_2136_: type_43;
+    var phi_3025_: type_50;
+    var phi_3101_: type_50;
+    var phi_3102_: type_50;
+    var phi_3103_: u32;
+    var phi_3105_: type_50;
+    var phi_3106_: u32;
+    var phi_3107_: bool;
+    var phi_3114_: type_50;
+    var phi_3119_: bool;
+    var phi_3120_: type_50;
+    var phi_1171_: type_39;
+    var phi_1174_: type_4;
+    var phi_1175_: type_4;
+    var phi_1197_: type_4;
+    var phi_1221_: u32;
+    var phi_1313_: array<array<f32, 3>, 3>;
+    var phi_1843_: f32;
+    var phi_1844_: f32;
+    var phi_1845_: f32;
+    var phi_1846_: f32;
+    var phi_1847_: vec3<f32>;
+    var phi_1848_: vec3<f32>;
+    var phi_1849_: vec3<f32>;
+    var phi_1850_: vec3<f32>;
+    var phi_2041_: f32;
+    var phi_2061_: type_35;
+    var phi_2062_: type_35;
+    var phi_2065_: type_35;
+    var phi_2066_: type_35;
+    var phi_2067_: bool;
+    var phi_2071_: type_35;
+    var phi_2080_: type_25;
+    var phi_2105_: bool;
+    var phi_2106_: bool;
+    var phi_2113_: type_39;
+    var phi_2114_: type_39;
+    var phi_2115_: type_39;
+    var phi_1172_: type_39;
+    var phi_3334_: bool;
+    var local_10: type_39;
+    var phi_3491_: bool;
+    var phi_3122_: type_39;
+    var phi_3123_: bool;
     var phi_3124_: type_50;
     var phi_3125_: u32;
-    var phi_3126_: type_50;
-    var phi_3128_: u32;
-    var phi_3129_: type_50;
-    var phi_3130_: bool;
-    var phi_3137_: type_50;
-    var phi_3142_: bool;
-    var phi_3144_: type_50;
-    var phi_3149_: type_39;
-    var phi_3150_: bool;
-    var phi_3151_: u32;
-    var phi_3152_: type_50;
-    var phi_3160_: type_39;
-    var phi_3163_: type_50;
-    var phi_3576_: bool;
-    var phi_3164_: type_39;
-    var phi_3165_: u32;
-    var phi_3166_: bool;
-    var phi_3167_: u32;
-    var phi_3168_: type_50;
-    var phi_3575_: bool;
-    var phi_3169_: type_39;
-    var phi_3170_: u32;
-    var phi_3171_: bool;
-    var phi_3172_: u32;
-    var phi_3173_: type_50;
-    var phi_3574_: bool;
-    var phi_1039_: type_39;
-    var phi_1042_: u32;
-    var phi_1044_: bool;
-    var phi_1046_: u32;
-    var phi_1048_: type_50;
-    var phi_3174_: bool;
-    var phi_3573_: bool;
-    var local_10: type_39;
+    var phi_3490_: bool;
+    var phi_3126_: type_39;
+    var phi_3127_: bool;
+    var phi_3128_: type_50;
+    var phi_3129_: u32;
+    var phi_3130_: u32;
+    var phi_3489_: bool;
+    var phi_3131_: type_39;
+    var phi_3132_: bool;
+    var phi_3133_: type_50;
+    var phi_3134_: u32;
+    var phi_3135_: u32;
+    var phi_3488_: bool;
+    var phi_1046_: type_39;
+    var phi_1049_: bool;
+    var phi_1051_: type_50;
+    var phi_1053_: u32;
+    var phi_1055_: u32;
+    var phi_3136_: bool;
+    var phi_3487_: bool;
     var local_11: type_39;
     var local_12: type_39;
+    var local_13: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -279,93 +265,93 @@ fn function_() {
                     if _e207 {
                         let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
                         if (_e210 >= 8388608u) {
-                            phi_361_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
+                            phi_368_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_361_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
+                            phi_368_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
                         }
-                        let _e224 = phi_361_;
-                        phi_362_ = _e224;
+                        let _e224 = phi_368_;
+                        phi_369_ = _e224;
                     } else {
-                        phi_362_ = 0i;
+                        phi_369_ = 0i;
                     }
-                    let _e226 = phi_362_;
+                    let _e226 = phi_369_;
                     let _e227 = (_e143 == _e182);
                     if _e227 {
-                        phi_372_ = true;
+                        phi_379_ = true;
                     } else {
-                        phi_372_ = (_e150 == _e182);
+                        phi_379_ = (_e150 == _e182);
                     }
-                    let _e230 = phi_372_;
+                    let _e230 = phi_379_;
                     let _e231 = select(1u, 0u, _e227);
                     if _e230 {
                         let _e232 = (_e231 + 1u);
-                        phi_382_ = _e232;
-                        phi_383_ = _e232;
-                        phi_385_ = select(true, false, (_e232 == 2u));
+                        phi_389_ = _e232;
+                        phi_390_ = _e232;
+                        phi_392_ = select(true, false, (_e232 == 2u));
                     } else {
-                        phi_382_ = u32();
-                        phi_383_ = 0u;
-                        phi_385_ = true;
-                    }
-                    let _e236 = phi_382_;
-                    let _e238 = phi_383_;
-                    let _e240 = phi_385_;
-                    if _e240 {
-                        phi_390_ = (_e238 + 1u);
-                    } else {
+                        phi_389_ = u32();
                         phi_390_ = 0u;
+                        phi_392_ = true;
                     }
-                    let _e244 = phi_390_;
+                    let _e236 = phi_389_;
+                    let _e238 = phi_390_;
+                    let _e240 = phi_392_;
+                    if _e240 {
+                        phi_397_ = (_e238 + 1u);
+                    } else {
+                        phi_397_ = 0u;
+                    }
+                    let _e244 = phi_397_;
                     let _e245 = select(_e236, _e238, _e240);
                     let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
                     if (_e121 < -126i) {
-                        phi_403_ = -126i;
+                        phi_410_ = -126i;
                     } else {
-                        phi_403_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_410_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e251 = phi_403_;
+                    let _e251 = phi_410_;
                     let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
                     let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
                     let _e263 = -(_e226);
                     if (_e263 < -126i) {
-                        phi_423_ = -126i;
+                        phi_430_ = -126i;
                     } else {
-                        phi_423_ = select(_e263, 127i, (_e263 > 127i));
+                        phi_430_ = select(_e263, 127i, (_e263 > 127i));
                     }
-                    let _e268 = phi_423_;
+                    let _e268 = phi_430_;
                     let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
                     let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
                     let _e283 = global_4.member[_e131].member;
                     let _e284 = (_e245 == 0u);
                     if _e284 {
-                        phi_441_ = _e283[0];
+                        phi_448_ = _e283[0];
                     } else {
-                        phi_441_ = _e283[1];
+                        phi_448_ = _e283[1];
                     }
-                    let _e288 = phi_441_;
+                    let _e288 = phi_448_;
                     let _e289 = (_e245 == 2u);
                     if _e289 {
-                        phi_447_ = _e283[2];
+                        phi_454_ = _e283[2];
                     } else {
-                        phi_447_ = _e288;
+                        phi_454_ = _e288;
                     }
-                    let _e292 = phi_447_;
+                    let _e292 = phi_454_;
                     let _e293 = bitcast<u32>(_e292);
                     let _e295 = ((_e293 & 2139095040u) != 0u);
                     let _e309 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e293 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e293 & 2147483648u))), _e292, _e295) * _e256) * select(0.00000011920929f, 1f, _e295)) * _e262);
                     let _e310 = global_4.member[_e131].member_2;
                     if _e284 {
-                        phi_487_ = _e310[0];
+                        phi_494_ = _e310[0];
                     } else {
-                        phi_487_ = _e310[1];
+                        phi_494_ = _e310[1];
                     }
-                    let _e314 = phi_487_;
+                    let _e314 = phi_494_;
                     if _e289 {
-                        phi_493_ = _e310[2];
+                        phi_500_ = _e310[2];
                     } else {
-                        phi_493_ = _e314;
+                        phi_500_ = _e314;
                     }
-                    let _e317 = phi_493_;
+                    let _e317 = phi_500_;
                     let _e318 = bitcast<u32>(_e317);
                     let _e320 = ((_e318 & 2139095040u) != 0u);
                     let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e273) * select(0.00000011920929f, 1f, _e320)) * _e279);
@@ -379,33 +365,33 @@ fn function_() {
                     let _e350 = select(38685626000000000000000000f, (1f / _e334), _e338);
                     let _e351 = (_e244 == 0u);
                     if _e351 {
-                        phi_566_ = _e283[0];
+                        phi_573_ = _e283[0];
                     } else {
-                        phi_566_ = _e283[1];
+                        phi_573_ = _e283[1];
                     }
-                    let _e355 = phi_566_;
+                    let _e355 = phi_573_;
                     let _e356 = (_e244 == 2u);
                     if _e356 {
-                        phi_572_ = _e283[2];
+                        phi_579_ = _e283[2];
                     } else {
-                        phi_572_ = _e355;
+                        phi_579_ = _e355;
                     }
-                    let _e359 = phi_572_;
+                    let _e359 = phi_579_;
                     let _e360 = bitcast<u32>(_e359);
                     let _e362 = ((_e360 & 2139095040u) != 0u);
                     let _e376 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e360 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e360 & 2147483648u))), _e359, _e362) * _e256) * select(0.00000011920929f, 1f, _e362)) * _e262);
                     if _e351 {
-                        phi_612_ = _e310[0];
+                        phi_619_ = _e310[0];
                     } else {
-                        phi_612_ = _e310[1];
+                        phi_619_ = _e310[1];
                     }
-                    let _e380 = phi_612_;
+                    let _e380 = phi_619_;
                     if _e356 {
-                        phi_618_ = _e310[2];
+                        phi_625_ = _e310[2];
                     } else {
-                        phi_618_ = _e380;
+                        phi_625_ = _e380;
                     }
-                    let _e383 = phi_618_;
+                    let _e383 = phi_625_;
                     let _e384 = bitcast<u32>(_e383);
                     let _e386 = ((_e384 & 2139095040u) != 0u);
                     let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e273) * select(0.00000011920929f, 1f, _e386)) * _e279);
@@ -419,33 +405,33 @@ fn function_() {
                     let _e416 = select(38685626000000000000000000f, (1f / _e400), _e404);
                     let _e417 = (_e246 == 0u);
                     if _e417 {
-                        phi_691_ = _e283[0];
+                        phi_698_ = _e283[0];
                     } else {
-                        phi_691_ = _e283[1];
+                        phi_698_ = _e283[1];
                     }
-                    let _e421 = phi_691_;
+                    let _e421 = phi_698_;
                     let _e422 = (_e246 == 2u);
                     if _e422 {
-                        phi_697_ = _e283[2];
+                        phi_704_ = _e283[2];
                     } else {
-                        phi_697_ = _e421;
+                        phi_704_ = _e421;
                     }
-                    let _e425 = phi_697_;
+                    let _e425 = phi_704_;
                     let _e426 = bitcast<u32>(_e425);
                     let _e428 = ((_e426 & 2139095040u) != 0u);
                     let _e442 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e426 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e426 & 2147483648u))), _e425, _e428) * _e256) * select(0.00000011920929f, 1f, _e428)) * _e262);
                     if _e417 {
-                        phi_737_ = _e310[0];
+                        phi_744_ = _e310[0];
                     } else {
-                        phi_737_ = _e310[1];
+                        phi_744_ = _e310[1];
                     }
-                    let _e446 = phi_737_;
+                    let _e446 = phi_744_;
                     if _e422 {
-                        phi_743_ = _e310[2];
+                        phi_750_ = _e310[2];
                     } else {
-                        phi_743_ = _e446;
+                        phi_750_ = _e446;
                     }
-                    let _e449 = phi_743_;
+                    let _e449 = phi_750_;
                     let _e450 = bitcast<u32>(_e449);
                     let _e452 = ((_e450 & 2139095040u) != 0u);
                     let _e466 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e450 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e450 & 2147483648u))), _e449, _e452) * _e273) * select(0.00000011920929f, 1f, _e452)) * _e279);
@@ -465,55 +451,55 @@ fn function_() {
                         let _e504 = (_e497 == 0u);
                         let _e507 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e497)), 32u, _e504)) - 8i);
                         if (_e500 == 255i) {
-                            phi_862_ = 255i;
+                            phi_869_ = 255i;
                         } else {
-                            phi_862_ = (((_e500 + select(0i, 1i, (_e500 == 0i))) - _e507) + _e487);
+                            phi_869_ = (((_e500 + select(0i, 1i, (_e500 == 0i))) - _e507) + _e487);
                         }
-                        let _e515 = phi_862_;
+                        let _e515 = phi_869_;
                         let _e525 = (_e515 <= 0i);
                         if _e525 {
-                            phi_885_ = u32();
+                            phi_892_ = u32();
                         } else {
                             if _e504 {
-                                phi_884_ = u32();
+                                phi_891_ = u32();
                             } else {
-                                phi_884_ = select(((bitcast<u32>(_e515) << bitcast<u32>(23i)) | ((_e497 << bitcast<u32>(((_e507 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e515 >= 255i));
+                                phi_891_ = select(((bitcast<u32>(_e515) << bitcast<u32>(23i)) | ((_e497 << bitcast<u32>(((_e507 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e515 >= 255i));
                             }
-                            let _e529 = phi_884_;
-                            phi_885_ = _e529;
+                            let _e529 = phi_891_;
+                            phi_892_ = _e529;
                         }
-                        let _e531 = phi_885_;
+                        let _e531 = phi_892_;
                         let _e543 = ((_e203 & 8388607u) | (select(0u, 1u, ((_e203 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e546 = bitcast<i32>((_e203 >> bitcast<u32>(23i)));
                         let _e550 = (_e543 == 0u);
                         let _e553 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e543)), 32u, _e550)) - 8i);
                         if (_e546 == 255i) {
-                            phi_922_ = 255i;
+                            phi_929_ = 255i;
                         } else {
-                            phi_922_ = (((_e546 + select(0i, 1i, (_e546 == 0i))) - _e553) + _e487);
+                            phi_929_ = (((_e546 + select(0i, 1i, (_e546 == 0i))) - _e553) + _e487);
                         }
-                        let _e561 = phi_922_;
+                        let _e561 = phi_929_;
                         let _e571 = (_e561 <= 0i);
                         if _e571 {
-                            phi_945_ = u32();
+                            phi_952_ = u32();
                         } else {
                             if _e550 {
-                                phi_944_ = u32();
+                                phi_951_ = u32();
                             } else {
-                                phi_944_ = select(((bitcast<u32>(_e561) << bitcast<u32>(23i)) | ((_e543 << bitcast<u32>(((_e553 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e561 >= 255i));
+                                phi_951_ = select(((bitcast<u32>(_e561) << bitcast<u32>(23i)) | ((_e543 << bitcast<u32>(((_e553 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e561 >= 255i));
                             }
-                            let _e575 = phi_944_;
-                            phi_945_ = _e575;
+                            let _e575 = phi_951_;
+                            phi_952_ = _e575;
                         }
-                        let _e577 = phi_945_;
-                        phi_953_ = bitcast<f32>(((_e202 & 2147483648u) | select(_e577, 0u, select(_e550, true, _e571))));
-                        phi_954_ = bitcast<f32>(((_e193 & 2147483648u) | select(_e531, 0u, select(_e504, true, _e525))));
+                        let _e577 = phi_952_;
+                        phi_960_ = bitcast<f32>(((_e202 & 2147483648u) | select(_e577, 0u, select(_e550, true, _e571))));
+                        phi_961_ = bitcast<f32>(((_e193 & 2147483648u) | select(_e531, 0u, select(_e504, true, _e525))));
                     } else {
-                        phi_953_ = 0f;
-                        phi_954_ = 1f;
+                        phi_960_ = 0f;
+                        phi_961_ = 1f;
                     }
-                    let _e583 = phi_953_;
-                    let _e585 = phi_954_;
+                    let _e583 = phi_960_;
+                    let _e585 = phi_961_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -523,861 +509,775 @@ fn function_() {
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
-                    let _e591 = (_e245 % 3u);
-                    let _e592 = (_e591 < 3u);
-                    if _e592 {
+                    let _e593 = (_e245 % 3u);
+                    let _e594 = (_e593 < 3u);
+                    if _e594 {
                     } else {
                         break;
                     }
-                    let _e594 = local_9[_e591];
-                    let _e595 = (_e244 % 3u);
-                    let _e596 = (_e595 < 3u);
-                    if _e596 {
+                    let _e596 = local_9[_e593];
+                    let _e597 = (_e244 % 3u);
+                    let _e598 = (_e597 < 3u);
+                    if _e598 {
                     } else {
                         break;
                     }
-                    let _e598 = local_9[_e595];
-                    let _e599 = (_e246 % 3u);
-                    let _e600 = (_e599 < 3u);
-                    if _e600 {
+                    let _e600 = local_9[_e597];
+                    let _e601 = (_e246 % 3u);
+                    let _e602 = (_e601 < 3u);
+                    if _e602 {
                     } else {
                         break;
                     }
-                    let _e602 = local_9[_e599];
+                    let _e604 = local_9[_e601];
                     local_8 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
-                    if _e592 {
+                    if _e594 {
                     } else {
                         break;
                     }
-                    let _e606 = local_8[_e591];
-                    if _e596 {
+                    let _e608 = local_8[_e593];
+                    if _e598 {
                     } else {
                         break;
                     }
-                    let _e608 = local_8[_e595];
-                    if _e600 {
+                    let _e610 = local_8[_e597];
+                    if _e602 {
                     } else {
                         break;
                     }
-                    let _e610 = local_8[_e599];
-                    phi_3414_ = false;
-                    phi_1038_ = type_39(type_32(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e583), 0u, 0u);
-                    phi_1041_ = ((3u * _e83) + 1u);
-                    phi_1043_ = (_e585 <= _e583);
-                    phi_1045_ = 0u;
-                    phi_1047_ = type_50(type_48(array<f32, 3>(_e594, _e598, _e602), array<f32, 3>(_e606, _e608, _e610)), select(0u, 2147483648u, (_e83 == 0u)));
+                    let _e612 = local_8[_e601];
+                    phi_3340_ = false;
+                    phi_1045_ = type_39(type_32(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e583), 0u, 0u);
+                    phi_1048_ = (_e585 <= _e583);
+                    phi_1050_ = type_50(type_48(array<f32, 3>(_e596, _e600, _e604), array<f32, 3>(_e608, _e610, _e612)), select(0u, 2147483648u, (_e83 == 0u)));
+                    phi_1052_ = 0u;
+                    phi_1054_ = ((3u * _e83) + 1u);
                     loop {
-                        let _e618 = phi_3414_;
-                        let _e620 = phi_1038_;
-                        let _e622 = phi_1041_;
-                        let _e624 = phi_1043_;
-                        let _e626 = phi_1045_;
-                        let _e628 = phi_1047_;
-                        local_10 = _e620;
+                        let _e618 = phi_3340_;
+                        let _e620 = phi_1045_;
+                        let _e622 = phi_1048_;
+                        let _e624 = phi_1050_;
+                        let _e626 = phi_1052_;
+                        let _e628 = phi_1054_;
                         local_11 = _e620;
-                        if _e624 {
-                            phi_1058_ = true;
+                        local_12 = _e620;
+                        if _e622 {
+                            phi_1065_ = true;
                         } else {
-                            phi_1058_ = (_e626 > 0u);
+                            phi_1065_ = (_e626 > 0u);
                         }
-                        let _e631 = phi_1058_;
+                        let _e631 = phi_1065_;
                         if _e631 {
-                            let _e632 = (_e622 > 0u);
+                            let _e632 = (_e628 > 0u);
                             if _e632 {
-                                if _e624 {
-                                    phi_1144_ = _e624;
-                                    phi_1145_ = _e626;
-                                    phi_1146_ = _e628;
+                                if _e622 {
+                                    phi_1151_ = _e622;
+                                    phi_1152_ = _e624;
+                                    phi_1153_ = _e626;
                                 } else {
                                     let _e633 = (_e626 - 1u);
                                     let _e634 = (_e633 % 128u);
                                     let _e635 = (_e634 < 128u);
                                     if _e635 {
                                     } else {
-                                        phi_3573_ = true;
+                                        phi_3487_ = true;
                                         break;
                                     }
                                     let _e637 = local_6[_e634];
                                     if _e635 {
                                     } else {
-                                        phi_3573_ = true;
+                                        phi_3487_ = true;
                                         break;
                                     }
                                     let _e639 = local_5[_e634];
                                     if _e635 {
                                     } else {
-                                        phi_3573_ = true;
+                                        phi_3487_ = true;
                                         break;
                                     }
                                     let _e641 = local_4[_e634];
                                     if _e635 {
                                     } else {
-                                        phi_3573_ = true;
+                                        phi_3487_ = true;
                                         break;
                                     }
                                     let _e643 = local_3[_e634];
                                     if _e635 {
                                     } else {
-                                        phi_3573_ = true;
+                                        phi_3487_ = true;
                                         break;
                                     }
                                     let _e646 = local_2[_e634];
                                     if _e635 {
                                     } else {
-                                        phi_3573_ = true;
+                                        phi_3487_ = true;
                                         break;
                                     }
                                     let _e648 = local_1[_e634];
                                     if _e635 {
                                     } else {
-                                        phi_3573_ = true;
+                                        phi_3487_ = true;
                                         break;
                                     }
                                     let _e650 = local[_e634];
                                     if _e635 {
                                     } else {
-                                        phi_3573_ = true;
+                                        phi_3487_ = true;
                                         break;
                                     }
                                     let _e655 = local_7[_e634];
-                                    phi_1144_ = (_e655 <= _e620.member.member_1);
-                                    phi_1145_ = _e633;
-                                    phi_1146_ = type_50(type_48(array<f32, 3>(_e639, _e641, _e643), array<f32, 3>(_e646, _e648, _e650)), _e637);
+                                    phi_1151_ = (_e655 <= _e620.member.member_1);
+                                    phi_1152_ = type_50(type_48(array<f32, 3>(_e639, _e641, _e643), array<f32, 3>(_e646, _e648, _e650)), _e637);
+                                    phi_1153_ = _e633;
                                 }
-                                let _e660 = phi_1144_;
-                                let _e662 = phi_1145_;
-                                let _e664 = phi_1146_;
+                                let _e660 = phi_1151_;
+                                let _e662 = phi_1152_;
+                                let _e664 = phi_1153_;
                                 if _e660 {
-                                    let _e668 = ((_e664.member_1 & 2147483648u) != 0u);
-                                    if _e668 {
-                                        phi_1164_ = _e620;
-                                        phi_1167_ = type_4(0u, ((_e664.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e662.member_1 & 2147483648u) != 0u) {
+                                        phi_1171_ = _e620;
+                                        phi_1174_ = type_4(0u, ((_e662.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e675 = phi_1164_;
-                                            let _e677 = phi_1167_;
-                                            local_12 = _e675;
-                                            if (_e677.member < _e677.member_1) {
-                                                phi_1168_ = type_4((_e677.member + 1u), _e677.member_1);
-                                                phi_1190_ = type_4(1u, _e677.member);
+                                            let _e1046 = phi_1171_;
+                                            let _e1048 = phi_1174_;
+                                            local_10 = _e1046;
+                                            local_13 = _e1046;
+                                            if (_e1048.member < _e1048.member_1) {
+                                                phi_1175_ = type_4((_e1048.member + 1u), _e1048.member_1);
+                                                phi_1197_ = type_4(1u, _e1048.member);
                                             } else {
-                                                phi_1168_ = _e677;
-                                                phi_1190_ = type_4(0u, type_4().member_1);
+                                                phi_1175_ = _e1048;
+                                                phi_1197_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e690 = phi_1168_;
-                                            let _e692 = phi_1190_;
-                                            let _e696 = (bitcast<i32>(_e692.member) != 0i);
-                                            if _e696 {
-                                                let _e702 = type_39(_e675.member, _e675.member_1, (_e675.member_2 + 1u));
-                                                let _e703 = ((_e664.member_1 & 268435455u) + _e692.member_1);
-                                                let _e704 = (_e703 < _e85);
-                                                if _e704 {
-                                                    if _e704 {
+                                            let _e1061 = phi_1175_;
+                                            let _e1063 = phi_1197_;
+                                            let _e1067 = (bitcast<i32>(_e1063.member) != 0i);
+                                            if _e1067 {
+                                                let _e1073 = type_39(_e1046.member, _e1046.member_1, (_e1046.member_2 + 1u));
+                                                let _e1074 = ((_e662.member_1 & 268435455u) + _e1063.member_1);
+                                                let _e1075 = (_e1074 < _e85);
+                                                if _e1075 {
+                                                    if _e1075 {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e708 = global_2.member[_e703].member_1;
-                                                    phi_1214_ = _e708;
+                                                    let _e1079 = global_2.member[_e1074].member_1;
+                                                    phi_1221_ = _e1079;
                                                 } else {
-                                                    phi_1214_ = 4294967295u;
+                                                    phi_1221_ = 4294967295u;
                                                 }
-                                                let _e710 = phi_1214_;
-                                                if (_e703 >= _e85) {
-                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1081 = phi_1221_;
+                                                if (_e1074 >= _e85) {
+                                                    phi_1313_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e704 {
+                                                    if _e1075 {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    if (_e591 < 9u) {
+                                                    if (_e593 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e717 = global_2.member[_e703].member[_e591];
-                                                    if (_e595 < 9u) {
+                                                    let _e1088 = global_2.member[_e1074].member[_e593];
+                                                    if (_e597 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e723 = global_2.member[_e703].member[_e595];
-                                                    if (_e599 < 9u) {
+                                                    let _e1094 = global_2.member[_e1074].member[_e597];
+                                                    if (_e601 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e729 = global_2.member[_e703].member[_e599];
-                                                    let _e731 = (3u + _e591);
-                                                    if (_e731 < 9u) {
+                                                    let _e1100 = global_2.member[_e1074].member[_e601];
+                                                    let _e1102 = (3u + _e593);
+                                                    if (_e1102 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e737 = global_2.member[_e703].member[_e731];
-                                                    let _e738 = (3u + _e595);
-                                                    if (_e738 < 9u) {
+                                                    let _e1108 = global_2.member[_e1074].member[_e1102];
+                                                    let _e1109 = (3u + _e597);
+                                                    if (_e1109 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e744 = global_2.member[_e703].member[_e738];
-                                                    let _e745 = (3u + _e599);
-                                                    if (_e745 < 9u) {
+                                                    let _e1115 = global_2.member[_e1074].member[_e1109];
+                                                    let _e1116 = (3u + _e601);
+                                                    if (_e1116 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e751 = global_2.member[_e703].member[_e745];
-                                                    let _e753 = (6u + _e591);
-                                                    if (_e753 < 9u) {
+                                                    let _e1122 = global_2.member[_e1074].member[_e1116];
+                                                    let _e1124 = (6u + _e593);
+                                                    if (_e1124 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e759 = global_2.member[_e703].member[_e753];
-                                                    let _e760 = (6u + _e595);
-                                                    if (_e760 < 9u) {
+                                                    let _e1130 = global_2.member[_e1074].member[_e1124];
+                                                    let _e1131 = (6u + _e597);
+                                                    if (_e1131 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e766 = global_2.member[_e703].member[_e760];
-                                                    let _e767 = (6u + _e599);
-                                                    if (_e767 < 9u) {
+                                                    let _e1137 = global_2.member[_e1074].member[_e1131];
+                                                    let _e1138 = (6u + _e601);
+                                                    if (_e1138 < 9u) {
                                                     } else {
-                                                        phi_3408_ = true;
+                                                        phi_3334_ = true;
                                                         break;
                                                     }
-                                                    let _e773 = global_2.member[_e703].member[_e767];
-                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(_e717, _e723, _e729), array<f32, 3>(_e737, _e744, _e751), array<f32, 3>(_e759, _e766, _e773));
+                                                    let _e1144 = global_2.member[_e1074].member[_e1138];
+                                                    phi_1313_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1088, _e1094, _e1100), array<f32, 3>(_e1108, _e1115, _e1122), array<f32, 3>(_e1130, _e1137, _e1144));
                                                 }
-                                                let _e777 = phi_1306_;
-                                                let _e794 = (_e777[0][2] - _e442);
-                                                let _e797 = (((_e777[0][0] - _e309) * _e478) - (_e794 * _e346));
-                                                let _e800 = (((_e777[0][1] - _e376) * _e478) - (_e794 * _e412));
-                                                let _e803 = (_e777[1][2] - _e442);
-                                                let _e806 = (((_e777[1][0] - _e309) * _e478) - (_e803 * _e346));
-                                                let _e809 = (((_e777[1][1] - _e376) * _e478) - (_e803 * _e412));
-                                                let _e812 = (_e777[2][2] - _e442);
-                                                let _e815 = (((_e777[2][0] - _e309) * _e478) - (_e812 * _e346));
-                                                let _e818 = (((_e777[2][1] - _e376) * _e478) - (_e812 * _e412));
-                                                let _e819 = (_e815 * _e809);
-                                                let _e820 = (_e818 * _e806);
-                                                let _e821 = (_e797 * _e818);
-                                                let _e822 = (_e800 * _e815);
-                                                let _e823 = (_e806 * _e800);
-                                                let _e824 = (_e809 * _e797);
-                                                let _e829 = (((_e819 >= _e820) && (_e821 >= _e822)) && (_e823 >= _e824));
-                                                let _e835 = (_e829 || (((_e819 <= _e820) && (_e821 <= _e822)) && (_e823 <= _e824)));
-                                                if _e835 {
-                                                    let _e837 = select(-1f, 1f, _e829);
-                                                    let _e839 = ((_e819 - _e820) * _e837);
-                                                    let _e841 = select(0f, _e839, (_e839 > 0f));
-                                                    let _e843 = ((_e821 - _e822) * _e837);
-                                                    let _e845 = select(0f, _e843, (_e843 > 0f));
-                                                    let _e847 = ((_e823 - _e824) * _e837);
-                                                    let _e849 = select(0f, _e847, (_e847 > 0f));
-                                                    let _e851 = ((_e841 + _e845) + _e849);
-                                                    let _e853 = select(_e777[1][0], _e777[0][0], (_e777[0][0] < _e777[1][0]));
-                                                    let _e857 = select(_e777[1][0], _e777[0][0], (_e777[0][0] > _e777[1][0]));
-                                                    let _e861 = select(_e777[1][1], _e777[0][1], (_e777[0][1] < _e777[1][1]));
-                                                    let _e865 = select(_e777[1][1], _e777[0][1], (_e777[0][1] > _e777[1][1]));
-                                                    let _e869 = select(_e777[1][2], _e777[0][2], (_e777[0][2] < _e777[1][2]));
-                                                    let _e873 = select(_e777[1][2], _e777[0][2], (_e777[0][2] > _e777[1][2]));
-                                                    let _e878 = ((select(_e777[2][0], _e853, (_e853 < _e777[2][0])) - _e347) * _e350);
-                                                    let _e879 = ((select(_e777[2][0], _e857, (_e857 > _e777[2][0])) - _e348) * _e350);
-                                                    let _e882 = ((select(_e777[2][1], _e861, (_e861 < _e777[2][1])) - _e413) * _e416);
-                                                    let _e883 = ((select(_e777[2][1], _e865, (_e865 > _e777[2][1])) - _e414) * _e416);
-                                                    let _e886 = ((select(_e777[2][2], _e869, (_e869 < _e777[2][2])) - _e479) * _e482);
-                                                    let _e887 = ((select(_e777[2][2], _e873, (_e873 > _e777[2][2])) - _e480) * _e482);
-                                                    let _e889 = select(_e887, _e886, (_e886 < _e887));
-                                                    let _e891 = select(_e887, _e886, (_e886 > _e887));
-                                                    let _e893 = select(_e879, _e878, (_e878 < _e879));
-                                                    let _e895 = select(_e883, _e882, (_e882 < _e883));
-                                                    let _e897 = select(_e895, _e893, (_e893 > _e895));
-                                                    let _e899 = select(_e889, _e897, (_e897 > _e889));
-                                                    let _e901 = select(_e879, _e878, (_e878 > _e879));
-                                                    let _e903 = select(_e883, _e882, (_e882 > _e883));
-                                                    let _e905 = select(_e903, _e901, (_e901 < _e903));
-                                                    let _e907 = select(_e891, _e905, (_e905 < _e891));
-                                                    let _e908 = -(_e889);
-                                                    let _e914 = select(_e585, _e899, (_e899 > _e585));
-                                                    let _e918 = select(_e806, _e797, (_e797 < _e806));
-                                                    let _e923 = select(_e806, _e797, (_e797 > _e806));
-                                                    let _e930 = select(_e809, _e800, (_e800 < _e809));
-                                                    let _e935 = select(_e809, _e800, (_e800 > _e809));
-                                                    let _e944 = (((((_e835 && (_e851 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e815, _e918, (_e918 < _e815)) <= 0f) && (select(_e815, _e923, (_e923 > _e815)) >= 0f))) && ((select(_e818, _e930, (_e930 < _e818)) <= 0f) && (select(_e818, _e935, (_e935 > _e818)) >= 0f))) && (_e914 <= (_e907 + (select(_e908, _e891, (_e891 > _e908)) * 0.0000019073523f)))) && (_e914 <= _e675.member.member_1));
-                                                    if _e944 {
-                                                        let _e949 = (_e777[1][0] - _e777[0][0]);
-                                                        let _e950 = (_e777[1][1] - _e777[0][1]);
-                                                        let _e951 = (_e777[1][2] - _e777[0][2]);
-                                                        let _e952 = vec3<f32>(_e949, _e950, _e951);
-                                                        let _e953 = (_e777[2][0] - _e777[1][0]);
-                                                        let _e954 = (_e777[2][1] - _e777[1][1]);
-                                                        let _e955 = (_e777[2][2] - _e777[1][2]);
-                                                        let _e956 = vec3<f32>(_e953, _e954, _e955);
-                                                        let _e957 = (_e777[0][0] - _e777[2][0]);
-                                                        let _e958 = (_e777[0][1] - _e777[2][1]);
-                                                        let _e959 = (_e777[0][2] - _e777[2][2]);
-                                                        let _e960 = vec3<f32>(_e957, _e958, _e959);
-                                                        let _e961 = abs(_e949);
-                                                        let _e962 = abs(_e950);
-                                                        if (_e961 != _e961) {
-                                                            phi_3209_ = true;
+                                                let _e1148 = phi_1313_;
+                                                let _e1165 = (_e1148[0][2] - _e442);
+                                                let _e1168 = (((_e1148[0][0] - _e309) * _e478) - (_e1165 * _e346));
+                                                let _e1171 = (((_e1148[0][1] - _e376) * _e478) - (_e1165 * _e412));
+                                                let _e1174 = (_e1148[1][2] - _e442);
+                                                let _e1177 = (((_e1148[1][0] - _e309) * _e478) - (_e1174 * _e346));
+                                                let _e1180 = (((_e1148[1][1] - _e376) * _e478) - (_e1174 * _e412));
+                                                let _e1183 = (_e1148[2][2] - _e442);
+                                                let _e1186 = (((_e1148[2][0] - _e309) * _e478) - (_e1183 * _e346));
+                                                let _e1189 = (((_e1148[2][1] - _e376) * _e478) - (_e1183 * _e412));
+                                                let _e1190 = (_e1186 * _e1180);
+                                                let _e1191 = (_e1189 * _e1177);
+                                                let _e1192 = (_e1168 * _e1189);
+                                                let _e1193 = (_e1171 * _e1186);
+                                                let _e1194 = (_e1177 * _e1171);
+                                                let _e1195 = (_e1180 * _e1168);
+                                                let _e1200 = (((_e1190 >= _e1191) && (_e1192 >= _e1193)) && (_e1194 >= _e1195));
+                                                let _e1206 = (_e1200 || (((_e1190 <= _e1191) && (_e1192 <= _e1193)) && (_e1194 <= _e1195)));
+                                                if _e1206 {
+                                                    let _e1208 = select(-1f, 1f, _e1200);
+                                                    let _e1210 = ((_e1190 - _e1191) * _e1208);
+                                                    let _e1212 = select(0f, _e1210, (_e1210 > 0f));
+                                                    let _e1214 = ((_e1192 - _e1193) * _e1208);
+                                                    let _e1216 = select(0f, _e1214, (_e1214 > 0f));
+                                                    let _e1218 = ((_e1194 - _e1195) * _e1208);
+                                                    let _e1220 = select(0f, _e1218, (_e1218 > 0f));
+                                                    let _e1222 = ((_e1212 + _e1216) + _e1220);
+                                                    let _e1224 = select(_e1148[1][0], _e1148[0][0], (_e1148[0][0] < _e1148[1][0]));
+                                                    let _e1228 = select(_e1148[1][0], _e1148[0][0], (_e1148[0][0] > _e1148[1][0]));
+                                                    let _e1232 = select(_e1148[1][1], _e1148[0][1], (_e1148[0][1] < _e1148[1][1]));
+                                                    let _e1236 = select(_e1148[1][1], _e1148[0][1], (_e1148[0][1] > _e1148[1][1]));
+                                                    let _e1240 = select(_e1148[1][2], _e1148[0][2], (_e1148[0][2] < _e1148[1][2]));
+                                                    let _e1244 = select(_e1148[1][2], _e1148[0][2], (_e1148[0][2] > _e1148[1][2]));
+                                                    let _e1249 = ((select(_e1148[2][0], _e1224, (_e1224 < _e1148[2][0])) - _e347) * _e350);
+                                                    let _e1250 = ((select(_e1148[2][0], _e1228, (_e1228 > _e1148[2][0])) - _e348) * _e350);
+                                                    let _e1253 = ((select(_e1148[2][1], _e1232, (_e1232 < _e1148[2][1])) - _e413) * _e416);
+                                                    let _e1254 = ((select(_e1148[2][1], _e1236, (_e1236 > _e1148[2][1])) - _e414) * _e416);
+                                                    let _e1257 = ((select(_e1148[2][2], _e1240, (_e1240 < _e1148[2][2])) - _e479) * _e482);
+                                                    let _e1258 = ((select(_e1148[2][2], _e1244, (_e1244 > _e1148[2][2])) - _e480) * _e482);
+                                                    let _e1260 = select(_e1258, _e1257, (_e1257 < _e1258));
+                                                    let _e1262 = select(_e1258, _e1257, (_e1257 > _e1258));
+                                                    let _e1264 = select(_e1250, _e1249, (_e1249 < _e1250));
+                                                    let _e1266 = select(_e1254, _e1253, (_e1253 < _e1254));
+                                                    let _e1268 = select(_e1266, _e1264, (_e1264 > _e1266));
+                                                    let _e1270 = select(_e1260, _e1268, (_e1268 > _e1260));
+                                                    let _e1272 = select(_e1250, _e1249, (_e1249 > _e1250));
+                                                    let _e1274 = select(_e1254, _e1253, (_e1253 > _e1254));
+                                                    let _e1276 = select(_e1274, _e1272, (_e1272 < _e1274));
+                                                    let _e1278 = select(_e1262, _e1276, (_e1276 < _e1262));
+                                                    let _e1279 = -(_e1260);
+                                                    let _e1285 = select(_e585, _e1270, (_e1270 > _e585));
+                                                    let _e1289 = select(_e1177, _e1168, (_e1168 < _e1177));
+                                                    let _e1294 = select(_e1177, _e1168, (_e1168 > _e1177));
+                                                    let _e1301 = select(_e1180, _e1171, (_e1171 < _e1180));
+                                                    let _e1306 = select(_e1180, _e1171, (_e1171 > _e1180));
+                                                    let _e1315 = (((((_e1206 && (_e1222 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1186, _e1289, (_e1289 < _e1186)) <= 0f) && (select(_e1186, _e1294, (_e1294 > _e1186)) >= 0f))) && ((select(_e1189, _e1301, (_e1301 < _e1189)) <= 0f) && (select(_e1189, _e1306, (_e1306 > _e1189)) >= 0f))) && (_e1285 <= (_e1278 + (select(_e1279, _e1262, (_e1262 > _e1279)) * 0.0000019073523f)))) && (_e1285 <= _e1046.member.member_1));
+                                                    if _e1315 {
+                                                        let _e1320 = (_e1148[1][0] - _e1148[0][0]);
+                                                        let _e1321 = (_e1148[1][1] - _e1148[0][1]);
+                                                        let _e1322 = (_e1148[1][2] - _e1148[0][2]);
+                                                        let _e1323 = vec3<f32>(_e1320, _e1321, _e1322);
+                                                        let _e1324 = (_e1148[2][0] - _e1148[1][0]);
+                                                        let _e1325 = (_e1148[2][1] - _e1148[1][1]);
+                                                        let _e1326 = (_e1148[2][2] - _e1148[1][2]);
+                                                        let _e1327 = vec3<f32>(_e1324, _e1325, _e1326);
+                                                        let _e1328 = (_e1148[0][0] - _e1148[2][0]);
+                                                        let _e1329 = (_e1148[0][1] - _e1148[2][1]);
+                                                        let _e1330 = (_e1148[0][2] - _e1148[2][2]);
+                                                        let _e1331 = vec3<f32>(_e1328, _e1329, _e1330);
+                                                        let _e1334 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
+                                                        let _e1337 = bitcast<f32>((bitcast<u32>(_e1321) & 2147483647u));
+                                                        let _e1339 = select(_e1337, _e1334, (_e1334 > _e1337));
+                                                        let _e1342 = bitcast<f32>((bitcast<u32>(_e1322) & 2147483647u));
+                                                        let _e1344 = select(_e1342, _e1339, (_e1339 > _e1342));
+                                                        let _e1347 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
+                                                        let _e1350 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
+                                                        let _e1352 = select(_e1350, _e1347, (_e1347 > _e1350));
+                                                        let _e1355 = bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u));
+                                                        let _e1357 = select(_e1355, _e1352, (_e1352 > _e1355));
+                                                        let _e1360 = bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u));
+                                                        let _e1363 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
+                                                        let _e1365 = select(_e1363, _e1360, (_e1360 > _e1363));
+                                                        let _e1368 = bitcast<f32>((bitcast<u32>(_e1330) & 2147483647u));
+                                                        let _e1370 = select(_e1368, _e1365, (_e1365 > _e1368));
+                                                        let _e1372 = select(_e1357, _e1344, (_e1344 > _e1357));
+                                                        let _e1374 = select(_e1370, _e1372, (_e1372 > _e1370));
+                                                        if (_e1344 == _e1374) {
+                                                            phi_1843_ = _e1180;
+                                                            phi_1844_ = _e1177;
+                                                            phi_1845_ = _e1171;
+                                                            phi_1846_ = _e1168;
+                                                            phi_1847_ = vec3<f32>(_e1148[0][0], _e1148[0][1], _e1148[0][2]);
+                                                            phi_1848_ = _e1331;
+                                                            phi_1849_ = _e1327;
+                                                            phi_1850_ = _e1323;
                                                         } else {
-                                                            phi_3209_ = (_e962 >= _e961);
+                                                            let _e1376 = (_e1357 == _e1374);
+                                                            let _e1381 = vec3(_e1376);
+                                                            phi_1843_ = select(_e1171, _e1189, _e1376);
+                                                            phi_1844_ = select(_e1168, _e1186, _e1376);
+                                                            phi_1845_ = select(_e1189, _e1180, _e1376);
+                                                            phi_1846_ = select(_e1186, _e1177, _e1376);
+                                                            phi_1847_ = select(vec3<f32>(_e1148[2][0], _e1148[2][1], _e1148[2][2]), vec3<f32>(_e1148[1][0], _e1148[1][1], _e1148[1][2]), _e1381);
+                                                            phi_1848_ = select(_e1327, _e1323, _e1381);
+                                                            phi_1849_ = select(_e1323, _e1331, _e1381);
+                                                            phi_1850_ = select(_e1331, _e1327, _e1381);
                                                         }
-                                                        let _e966 = phi_3209_;
-                                                        let _e967 = select(_e961, _e962, _e966);
-                                                        let _e968 = abs(_e951);
-                                                        if (_e967 != _e967) {
-                                                            phi_3224_ = true;
+                                                        let _e1387 = phi_1843_;
+                                                        let _e1389 = phi_1844_;
+                                                        let _e1391 = phi_1845_;
+                                                        let _e1393 = phi_1846_;
+                                                        let _e1395 = phi_1847_;
+                                                        let _e1397 = phi_1848_;
+                                                        let _e1399 = phi_1849_;
+                                                        let _e1401 = phi_1850_;
+                                                        let _e1408 = ((_e1399.y * _e1397.z) - (_e1397.y * _e1399.z));
+                                                        let _e1413 = ((_e1399.z * _e1397.x) - (_e1397.z * _e1399.x));
+                                                        let _e1416 = ((_e1399.x * _e1397.y) - (_e1397.x * _e1399.y));
+                                                        let _e1419 = ((_e1212 >= _e1216) && (_e1212 >= _e1220));
+                                                        let _e1420 = (_e1216 >= _e1220);
+                                                        let _e1434 = (((_e1408 * (select(select(_e1148[2][0], _e1148[1][0], _e1420), _e1148[0][0], _e1419) - _e309)) + (_e1413 * (select(select(_e1148[2][1], _e1148[1][1], _e1420), _e1148[0][1], _e1419) - _e376))) + (_e1416 * (select(select(_e1148[2][2], _e1148[1][2], _e1420), _e1148[0][2], _e1419) - _e442)));
+                                                        let _e1439 = (((_e1408 * _e346) + (_e1413 * _e412)) + (_e1416 * _e478));
+                                                        let _e1440 = (_e1389 - _e1393);
+                                                        let _e1441 = (_e1387 - _e1391);
+                                                        let _e1444 = ((_e1440 * _e1440) + (_e1441 * _e1441));
+                                                        let _e1451 = (-(((_e1393 * _e1440) + (_e1391 * _e1441))) / select(0.000000000000000000000000000000000000011754944f, _e1444, (_e1444 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1453 = select(1f, _e1451, (_e1451 < 1f));
+                                                        let _e1455 = select(0f, _e1453, (_e1453 > 0f));
+                                                        let _e1464 = ((_e1395.x + (_e1401.x * _e1455)) - _e309);
+                                                        let _e1467 = ((_e1395.y + (_e1401.y * _e1455)) - _e376);
+                                                        let _e1470 = ((_e1395.z + (_e1401.z * _e1455)) - _e442);
+                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1464) & 2147483647u));
+                                                        let _e1476 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
+                                                        let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
+                                                        let _e1481 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
+                                                        let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
+                                                        let _e1489 = bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u));
+                                                        let _e1492 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
+                                                        let _e1494 = select(_e1492, _e1489, (_e1489 > _e1492));
+                                                        let _e1497 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
+                                                        let _e1516 = bitcast<f32>((bitcast<u32>(_e1399.x) & 2147483647u));
+                                                        let _e1519 = bitcast<f32>((bitcast<u32>(_e1399.y) & 2147483647u));
+                                                        let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
+                                                        let _e1524 = bitcast<f32>((bitcast<u32>(_e1399.z) & 2147483647u));
+                                                        let _e1530 = bitcast<f32>((bitcast<u32>(_e1397.x) & 2147483647u));
+                                                        let _e1533 = bitcast<f32>((bitcast<u32>(_e1397.y) & 2147483647u));
+                                                        let _e1535 = select(_e1533, _e1530, (_e1530 > _e1533));
+                                                        let _e1538 = bitcast<f32>((bitcast<u32>(_e1397.z) & 2147483647u));
+                                                        let _e1544 = ((bitcast<f32>((bitcast<u32>(((((_e1408 * _e1464) + (_e1413 * _e1467)) + (_e1416 * _e1470)) - _e1434)) & 2147483647u)) <= ((0.0000009536743f * select(_e1374, _e1483, (_e1483 > _e1374))) * select(_e1497, _e1494, (_e1494 > _e1497)))) && !((bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u)) <= ((0.0000038146973f * select(_e1524, _e1521, (_e1521 > _e1524))) * select(_e1538, _e1535, (_e1535 > _e1538))))));
+                                                        let _e1545 = (_e1434 / _e1439);
+                                                        if (_e1315 && !(_e1544)) {
+                                                            let _e1548 = (_e1470 / _e478);
+                                                            let _e1556 = (((_e1408 * (_e1464 - (_e346 * _e1548))) + (_e1413 * (_e1467 - (_e412 * _e1548)))) / _e1439);
+                                                            phi_2041_ = select(select(_e1548, (_e1548 + _e1556), (bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u)) <= _e1374)), _e1545, _e1544);
                                                         } else {
-                                                            phi_3224_ = (_e968 >= _e967);
+                                                            phi_2041_ = _e1545;
                                                         }
-                                                        let _e972 = phi_3224_;
-                                                        let _e973 = select(_e967, _e968, _e972);
-                                                        let _e974 = abs(_e953);
-                                                        let _e975 = abs(_e954);
-                                                        if (_e974 != _e974) {
-                                                            phi_3239_ = true;
-                                                        } else {
-                                                            phi_3239_ = (_e975 >= _e974);
-                                                        }
-                                                        let _e979 = phi_3239_;
-                                                        let _e980 = select(_e974, _e975, _e979);
-                                                        let _e981 = abs(_e955);
-                                                        if (_e980 != _e980) {
-                                                            phi_3254_ = true;
-                                                        } else {
-                                                            phi_3254_ = (_e981 >= _e980);
-                                                        }
-                                                        let _e985 = phi_3254_;
-                                                        let _e986 = select(_e980, _e981, _e985);
-                                                        let _e987 = abs(_e957);
-                                                        let _e988 = abs(_e958);
-                                                        if (_e987 != _e987) {
-                                                            phi_3269_ = true;
-                                                        } else {
-                                                            phi_3269_ = (_e988 >= _e987);
-                                                        }
-                                                        let _e992 = phi_3269_;
-                                                        let _e993 = select(_e987, _e988, _e992);
-                                                        let _e994 = abs(_e959);
-                                                        if (_e993 != _e993) {
-                                                            phi_3284_ = true;
-                                                        } else {
-                                                            phi_3284_ = (_e994 >= _e993);
-                                                        }
-                                                        let _e998 = phi_3284_;
-                                                        let _e999 = select(_e993, _e994, _e998);
-                                                        let _e1001 = select(_e986, _e973, (_e973 > _e986));
-                                                        let _e1003 = select(_e999, _e1001, (_e1001 > _e999));
-                                                        if (_e973 == _e1003) {
-                                                            phi_1848_ = _e809;
-                                                            phi_1849_ = _e806;
-                                                            phi_1850_ = _e800;
-                                                            phi_1851_ = _e797;
-                                                            phi_1852_ = vec3<f32>(_e777[0][0], _e777[0][1], _e777[0][2]);
-                                                            phi_1853_ = _e960;
-                                                            phi_1854_ = _e956;
-                                                            phi_1855_ = _e952;
-                                                        } else {
-                                                            let _e1005 = (_e986 == _e1003);
-                                                            let _e1010 = vec3(_e1005);
-                                                            phi_1848_ = select(_e800, _e818, _e1005);
-                                                            phi_1849_ = select(_e797, _e815, _e1005);
-                                                            phi_1850_ = select(_e818, _e809, _e1005);
-                                                            phi_1851_ = select(_e815, _e806, _e1005);
-                                                            phi_1852_ = select(vec3<f32>(_e777[2][0], _e777[2][1], _e777[2][2]), vec3<f32>(_e777[1][0], _e777[1][1], _e777[1][2]), _e1010);
-                                                            phi_1853_ = select(_e956, _e952, _e1010);
-                                                            phi_1854_ = select(_e952, _e960, _e1010);
-                                                            phi_1855_ = select(_e960, _e956, _e1010);
-                                                        }
-                                                        let _e1016 = phi_1848_;
-                                                        let _e1018 = phi_1849_;
-                                                        let _e1020 = phi_1850_;
-                                                        let _e1022 = phi_1851_;
-                                                        let _e1024 = phi_1852_;
-                                                        let _e1026 = phi_1853_;
-                                                        let _e1028 = phi_1854_;
-                                                        let _e1030 = phi_1855_;
-                                                        let _e1037 = ((_e1028.y * _e1026.z) - (_e1026.y * _e1028.z));
-                                                        let _e1042 = ((_e1028.z * _e1026.x) - (_e1026.z * _e1028.x));
-                                                        let _e1045 = ((_e1028.x * _e1026.y) - (_e1026.x * _e1028.y));
-                                                        let _e1048 = ((_e841 >= _e845) && (_e841 >= _e849));
-                                                        let _e1049 = (_e845 >= _e849);
-                                                        let _e1063 = (((_e1037 * (select(select(_e777[2][0], _e777[1][0], _e1049), _e777[0][0], _e1048) - _e309)) + (_e1042 * (select(select(_e777[2][1], _e777[1][1], _e1049), _e777[0][1], _e1048) - _e376))) + (_e1045 * (select(select(_e777[2][2], _e777[1][2], _e1049), _e777[0][2], _e1048) - _e442)));
-                                                        let _e1068 = (((_e1037 * _e346) + (_e1042 * _e412)) + (_e1045 * _e478));
-                                                        let _e1069 = (_e1018 - _e1022);
-                                                        let _e1070 = (_e1016 - _e1020);
-                                                        let _e1073 = ((_e1069 * _e1069) + (_e1070 * _e1070));
-                                                        let _e1080 = (-(((_e1022 * _e1069) + (_e1020 * _e1070))) / select(0.000000000000000000000000000000000000011754944f, _e1073, (_e1073 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1082 = select(1f, _e1080, (_e1080 < 1f));
-                                                        let _e1084 = select(0f, _e1082, (_e1082 > 0f));
-                                                        let _e1093 = ((_e1024.x + (_e1030.x * _e1084)) - _e309);
-                                                        let _e1096 = ((_e1024.y + (_e1030.y * _e1084)) - _e376);
-                                                        let _e1099 = ((_e1024.z + (_e1030.z * _e1084)) - _e442);
-                                                        let _e1102 = bitcast<f32>((bitcast<u32>(_e1093) & 2147483647u));
-                                                        let _e1105 = bitcast<f32>((bitcast<u32>(_e1096) & 2147483647u));
-                                                        let _e1107 = select(_e1105, _e1102, (_e1102 > _e1105));
-                                                        let _e1110 = bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u));
-                                                        let _e1112 = select(_e1110, _e1107, (_e1107 > _e1110));
-                                                        let _e1116 = abs(_e1037);
-                                                        let _e1117 = abs(_e1042);
-                                                        if (_e1116 != _e1116) {
-                                                            phi_3299_ = true;
-                                                        } else {
-                                                            phi_3299_ = (_e1117 >= _e1116);
-                                                        }
-                                                        let _e1121 = phi_3299_;
-                                                        let _e1122 = select(_e1116, _e1117, _e1121);
-                                                        let _e1123 = abs(_e1045);
-                                                        if (_e1122 != _e1122) {
-                                                            phi_3314_ = true;
-                                                        } else {
-                                                            phi_3314_ = (_e1123 >= _e1122);
-                                                        }
-                                                        let _e1127 = phi_3314_;
-                                                        let _e1143 = abs(_e1028.x);
-                                                        let _e1144 = abs(_e1028.y);
-                                                        if (_e1143 != _e1143) {
-                                                            phi_3329_ = true;
-                                                        } else {
-                                                            phi_3329_ = (_e1144 >= _e1143);
-                                                        }
-                                                        let _e1148 = phi_3329_;
-                                                        let _e1149 = select(_e1143, _e1144, _e1148);
-                                                        let _e1150 = abs(_e1028.z);
-                                                        if (_e1149 != _e1149) {
-                                                            phi_3344_ = true;
-                                                        } else {
-                                                            phi_3344_ = (_e1150 >= _e1149);
-                                                        }
-                                                        let _e1154 = phi_3344_;
-                                                        let _e1157 = abs(_e1026.x);
-                                                        let _e1158 = abs(_e1026.y);
-                                                        if (_e1157 != _e1157) {
-                                                            phi_3359_ = true;
-                                                        } else {
-                                                            phi_3359_ = (_e1158 >= _e1157);
-                                                        }
-                                                        let _e1162 = phi_3359_;
-                                                        let _e1163 = select(_e1157, _e1158, _e1162);
-                                                        let _e1164 = abs(_e1026.z);
-                                                        if (_e1163 != _e1163) {
-                                                            phi_3374_ = true;
-                                                        } else {
-                                                            phi_3374_ = (_e1164 >= _e1163);
-                                                        }
-                                                        let _e1168 = phi_3374_;
-                                                        let _e1173 = ((bitcast<f32>((bitcast<u32>(((((_e1037 * _e1093) + (_e1042 * _e1096)) + (_e1045 * _e1099)) - _e1063)) & 2147483647u)) <= ((0.0000009536743f * select(_e1003, _e1112, (_e1112 > _e1003))) * select(_e1122, _e1123, _e1127))) && !((bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u)) <= ((0.0000038146973f * select(_e1149, _e1150, _e1154)) * select(_e1163, _e1164, _e1168)))));
-                                                        let _e1174 = (_e1063 / _e1068);
-                                                        if (_e944 && !(_e1173)) {
-                                                            let _e1177 = (_e1099 / _e478);
-                                                            let _e1185 = (((_e1037 * (_e1093 - (_e346 * _e1177))) + (_e1042 * (_e1096 - (_e412 * _e1177)))) / _e1068);
-                                                            phi_2063_ = select(select(_e1177, (_e1177 + _e1185), (bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u)) <= _e1003)), _e1174, _e1173);
-                                                        } else {
-                                                            phi_2063_ = _e1174;
-                                                        }
-                                                        let _e1194 = phi_2063_;
-                                                        let _e1196 = select(_e907, _e1194, (_e1194 < _e907));
-                                                        let _e1198 = select(_e899, _e1196, (_e1196 > _e899));
-                                                        let _e1199 = (1f / _e851);
-                                                        phi_2083_ = type_35(_e1198, (_e845 * _e1199), (_e849 * _e1199), ((_e944 && (_e1198 >= _e585)) && (_e1198 <= _e675.member.member_1)));
-                                                        phi_2084_ = type_35();
+                                                        let _e1565 = phi_2041_;
+                                                        let _e1567 = select(_e1278, _e1565, (_e1565 < _e1278));
+                                                        let _e1569 = select(_e1270, _e1567, (_e1567 > _e1270));
+                                                        let _e1570 = (1f / _e1222);
+                                                        phi_2061_ = type_35(_e1569, (_e1216 * _e1570), (_e1220 * _e1570), ((_e1315 && (_e1569 >= _e585)) && (_e1569 <= _e1046.member.member_1)));
+                                                        phi_2062_ = type_35();
                                                     } else {
-                                                        phi_2083_ = type_35();
-                                                        phi_2084_ = type_35(0f, 0f, 0f, _e944);
+                                                        phi_2061_ = type_35();
+                                                        phi_2062_ = type_35(0f, 0f, 0f, _e1315);
                                                     }
-                                                    let _e1208 = phi_2083_;
-                                                    let _e1210 = phi_2084_;
-                                                    phi_2087_ = _e1208;
-                                                    phi_2088_ = _e1210;
-                                                    phi_2089_ = select(true, false, _e944);
+                                                    let _e1579 = phi_2061_;
+                                                    let _e1581 = phi_2062_;
+                                                    phi_2065_ = _e1579;
+                                                    phi_2066_ = _e1581;
+                                                    phi_2067_ = select(true, false, _e1315);
                                                 } else {
-                                                    phi_2087_ = type_35();
-                                                    phi_2088_ = type_35(0f, 0f, 0f, _e835);
-                                                    phi_2089_ = true;
+                                                    phi_2065_ = type_35();
+                                                    phi_2066_ = type_35(0f, 0f, 0f, _e1206);
+                                                    phi_2067_ = true;
                                                 }
-                                                let _e1213 = phi_2087_;
-                                                let _e1215 = phi_2088_;
-                                                let _e1217 = phi_2089_;
-                                                if _e1217 {
-                                                    phi_2093_ = _e1215;
+                                                let _e1584 = phi_2065_;
+                                                let _e1586 = phi_2066_;
+                                                let _e1588 = phi_2067_;
+                                                if _e1588 {
+                                                    phi_2071_ = _e1586;
                                                 } else {
-                                                    phi_2093_ = _e1213;
+                                                    phi_2071_ = _e1584;
                                                 }
-                                                let _e1219 = phi_2093_;
-                                                if _e1219.member_3 {
-                                                    phi_2102_ = type_25(_e1219.member, _e1219.member_1, _e1219.member_2, _e710);
+                                                let _e1590 = phi_2071_;
+                                                if _e1590.member_3 {
+                                                    phi_2080_ = type_25(_e1590.member, _e1590.member_1, _e1590.member_2, _e1081);
                                                 } else {
-                                                    phi_2102_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2080_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1226 = phi_2102_;
-                                                if (_e1226.member_3 != 4294967295u) {
-                                                    if (_e710 != 4294967295u) {
-                                                        if (_e1226.member < _e675.member.member.member) {
-                                                            phi_2128_ = true;
+                                                let _e1597 = phi_2080_;
+                                                if (_e1597.member_3 != 4294967295u) {
+                                                    if (_e1081 != 4294967295u) {
+                                                        if (_e1597.member < _e1046.member.member.member) {
+                                                            phi_2106_ = true;
                                                         } else {
-                                                            if (_e1226.member == _e675.member.member.member) {
-                                                                phi_2127_ = (_e1226.member_3 < _e675.member.member.member_3);
+                                                            if (_e1597.member == _e1046.member.member.member) {
+                                                                phi_2105_ = (_e1597.member_3 < _e1046.member.member.member_3);
                                                             } else {
-                                                                phi_2127_ = false;
+                                                                phi_2105_ = false;
                                                             }
-                                                            let _e1241 = phi_2127_;
-                                                            phi_2128_ = _e1241;
+                                                            let _e1612 = phi_2105_;
+                                                            phi_2106_ = _e1612;
                                                         }
-                                                        let _e1243 = phi_2128_;
-                                                        if _e1243 {
-                                                            phi_2135_ = type_39(type_32(_e1226, _e1226.member), _e702.member_1, _e702.member_2);
+                                                        let _e1614 = phi_2106_;
+                                                        if _e1614 {
+                                                            phi_2113_ = type_39(type_32(_e1597, _e1597.member), _e1073.member_1, _e1073.member_2);
                                                         } else {
-                                                            phi_2135_ = _e702;
+                                                            phi_2113_ = _e1073;
                                                         }
-                                                        let _e1250 = phi_2135_;
-                                                        phi_2136_ = _e1250;
+                                                        let _e1621 = phi_2113_;
+                                                        phi_2114_ = _e1621;
                                                     } else {
-                                                        phi_2136_ = _e702;
+                                                        phi_2114_ = _e1073;
                                                     }
-                                                    let _e1252 = phi_2136_;
-                                                    phi_2137_ = _e1252;
+                                                    let _e1623 = phi_2114_;
+                                                    phi_2115_ = _e1623;
                                                 } else {
-                                                    phi_2137_ = _e702;
+                                                    phi_2115_ = _e1073;
                                                 }
-                                                let _e1254 = phi_2137_;
-                                                phi_1165_ = _e1254;
+                                                let _e1625 = phi_2115_;
+                                                phi_1172_ = _e1625;
                                             } else {
-                                                phi_1165_ = type_39();
+                                                phi_1172_ = type_39();
                                             }
-                                            let _e1256 = phi_1165_;
+                                            let _e1627 = phi_1172_;
                                             continue;
                                             continuing {
-                                                phi_1164_ = _e1256;
-                                                phi_1167_ = _e690;
-                                                phi_3408_ = _e618;
-                                                break if !(_e696);
+                                                phi_1171_ = _e1627;
+                                                phi_1174_ = _e1061;
+                                                phi_3334_ = _e618;
+                                                break if !(_e1067);
                                             }
                                         }
-                                        let _e1259 = phi_3408_;
-                                        phi_3573_ = _e1259;
-                                        if _e1259 {
+                                        let _e1630 = phi_3334_;
+                                        phi_3487_ = _e1630;
+                                        if _e1630 {
                                             break;
                                         }
-                                        phi_3632_ = _e1259;
-                                        let _e1785 = local_12;
-                                        phi_2138_ = _e1785;
+                                        let _e1632 = local_10;
+                                        phi_3491_ = _e1630;
+                                        let _e1783 = local_13;
+                                        phi_3122_ = _e1783;
+                                        phi_3123_ = false;
+                                        phi_3124_ = _e662;
+                                        phi_3125_ = select(_e664, 0u, (_e585 > _e1632.member.member_1));
                                     } else {
-                                        phi_3632_ = _e618;
-                                        phi_2138_ = _e620;
-                                    }
-                                    let _e1261 = phi_3632_;
-                                    let _e1263 = phi_2138_;
-                                    if _e668 {
-                                        phi_3149_ = type_39();
-                                        phi_3150_ = bool();
-                                        phi_3151_ = u32();
-                                        phi_3152_ = type_50();
-                                    } else {
-                                        let _e1264 = (_e664.member_1 < _e83);
-                                        if _e1264 {
-                                            if _e1264 {
+                                        let _e673 = (_e662.member_1 < _e83);
+                                        if _e673 {
+                                            if _e673 {
                                             } else {
-                                                phi_3573_ = true;
+                                                phi_3487_ = true;
                                                 break;
                                             }
-                                            let _e1266 = global_5.member[_e664.member_1];
-                                            phi_2159_ = _e1266;
+                                            let _e675 = global_5.member[_e662.member_1];
+                                            phi_2136_ = _e675;
                                         } else {
-                                            phi_2159_ = type_43(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2136_ = type_43(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1268 = phi_2159_;
-                                        let _e1283 = ((10u * _e245) & 31u);
-                                        let _e1286 = ((_e1268.member[0] >> bitcast<u32>(_e1283)) & 1023u);
-                                        let _e1294 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[0] - _e664.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                        let _e1299 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1286)) - 8388608f) * _e1294)) ^ _e117)));
-                                        let _e1303 = select(select(_e664.member.member_1[0], _e1299, (_e1299 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1286 == 1023u));
-                                        let _e1305 = ((10u * _e244) & 31u);
-                                        let _e1308 = ((_e1268.member[0] >> bitcast<u32>(_e1305)) & 1023u);
-                                        let _e1316 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[1] - _e664.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                        let _e1321 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1308)) - 8388608f) * _e1316)) ^ _e117)));
-                                        let _e1325 = select(select(_e664.member.member_1[1], _e1321, (_e1321 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1308 == 1023u));
-                                        let _e1327 = ((10u * _e246) & 31u);
-                                        let _e1330 = ((_e1268.member[0] >> bitcast<u32>(_e1327)) & 1023u);
-                                        let _e1338 = bitcast<f32>((bitcast<u32>(((_e664.member.member_1[2] - _e664.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                        let _e1343 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1330)) - 8388608f) * _e1338)) ^ _e117)));
-                                        let _e1347 = select(select(_e664.member.member_1[2], _e1343, (_e1343 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1330 == 1023u));
-                                        let _e1350 = ((_e1268.member[1] >> bitcast<u32>(_e1283)) & 1023u);
-                                        let _e1358 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1350)) - 8388608f) * _e1294)) ^ _e117)));
-                                        let _e1362 = select(select(_e664.member.member_1[0], _e1358, (_e1358 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1350 == 1023u));
-                                        let _e1365 = ((_e1268.member[1] >> bitcast<u32>(_e1305)) & 1023u);
-                                        let _e1373 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1365)) - 8388608f) * _e1316)) ^ _e117)));
-                                        let _e1377 = select(select(_e664.member.member_1[1], _e1373, (_e1373 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1365 == 1023u));
-                                        let _e1380 = ((_e1268.member[1] >> bitcast<u32>(_e1327)) & 1023u);
-                                        let _e1388 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1380)) - 8388608f) * _e1338)) ^ _e117)));
-                                        let _e1392 = select(select(_e664.member.member_1[2], _e1388, (_e1388 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1380 == 1023u));
-                                        let _e1398 = ((_e1268.member_1[0] >> bitcast<u32>(_e1283)) & 1023u);
-                                        let _e1406 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1398)) - 8388608f) * _e1294)) ^ _e117)));
-                                        let _e1410 = select(select(_e664.member.member_1[0], _e1406, (_e1406 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1398 == 1023u));
-                                        let _e1413 = ((_e1268.member_1[0] >> bitcast<u32>(_e1305)) & 1023u);
-                                        let _e1421 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1413)) - 8388608f) * _e1316)) ^ _e117)));
-                                        let _e1425 = select(select(_e664.member.member_1[1], _e1421, (_e1421 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1413 == 1023u));
-                                        let _e1428 = ((_e1268.member_1[0] >> bitcast<u32>(_e1327)) & 1023u);
-                                        let _e1436 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1428)) - 8388608f) * _e1338)) ^ _e117)));
-                                        let _e1440 = select(select(_e664.member.member_1[2], _e1436, (_e1436 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1428 == 1023u));
-                                        let _e1443 = ((_e1268.member_1[1] >> bitcast<u32>(_e1283)) & 1023u);
-                                        let _e1451 = (_e664.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1443)) - 8388608f) * _e1294)) ^ _e117)));
-                                        let _e1455 = select(select(_e664.member.member_1[0], _e1451, (_e1451 < _e664.member.member_1[0])), _e664.member.member_1[0], (_e1443 == 1023u));
-                                        let _e1458 = ((_e1268.member_1[1] >> bitcast<u32>(_e1305)) & 1023u);
-                                        let _e1466 = (_e664.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1458)) - 8388608f) * _e1316)) ^ _e117)));
-                                        let _e1470 = select(select(_e664.member.member_1[1], _e1466, (_e1466 < _e664.member.member_1[1])), _e664.member.member_1[1], (_e1458 == 1023u));
-                                        let _e1473 = ((_e1268.member_1[1] >> bitcast<u32>(_e1327)) & 1023u);
-                                        let _e1481 = (_e664.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1473)) - 8388608f) * _e1338)) ^ _e117)));
-                                        let _e1485 = select(select(_e664.member.member_1[2], _e1481, (_e1481 < _e664.member.member_1[2])), _e664.member.member_1[2], (_e1473 == 1023u));
-                                        let _e1490 = type_50(type_48(array<f32, 3>(_e1303, _e1325, _e1347), array<f32, 3>(_e1362, _e1377, _e1392)), _e1268.member_2);
-                                        let _e1495 = type_50(type_48(array<f32, 3>(_e1410, _e1425, _e1440), array<f32, 3>(_e1455, _e1470, _e1485)), _e1268.member_3);
-                                        let _e1508 = ((_e1303 - _e347) * _e350);
-                                        let _e1509 = ((_e1410 - _e347) * _e350);
-                                        let _e1510 = ((_e1362 - _e348) * _e350);
-                                        let _e1511 = ((_e1455 - _e348) * _e350);
-                                        let _e1516 = ((_e1325 - _e413) * _e416);
-                                        let _e1517 = ((_e1425 - _e413) * _e416);
-                                        let _e1518 = ((_e1377 - _e414) * _e416);
-                                        let _e1519 = ((_e1470 - _e414) * _e416);
-                                        let _e1524 = ((_e1347 - _e479) * _e482);
-                                        let _e1525 = ((_e1440 - _e479) * _e482);
-                                        let _e1526 = ((_e1392 - _e480) * _e482);
-                                        let _e1527 = ((_e1485 - _e480) * _e482);
-                                        let _e1529 = select(_e1526, _e1524, (_e1524 < _e1526));
-                                        let _e1531 = select(_e1527, _e1525, (_e1525 < _e1527));
-                                        let _e1533 = select(_e1526, _e1524, (_e1524 > _e1526));
-                                        let _e1535 = select(_e1527, _e1525, (_e1525 > _e1527));
-                                        let _e1537 = select(_e1510, _e1508, (_e1508 < _e1510));
-                                        let _e1539 = select(_e1511, _e1509, (_e1509 < _e1511));
-                                        let _e1541 = select(_e1518, _e1516, (_e1516 < _e1518));
-                                        let _e1543 = select(_e1519, _e1517, (_e1517 < _e1519));
-                                        let _e1545 = select(_e1541, _e1537, (_e1537 > _e1541));
-                                        let _e1547 = select(_e1543, _e1539, (_e1539 > _e1543));
-                                        let _e1549 = select(_e1529, _e1545, (_e1545 > _e1529));
-                                        let _e1551 = select(_e1531, _e1547, (_e1547 > _e1531));
-                                        let _e1553 = select(_e1510, _e1508, (_e1508 > _e1510));
-                                        let _e1555 = select(_e1511, _e1509, (_e1509 > _e1511));
-                                        let _e1557 = select(_e1518, _e1516, (_e1516 > _e1518));
-                                        let _e1559 = select(_e1519, _e1517, (_e1517 > _e1519));
-                                        let _e1561 = select(_e1557, _e1553, (_e1553 < _e1557));
-                                        let _e1563 = select(_e1559, _e1555, (_e1555 < _e1559));
-                                        let _e1568 = -(_e1529);
-                                        let _e1569 = -(_e1531);
-                                        let _e1576 = (select(_e1533, _e1561, (_e1561 < _e1533)) + (select(_e1568, _e1533, (_e1533 > _e1568)) * 0.0000019073523f));
-                                        let _e1577 = (select(_e1535, _e1563, (_e1563 < _e1535)) + (select(_e1569, _e1535, (_e1535 > _e1569)) * 0.0000019073523f));
-                                        let _e1579 = select(_e585, _e1549, (_e1549 > _e585));
-                                        let _e1581 = select(_e585, _e1551, (_e1551 > _e585));
-                                        let _e1586 = (_e1579 <= select(_e1263.member.member_1, _e1576, (_e1576 < _e1263.member.member_1)));
-                                        let _e1587 = (_e1581 <= select(_e1263.member.member_1, _e1577, (_e1577 < _e1263.member.member_1)));
-                                        let _e1588 = (_e1579 <= _e1581);
-                                        if _e1586 {
-                                            if _e1587 {
-                                                if _e1588 {
-                                                    phi_3048_ = _e1495;
+                                        let _e677 = phi_2136_;
+                                        let _e692 = ((10u * _e245) & 31u);
+                                        let _e695 = ((_e677.member[0] >> bitcast<u32>(_e692)) & 1023u);
+                                        let _e703 = bitcast<f32>((bitcast<u32>(((_e662.member.member_1[0] - _e662.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                        let _e708 = (_e662.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e695)) - 8388608f) * _e703)) ^ _e117)));
+                                        let _e712 = select(select(_e662.member.member_1[0], _e708, (_e708 < _e662.member.member_1[0])), _e662.member.member_1[0], (_e695 == 1023u));
+                                        let _e714 = ((10u * _e244) & 31u);
+                                        let _e717 = ((_e677.member[0] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e725 = bitcast<f32>((bitcast<u32>(((_e662.member.member_1[1] - _e662.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                        let _e730 = (_e662.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e717)) - 8388608f) * _e725)) ^ _e117)));
+                                        let _e734 = select(select(_e662.member.member_1[1], _e730, (_e730 < _e662.member.member_1[1])), _e662.member.member_1[1], (_e717 == 1023u));
+                                        let _e736 = ((10u * _e246) & 31u);
+                                        let _e739 = ((_e677.member[0] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e747 = bitcast<f32>((bitcast<u32>(((_e662.member.member_1[2] - _e662.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                        let _e752 = (_e662.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e739)) - 8388608f) * _e747)) ^ _e117)));
+                                        let _e756 = select(select(_e662.member.member_1[2], _e752, (_e752 < _e662.member.member_1[2])), _e662.member.member_1[2], (_e739 == 1023u));
+                                        let _e759 = ((_e677.member[1] >> bitcast<u32>(_e692)) & 1023u);
+                                        let _e767 = (_e662.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e759)) - 8388608f) * _e703)) ^ _e117)));
+                                        let _e771 = select(select(_e662.member.member_1[0], _e767, (_e767 < _e662.member.member_1[0])), _e662.member.member_1[0], (_e759 == 1023u));
+                                        let _e774 = ((_e677.member[1] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e782 = (_e662.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e774)) - 8388608f) * _e725)) ^ _e117)));
+                                        let _e786 = select(select(_e662.member.member_1[1], _e782, (_e782 < _e662.member.member_1[1])), _e662.member.member_1[1], (_e774 == 1023u));
+                                        let _e789 = ((_e677.member[1] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e797 = (_e662.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e789)) - 8388608f) * _e747)) ^ _e117)));
+                                        let _e801 = select(select(_e662.member.member_1[2], _e797, (_e797 < _e662.member.member_1[2])), _e662.member.member_1[2], (_e789 == 1023u));
+                                        let _e807 = ((_e677.member_1[0] >> bitcast<u32>(_e692)) & 1023u);
+                                        let _e815 = (_e662.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e703)) ^ _e117)));
+                                        let _e819 = select(select(_e662.member.member_1[0], _e815, (_e815 < _e662.member.member_1[0])), _e662.member.member_1[0], (_e807 == 1023u));
+                                        let _e822 = ((_e677.member_1[0] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e830 = (_e662.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e822)) - 8388608f) * _e725)) ^ _e117)));
+                                        let _e834 = select(select(_e662.member.member_1[1], _e830, (_e830 < _e662.member.member_1[1])), _e662.member.member_1[1], (_e822 == 1023u));
+                                        let _e837 = ((_e677.member_1[0] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e845 = (_e662.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e837)) - 8388608f) * _e747)) ^ _e117)));
+                                        let _e849 = select(select(_e662.member.member_1[2], _e845, (_e845 < _e662.member.member_1[2])), _e662.member.member_1[2], (_e837 == 1023u));
+                                        let _e852 = ((_e677.member_1[1] >> bitcast<u32>(_e692)) & 1023u);
+                                        let _e860 = (_e662.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e852)) - 8388608f) * _e703)) ^ _e117)));
+                                        let _e864 = select(select(_e662.member.member_1[0], _e860, (_e860 < _e662.member.member_1[0])), _e662.member.member_1[0], (_e852 == 1023u));
+                                        let _e867 = ((_e677.member_1[1] >> bitcast<u32>(_e714)) & 1023u);
+                                        let _e875 = (_e662.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e867)) - 8388608f) * _e725)) ^ _e117)));
+                                        let _e879 = select(select(_e662.member.member_1[1], _e875, (_e875 < _e662.member.member_1[1])), _e662.member.member_1[1], (_e867 == 1023u));
+                                        let _e882 = ((_e677.member_1[1] >> bitcast<u32>(_e736)) & 1023u);
+                                        let _e890 = (_e662.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e882)) - 8388608f) * _e747)) ^ _e117)));
+                                        let _e894 = select(select(_e662.member.member_1[2], _e890, (_e890 < _e662.member.member_1[2])), _e662.member.member_1[2], (_e882 == 1023u));
+                                        let _e899 = type_50(type_48(array<f32, 3>(_e712, _e734, _e756), array<f32, 3>(_e771, _e786, _e801)), _e677.member_2);
+                                        let _e904 = type_50(type_48(array<f32, 3>(_e819, _e834, _e849), array<f32, 3>(_e864, _e879, _e894)), _e677.member_3);
+                                        let _e917 = ((_e712 - _e347) * _e350);
+                                        let _e918 = ((_e819 - _e347) * _e350);
+                                        let _e919 = ((_e771 - _e348) * _e350);
+                                        let _e920 = ((_e864 - _e348) * _e350);
+                                        let _e925 = ((_e734 - _e413) * _e416);
+                                        let _e926 = ((_e834 - _e413) * _e416);
+                                        let _e927 = ((_e786 - _e414) * _e416);
+                                        let _e928 = ((_e879 - _e414) * _e416);
+                                        let _e933 = ((_e756 - _e479) * _e482);
+                                        let _e934 = ((_e849 - _e479) * _e482);
+                                        let _e935 = ((_e801 - _e480) * _e482);
+                                        let _e936 = ((_e894 - _e480) * _e482);
+                                        let _e938 = select(_e935, _e933, (_e933 < _e935));
+                                        let _e940 = select(_e936, _e934, (_e934 < _e936));
+                                        let _e942 = select(_e935, _e933, (_e933 > _e935));
+                                        let _e944 = select(_e936, _e934, (_e934 > _e936));
+                                        let _e946 = select(_e919, _e917, (_e917 < _e919));
+                                        let _e948 = select(_e920, _e918, (_e918 < _e920));
+                                        let _e950 = select(_e927, _e925, (_e925 < _e927));
+                                        let _e952 = select(_e928, _e926, (_e926 < _e928));
+                                        let _e954 = select(_e950, _e946, (_e946 > _e950));
+                                        let _e956 = select(_e952, _e948, (_e948 > _e952));
+                                        let _e958 = select(_e938, _e954, (_e954 > _e938));
+                                        let _e960 = select(_e940, _e956, (_e956 > _e940));
+                                        let _e962 = select(_e919, _e917, (_e917 > _e919));
+                                        let _e964 = select(_e920, _e918, (_e918 > _e920));
+                                        let _e966 = select(_e927, _e925, (_e925 > _e927));
+                                        let _e968 = select(_e928, _e926, (_e926 > _e928));
+                                        let _e970 = select(_e966, _e962, (_e962 < _e966));
+                                        let _e972 = select(_e968, _e964, (_e964 < _e968));
+                                        let _e977 = -(_e938);
+                                        let _e978 = -(_e940);
+                                        let _e985 = (select(_e942, _e970, (_e970 < _e942)) + (select(_e977, _e942, (_e942 > _e977)) * 0.0000019073523f));
+                                        let _e986 = (select(_e944, _e972, (_e972 < _e944)) + (select(_e978, _e944, (_e944 > _e978)) * 0.0000019073523f));
+                                        let _e988 = select(_e585, _e958, (_e958 > _e585));
+                                        let _e990 = select(_e585, _e960, (_e960 > _e585));
+                                        let _e995 = (_e988 <= select(_e620.member.member_1, _e985, (_e985 < _e620.member.member_1)));
+                                        let _e996 = (_e990 <= select(_e620.member.member_1, _e986, (_e986 < _e620.member.member_1)));
+                                        let _e997 = (_e988 <= _e990);
+                                        if _e995 {
+                                            if _e996 {
+                                                if _e997 {
+                                                    phi_3025_ = _e904;
                                                 } else {
-                                                    phi_3048_ = _e1490;
+                                                    phi_3025_ = _e899;
                                                 }
-                                                let _e1590 = phi_3048_;
-                                                let _e1597 = (_e662 % 128u);
-                                                let _e1598 = (_e1597 < 128u);
-                                                if _e1598 {
+                                                let _e999 = phi_3025_;
+                                                let _e1006 = (_e664 % 128u);
+                                                let _e1007 = (_e1006 < 128u);
+                                                if _e1007 {
                                                 } else {
-                                                    phi_3573_ = true;
+                                                    phi_3487_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1597] = _e1590.member_1;
-                                                if _e1598 {
+                                                local_6[_e1006] = _e999.member_1;
+                                                if _e1007 {
                                                 } else {
-                                                    phi_3573_ = true;
+                                                    phi_3487_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1597] = _e1590.member.member[0];
-                                                if _e1598 {
+                                                local_5[_e1006] = _e999.member.member[0];
+                                                if _e1007 {
                                                 } else {
-                                                    phi_3573_ = true;
+                                                    phi_3487_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1597] = _e1590.member.member[1];
-                                                if _e1598 {
+                                                local_4[_e1006] = _e999.member.member[1];
+                                                if _e1007 {
                                                 } else {
-                                                    phi_3573_ = true;
+                                                    phi_3487_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1597] = _e1590.member.member[2];
-                                                if _e1598 {
+                                                local_3[_e1006] = _e999.member.member[2];
+                                                if _e1007 {
                                                 } else {
-                                                    phi_3573_ = true;
+                                                    phi_3487_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1597] = _e1590.member.member_1[0];
-                                                if _e1598 {
+                                                local_2[_e1006] = _e999.member.member_1[0];
+                                                if _e1007 {
                                                 } else {
-                                                    phi_3573_ = true;
+                                                    phi_3487_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1597] = _e1590.member.member_1[1];
-                                                if _e1598 {
+                                                local_1[_e1006] = _e999.member.member_1[1];
+                                                if _e1007 {
                                                 } else {
-                                                    phi_3573_ = true;
+                                                    phi_3487_ = true;
                                                     break;
                                                 }
-                                                local[_e1597] = _e1590.member.member_1[2];
-                                                if _e1598 {
+                                                local[_e1006] = _e999.member.member_1[2];
+                                                if _e1007 {
                                                 } else {
-                                                    phi_3573_ = true;
+                                                    phi_3487_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1597] = select(_e1579, _e1581, _e1588);
-                                                if _e1588 {
-                                                    phi_3124_ = _e1490;
+                                                local_7[_e1006] = select(_e988, _e990, _e997);
+                                                if _e997 {
+                                                    phi_3101_ = _e899;
                                                 } else {
-                                                    phi_3124_ = _e1495;
+                                                    phi_3101_ = _e904;
                                                 }
-                                                let _e1615 = phi_3124_;
-                                                phi_3125_ = (_e662 + 1u);
-                                                phi_3126_ = _e1615;
+                                                let _e1024 = phi_3101_;
+                                                phi_3102_ = _e1024;
+                                                phi_3103_ = (_e664 + 1u);
                                             } else {
-                                                phi_3125_ = u32();
-                                                phi_3126_ = type_50();
+                                                phi_3102_ = type_50();
+                                                phi_3103_ = u32();
                                             }
-                                            let _e1617 = phi_3125_;
-                                            let _e1619 = phi_3126_;
-                                            phi_3128_ = _e1617;
-                                            phi_3129_ = _e1619;
-                                            phi_3130_ = select(true, false, _e1587);
+                                            let _e1026 = phi_3102_;
+                                            let _e1028 = phi_3103_;
+                                            phi_3105_ = _e1026;
+                                            phi_3106_ = _e1028;
+                                            phi_3107_ = select(true, false, _e996);
                                         } else {
-                                            phi_3128_ = u32();
-                                            phi_3129_ = type_50();
-                                            phi_3130_ = true;
+                                            phi_3105_ = type_50();
+                                            phi_3106_ = u32();
+                                            phi_3107_ = true;
                                         }
-                                        let _e1622 = phi_3128_;
-                                        let _e1624 = phi_3129_;
-                                        let _e1626 = phi_3130_;
-                                        if _e1626 {
-                                            if _e1586 {
-                                                phi_3137_ = _e1490;
+                                        let _e1031 = phi_3105_;
+                                        let _e1033 = phi_3106_;
+                                        let _e1035 = phi_3107_;
+                                        if _e1035 {
+                                            if _e995 {
+                                                phi_3114_ = _e899;
                                             } else {
-                                                phi_3137_ = _e1495;
+                                                phi_3114_ = _e904;
                                             }
-                                            let _e1628 = phi_3137_;
-                                            phi_3142_ = select(_e1587, true, _e1586);
-                                            phi_3144_ = _e1628;
+                                            let _e1037 = phi_3114_;
+                                            phi_3119_ = select(_e996, true, _e995);
+                                            phi_3120_ = _e1037;
                                         } else {
-                                            phi_3142_ = _e660;
-                                            phi_3144_ = _e1624;
+                                            phi_3119_ = _e660;
+                                            phi_3120_ = _e1031;
                                         }
-                                        let _e1631 = phi_3142_;
-                                        let _e1633 = phi_3144_;
-                                        phi_3149_ = type_39(_e1263.member, (_e1263.member_1 + 1u), _e1263.member_2);
-                                        phi_3150_ = _e1631;
-                                        phi_3151_ = select(_e1622, _e662, _e1626);
-                                        phi_3152_ = _e1633;
+                                        let _e1040 = phi_3119_;
+                                        let _e1042 = phi_3120_;
+                                        phi_3491_ = _e618;
+                                        phi_3122_ = type_39(_e620.member, (_e620.member_1 + 1u), _e620.member_2);
+                                        phi_3123_ = _e1040;
+                                        phi_3124_ = _e1042;
+                                        phi_3125_ = select(_e1033, _e664, _e1035);
                                     }
-                                    let _e1636 = phi_3149_;
-                                    let _e1638 = phi_3150_;
-                                    let _e1640 = phi_3151_;
-                                    let _e1642 = phi_3152_;
-                                    if _e668 {
-                                        phi_3160_ = _e1263;
-                                        phi_3163_ = _e664;
-                                    } else {
-                                        phi_3160_ = _e1636;
-                                        phi_3163_ = _e1642;
-                                    }
-                                    let _e1644 = phi_3160_;
-                                    let _e1646 = phi_3163_;
-                                    phi_3576_ = _e1261;
-                                    phi_3164_ = _e1644;
-                                    phi_3165_ = (_e622 - 1u);
-                                    phi_3166_ = select(_e1638, false, _e668);
-                                    phi_3167_ = select(_e1640, _e662, _e668);
-                                    phi_3168_ = _e1646;
+                                    let _e1638 = phi_3491_;
+                                    let _e1640 = phi_3122_;
+                                    let _e1642 = phi_3123_;
+                                    let _e1644 = phi_3124_;
+                                    let _e1646 = phi_3125_;
+                                    phi_3490_ = _e1638;
+                                    phi_3126_ = _e1640;
+                                    phi_3127_ = _e1642;
+                                    phi_3128_ = _e1644;
+                                    phi_3129_ = _e1646;
+                                    phi_3130_ = (_e628 - 1u);
                                 } else {
-                                    phi_3576_ = _e618;
-                                    phi_3164_ = _e620;
-                                    phi_3165_ = _e622;
-                                    phi_3166_ = _e660;
-                                    phi_3167_ = _e662;
-                                    phi_3168_ = _e664;
+                                    phi_3490_ = _e618;
+                                    phi_3126_ = _e620;
+                                    phi_3127_ = _e660;
+                                    phi_3128_ = _e662;
+                                    phi_3129_ = _e664;
+                                    phi_3130_ = _e628;
                                 }
-                                let _e1650 = phi_3576_;
-                                let _e1652 = phi_3164_;
-                                let _e1654 = phi_3165_;
-                                let _e1656 = phi_3166_;
-                                let _e1658 = phi_3167_;
-                                let _e1660 = phi_3168_;
-                                phi_3575_ = _e1650;
-                                phi_3169_ = _e1652;
-                                phi_3170_ = _e1654;
-                                phi_3171_ = _e1656;
-                                phi_3172_ = _e1658;
-                                phi_3173_ = _e1660;
+                                let _e1648 = phi_3490_;
+                                let _e1650 = phi_3126_;
+                                let _e1652 = phi_3127_;
+                                let _e1654 = phi_3128_;
+                                let _e1656 = phi_3129_;
+                                let _e1658 = phi_3130_;
+                                phi_3489_ = _e1648;
+                                phi_3131_ = _e1650;
+                                phi_3132_ = _e1652;
+                                phi_3133_ = _e1654;
+                                phi_3134_ = _e1656;
+                                phi_3135_ = _e1658;
                             } else {
-                                phi_3575_ = _e618;
-                                phi_3169_ = type_39();
-                                phi_3170_ = u32();
-                                phi_3171_ = bool();
-                                phi_3172_ = u32();
-                                phi_3173_ = type_50();
+                                phi_3489_ = _e618;
+                                phi_3131_ = type_39();
+                                phi_3132_ = bool();
+                                phi_3133_ = type_50();
+                                phi_3134_ = u32();
+                                phi_3135_ = u32();
                             }
-                            let _e1662 = phi_3575_;
-                            let _e1664 = phi_3169_;
-                            let _e1666 = phi_3170_;
-                            let _e1668 = phi_3171_;
-                            let _e1670 = phi_3172_;
-                            let _e1672 = phi_3173_;
-                            phi_3574_ = _e1662;
-                            phi_1039_ = _e1664;
-                            phi_1042_ = _e1666;
-                            phi_1044_ = _e1668;
-                            phi_1046_ = _e1670;
-                            phi_1048_ = _e1672;
-                            phi_3174_ = _e632;
+                            let _e1660 = phi_3489_;
+                            let _e1662 = phi_3131_;
+                            let _e1664 = phi_3132_;
+                            let _e1666 = phi_3133_;
+                            let _e1668 = phi_3134_;
+                            let _e1670 = phi_3135_;
+                            phi_3488_ = _e1660;
+                            phi_1046_ = _e1662;
+                            phi_1049_ = _e1664;
+                            phi_1051_ = _e1666;
+                            phi_1053_ = _e1668;
+                            phi_1055_ = _e1670;
+                            phi_3136_ = _e632;
                         } else {
-                            phi_3574_ = _e618;
-                            phi_1039_ = type_39();
-                            phi_1042_ = u32();
-                            phi_1044_ = bool();
-                            phi_1046_ = u32();
-                            phi_1048_ = type_50();
-                            phi_3174_ = false;
+                            phi_3488_ = _e618;
+                            phi_1046_ = type_39();
+                            phi_1049_ = bool();
+                            phi_1051_ = type_50();
+                            phi_1053_ = u32();
+                            phi_1055_ = u32();
+                            phi_3136_ = false;
                         }
-                        let _e1674 = phi_3574_;
-                        let _e1676 = phi_1039_;
-                        let _e1678 = phi_1042_;
-                        let _e1680 = phi_1044_;
-                        let _e1682 = phi_1046_;
-                        let _e1684 = phi_1048_;
-                        let _e1686 = phi_3174_;
+                        let _e1672 = phi_3488_;
+                        let _e1674 = phi_1046_;
+                        let _e1676 = phi_1049_;
+                        let _e1678 = phi_1051_;
+                        let _e1680 = phi_1053_;
+                        let _e1682 = phi_1055_;
+                        let _e1684 = phi_3136_;
                         continue;
                         continuing {
-                            phi_3414_ = _e1674;
-                            phi_1038_ = _e1676;
-                            phi_1041_ = _e1678;
-                            phi_1043_ = _e1680;
-                            phi_1045_ = _e1682;
-                            phi_1047_ = _e1684;
-                            phi_3573_ = _e1674;
-                            break if !(_e1686);
+                            phi_3340_ = _e1672;
+                            phi_1045_ = _e1674;
+                            phi_1048_ = _e1676;
+                            phi_1050_ = _e1678;
+                            phi_1052_ = _e1680;
+                            phi_1054_ = _e1682;
+                            phi_3487_ = _e1672;
+                            break if !(_e1684);
                         }
                     }
-                    let _e1689 = phi_3573_;
-                    if _e1689 {
+                    let _e1687 = phi_3487_;
+                    if _e1687 {
                         break;
                     }
-                    let _e1691 = local_10;
-                    let _e1694 = local_11;
+                    let _e1689 = local_11;
+                    let _e1692 = local_12;
                     if _e133 {
                     } else {
                         break;
                     }
-                    global_6.member[_e131][0u] = _e1691.member_1;
-                    global_6.member[_e131][1u] = _e1694.member_2;
+                    global_6.member[_e131][0u] = _e1689.member_1;
+                    global_6.member[_e131][1u] = _e1692.member_2;
                 }
             }
             break;

@@ -105,135 +105,121 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_410_: i32;
-    var phi_411_: i32;
-    var phi_421_: bool;
-    var phi_431_: u32;
-    var phi_432_: u32;
-    var phi_434_: bool;
+    var phi_417_: i32;
+    var phi_418_: i32;
+    var phi_428_: bool;
+    var phi_438_: u32;
     var phi_439_: u32;
-    var phi_452_: i32;
-    var phi_472_: i32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_536_: f32;
-    var phi_542_: f32;
-    var phi_615_: f32;
-    var phi_621_: f32;
-    var phi_661_: f32;
-    var phi_667_: f32;
-    var phi_740_: f32;
-    var phi_746_: f32;
-    var phi_786_: f32;
-    var phi_792_: f32;
-    var phi_911_: i32;
-    var phi_933_: u32;
-    var phi_934_: u32;
-    var phi_971_: i32;
-    var phi_993_: u32;
-    var phi_994_: u32;
-    var phi_1002_: f32;
-    var phi_1003_: f32;
-    var phi_3859_: bool;
-    var phi_1100_: type_45;
-    var phi_1103_: u32;
-    var phi_1105_: bool;
-    var phi_1107_: u32;
-    var phi_1109_: type_52;
-    var phi_1120_: bool;
-    var phi_1206_: bool;
-    var phi_1207_: u32;
-    var phi_1208_: type_52;
-    var phi_1226_: type_45;
-    var phi_1229_: type_4;
-    var phi_1230_: type_4;
-    var phi_1252_: type_4;
-    var phi_1276_: u32;
-    var phi_1368_: array<array<f32, 3>, 3>;
-    var phi_3494_: bool;
-    var phi_3509_: bool;
-    var phi_3524_: bool;
-    var phi_3539_: bool;
-    var phi_3554_: bool;
-    var phi_3569_: bool;
-    var phi_1910_: f32;
-    var phi_1911_: f32;
-    var phi_1912_: f32;
-    var phi_1913_: f32;
-    var phi_1914_: vec3<f32>;
-    var phi_1915_: vec3<f32>;
-    var phi_1916_: vec3<f32>;
-    var phi_1917_: vec3<f32>;
-    var phi_3584_: bool;
-    var phi_3599_: bool;
-    var phi_3614_: bool;
-    var phi_3629_: bool;
-    var phi_3644_: bool;
-    var phi_3659_: bool;
-    var phi_2125_: f32;
-    var phi_2145_: type_41;
-    var phi_2146_: type_41;
-    var phi_2149_: type_41;
-    var phi_2150_: type_41;
-    var phi_2151_: bool;
-    var phi_2155_: type_41;
-    var phi_2164_: type_29;
-    var phi_2189_: bool;
-    var phi_2190_: bool;
-    var phi_2197_: type_45;
-    var phi_2198_: type_45;
-    var phi_2199_: type_45;
-    var phi_1227_: type_45;
-    var phi_3853_: bool;
-    var phi_4104_: bool;
-    var phi_2200_: type_45;
-    var phi_2927_: u32;
-    var phi_2928_: u32;
+    var phi_441_: bool;
+    var phi_446_: u32;
+    var phi_459_: i32;
+    var phi_479_: i32;
+    var phi_497_: f32;
+    var phi_503_: f32;
+    var phi_543_: f32;
+    var phi_549_: f32;
+    var phi_622_: f32;
+    var phi_628_: f32;
+    var phi_668_: f32;
+    var phi_674_: f32;
+    var phi_747_: f32;
+    var phi_753_: f32;
+    var phi_793_: f32;
+    var phi_799_: f32;
+    var phi_918_: i32;
+    var phi_940_: u32;
+    var phi_941_: u32;
+    var phi_978_: i32;
+    var phi_1000_: u32;
+    var phi_1001_: u32;
+    var phi_1009_: f32;
+    var phi_1010_: f32;
+    var phi_3785_: bool;
+    var phi_1107_: type_45;
+    var phi_1110_: bool;
+    var phi_1112_: type_52;
+    var phi_1114_: u32;
+    var phi_1116_: u32;
+    var phi_1127_: bool;
+    var phi_1213_: bool;
+    var phi_1214_: type_52;
+    var phi_1215_: u32;
+    var phi_2904_: u32;
+    var phi_2905_: u32;
+    var phi_2915_: u32;
+    var phi_2917_: u32;
+    var phi_2918_: bool;
     var phi_2938_: u32;
-    var phi_2940_: u32;
-    var phi_2941_: bool;
-    var phi_2961_: u32;
-    var phi_2962_: u32;
-    var phi_2966_: type_53;
-    var phi_3331_: type_52;
-    var phi_3407_: type_52;
-    var phi_3408_: u32;
-    var phi_3409_: type_52;
-    var phi_3411_: u32;
-    var phi_3412_: type_52;
-    var phi_3413_: bool;
-    var phi_3422_: type_52;
-    var phi_3427_: bool;
-    var phi_3429_: type_52;
-    var phi_3434_: type_45;
-    var phi_3435_: bool;
-    var phi_3436_: u32;
-    var phi_3437_: type_52;
-    var phi_3445_: type_45;
-    var phi_3448_: type_52;
-    var phi_4021_: bool;
-    var phi_3449_: type_45;
-    var phi_3450_: u32;
-    var phi_3451_: bool;
-    var phi_3452_: u32;
-    var phi_3453_: type_52;
-    var phi_4020_: bool;
-    var phi_3454_: type_45;
-    var phi_3455_: u32;
-    var phi_3456_: bool;
-    var phi_3457_: u32;
-    var phi_3458_: type_52;
-    var phi_4019_: bool;
-    var phi_1101_: type_45;
-    var phi_1104_: u32;
-    var phi_1106_: bool;
-    var phi_1108_: u32;
-    var phi_1110_: type_52;
-    var phi_3459_: bool;
-    var phi_4018_: bool;
+    var phi_2939_: u32;
+    var phi_2943_: type_53;
+    var phi_3308_: type_52;
+    var phi_3384_: type_52;
+    var phi_3385_: type_52;
+    var phi_3386_: u32;
+    var phi_3388_: type_52;
+    var phi_3389_: u32;
+    var phi_3390_: bool;
+    var phi_3399_: type_52;
+    var phi_3404_: bool;
+    var phi_3405_: type_52;
+    var phi_1233_: type_45;
+    var phi_1236_: type_4;
+    var phi_1237_: type_4;
+    var phi_1259_: type_4;
+    var phi_1283_: u32;
+    var phi_1375_: array<array<f32, 3>, 3>;
+    var phi_1905_: f32;
+    var phi_1906_: f32;
+    var phi_1907_: f32;
+    var phi_1908_: f32;
+    var phi_1909_: vec3<f32>;
+    var phi_1910_: vec3<f32>;
+    var phi_1911_: vec3<f32>;
+    var phi_1912_: vec3<f32>;
+    var phi_2103_: f32;
+    var phi_2123_: type_41;
+    var phi_2124_: type_41;
+    var phi_2127_: type_41;
+    var phi_2128_: type_41;
+    var phi_2129_: bool;
+    var phi_2133_: type_41;
+    var phi_2142_: type_29;
+    var phi_2167_: bool;
+    var phi_2168_: bool;
+    var phi_2175_: type_45;
+    var phi_2176_: type_45;
+    var phi_2177_: type_45;
+    var phi_1234_: type_45;
+    var phi_3779_: bool;
     var local_10: type_45;
+    var phi_3936_: bool;
+    var phi_3407_: type_45;
+    var phi_3408_: bool;
+    var phi_3409_: type_52;
+    var phi_3410_: u32;
+    var phi_3935_: bool;
+    var phi_3411_: type_45;
+    var phi_3412_: bool;
+    var phi_3413_: type_52;
+    var phi_3414_: u32;
+    var phi_3415_: u32;
+    var phi_3934_: bool;
+    var phi_3416_: type_45;
+    var phi_3417_: bool;
+    var phi_3418_: type_52;
+    var phi_3419_: u32;
+    var phi_3420_: u32;
+    var phi_3933_: bool;
+    var phi_1108_: type_45;
+    var phi_1111_: bool;
+    var phi_1113_: type_52;
+    var phi_1115_: u32;
+    var phi_1117_: u32;
+    var phi_3421_: bool;
+    var phi_3932_: bool;
     var local_11: type_45;
     var local_12: type_45;
+    var local_13: type_45;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -288,93 +274,93 @@ fn function_() {
                     if _e221 {
                         let _e224 = (bitcast<u32>(bitcast<f32>(_e196)) & 2147483647u);
                         if (_e224 >= 8388608u) {
-                            phi_410_ = (bitcast<i32>((_e224 >> bitcast<u32>(23i))) - 127i);
+                            phi_417_ = (bitcast<i32>((_e224 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_410_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e224)), 32u, (_e224 == 0u))));
+                            phi_417_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e224)), 32u, (_e224 == 0u))));
                         }
-                        let _e238 = phi_410_;
-                        phi_411_ = _e238;
+                        let _e238 = phi_417_;
+                        phi_418_ = _e238;
                     } else {
-                        phi_411_ = 0i;
+                        phi_418_ = 0i;
                     }
-                    let _e240 = phi_411_;
+                    let _e240 = phi_418_;
                     let _e241 = (_e157 == _e196);
                     if _e241 {
-                        phi_421_ = true;
+                        phi_428_ = true;
                     } else {
-                        phi_421_ = (_e164 == _e196);
+                        phi_428_ = (_e164 == _e196);
                     }
-                    let _e244 = phi_421_;
+                    let _e244 = phi_428_;
                     let _e245 = select(1u, 0u, _e241);
                     if _e244 {
                         let _e246 = (_e245 + 1u);
-                        phi_431_ = _e246;
-                        phi_432_ = _e246;
-                        phi_434_ = select(true, false, (_e246 == 2u));
+                        phi_438_ = _e246;
+                        phi_439_ = _e246;
+                        phi_441_ = select(true, false, (_e246 == 2u));
                     } else {
-                        phi_431_ = u32();
-                        phi_432_ = 0u;
-                        phi_434_ = true;
-                    }
-                    let _e250 = phi_431_;
-                    let _e252 = phi_432_;
-                    let _e254 = phi_434_;
-                    if _e254 {
-                        phi_439_ = (_e252 + 1u);
-                    } else {
+                        phi_438_ = u32();
                         phi_439_ = 0u;
+                        phi_441_ = true;
                     }
-                    let _e258 = phi_439_;
+                    let _e250 = phi_438_;
+                    let _e252 = phi_439_;
+                    let _e254 = phi_441_;
+                    if _e254 {
+                        phi_446_ = (_e252 + 1u);
+                    } else {
+                        phi_446_ = 0u;
+                    }
+                    let _e258 = phi_446_;
                     let _e259 = select(_e250, _e252, _e254);
                     let _e260 = select(_e245, select(2u, _e245, _e244), _e254);
                     if (_e127 < -126i) {
-                        phi_452_ = -126i;
+                        phi_459_ = -126i;
                     } else {
-                        phi_452_ = select(_e127, 127i, (_e127 > 127i));
+                        phi_459_ = select(_e127, 127i, (_e127 > 127i));
                     }
-                    let _e265 = phi_452_;
+                    let _e265 = phi_459_;
                     let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
                     let _e276 = bitcast<f32>((bitcast<u32>(((_e127 - _e265) + 127i)) << bitcast<u32>(23i)));
                     let _e277 = -(_e240);
                     if (_e277 < -126i) {
-                        phi_472_ = -126i;
+                        phi_479_ = -126i;
                     } else {
-                        phi_472_ = select(_e277, 127i, (_e277 > 127i));
+                        phi_479_ = select(_e277, 127i, (_e277 > 127i));
                     }
-                    let _e282 = phi_472_;
+                    let _e282 = phi_479_;
                     let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
                     let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
                     let _e297 = global_5.member[_e145].member;
                     let _e298 = (_e259 == 0u);
                     if _e298 {
-                        phi_490_ = _e297[0];
+                        phi_497_ = _e297[0];
                     } else {
-                        phi_490_ = _e297[1];
+                        phi_497_ = _e297[1];
                     }
-                    let _e302 = phi_490_;
+                    let _e302 = phi_497_;
                     let _e303 = (_e259 == 2u);
                     if _e303 {
-                        phi_496_ = _e297[2];
+                        phi_503_ = _e297[2];
                     } else {
-                        phi_496_ = _e302;
+                        phi_503_ = _e302;
                     }
-                    let _e306 = phi_496_;
+                    let _e306 = phi_503_;
                     let _e307 = bitcast<u32>(_e306);
                     let _e309 = ((_e307 & 2139095040u) != 0u);
                     let _e323 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e307 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e307 & 2147483648u))), _e306, _e309) * _e270) * select(0.00000011920929f, 1f, _e309)) * _e276);
                     let _e324 = global_5.member[_e145].member_2;
                     if _e298 {
-                        phi_536_ = _e324[0];
+                        phi_543_ = _e324[0];
                     } else {
-                        phi_536_ = _e324[1];
+                        phi_543_ = _e324[1];
                     }
-                    let _e328 = phi_536_;
+                    let _e328 = phi_543_;
                     if _e303 {
-                        phi_542_ = _e324[2];
+                        phi_549_ = _e324[2];
                     } else {
-                        phi_542_ = _e328;
+                        phi_549_ = _e328;
                     }
-                    let _e331 = phi_542_;
+                    let _e331 = phi_549_;
                     let _e332 = bitcast<u32>(_e331);
                     let _e334 = ((_e332 & 2139095040u) != 0u);
                     let _e348 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e331, _e334) * _e287) * select(0.00000011920929f, 1f, _e334)) * _e293);
@@ -388,33 +374,33 @@ fn function_() {
                     let _e364 = select(38685626000000000000000000f, (1f / _e348), _e352);
                     let _e365 = (_e258 == 0u);
                     if _e365 {
-                        phi_615_ = _e297[0];
+                        phi_622_ = _e297[0];
                     } else {
-                        phi_615_ = _e297[1];
+                        phi_622_ = _e297[1];
                     }
-                    let _e369 = phi_615_;
+                    let _e369 = phi_622_;
                     let _e370 = (_e258 == 2u);
                     if _e370 {
-                        phi_621_ = _e297[2];
+                        phi_628_ = _e297[2];
                     } else {
-                        phi_621_ = _e369;
+                        phi_628_ = _e369;
                     }
-                    let _e373 = phi_621_;
+                    let _e373 = phi_628_;
                     let _e374 = bitcast<u32>(_e373);
                     let _e376 = ((_e374 & 2139095040u) != 0u);
                     let _e390 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e374 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e374 & 2147483648u))), _e373, _e376) * _e270) * select(0.00000011920929f, 1f, _e376)) * _e276);
                     if _e365 {
-                        phi_661_ = _e324[0];
+                        phi_668_ = _e324[0];
                     } else {
-                        phi_661_ = _e324[1];
+                        phi_668_ = _e324[1];
                     }
-                    let _e394 = phi_661_;
+                    let _e394 = phi_668_;
                     if _e370 {
-                        phi_667_ = _e324[2];
+                        phi_674_ = _e324[2];
                     } else {
-                        phi_667_ = _e394;
+                        phi_674_ = _e394;
                     }
-                    let _e397 = phi_667_;
+                    let _e397 = phi_674_;
                     let _e398 = bitcast<u32>(_e397);
                     let _e400 = ((_e398 & 2139095040u) != 0u);
                     let _e414 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e398 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e398 & 2147483648u))), _e397, _e400) * _e287) * select(0.00000011920929f, 1f, _e400)) * _e293);
@@ -428,33 +414,33 @@ fn function_() {
                     let _e430 = select(38685626000000000000000000f, (1f / _e414), _e418);
                     let _e431 = (_e260 == 0u);
                     if _e431 {
-                        phi_740_ = _e297[0];
+                        phi_747_ = _e297[0];
                     } else {
-                        phi_740_ = _e297[1];
+                        phi_747_ = _e297[1];
                     }
-                    let _e435 = phi_740_;
+                    let _e435 = phi_747_;
                     let _e436 = (_e260 == 2u);
                     if _e436 {
-                        phi_746_ = _e297[2];
+                        phi_753_ = _e297[2];
                     } else {
-                        phi_746_ = _e435;
+                        phi_753_ = _e435;
                     }
-                    let _e439 = phi_746_;
+                    let _e439 = phi_753_;
                     let _e440 = bitcast<u32>(_e439);
                     let _e442 = ((_e440 & 2139095040u) != 0u);
                     let _e456 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e440 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e440 & 2147483648u))), _e439, _e442) * _e270) * select(0.00000011920929f, 1f, _e442)) * _e276);
                     if _e431 {
-                        phi_786_ = _e324[0];
+                        phi_793_ = _e324[0];
                     } else {
-                        phi_786_ = _e324[1];
+                        phi_793_ = _e324[1];
                     }
-                    let _e460 = phi_786_;
+                    let _e460 = phi_793_;
                     if _e436 {
-                        phi_792_ = _e324[2];
+                        phi_799_ = _e324[2];
                     } else {
-                        phi_792_ = _e460;
+                        phi_799_ = _e460;
                     }
-                    let _e463 = phi_792_;
+                    let _e463 = phi_799_;
                     let _e464 = bitcast<u32>(_e463);
                     let _e466 = ((_e464 & 2139095040u) != 0u);
                     let _e480 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e464 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e464 & 2147483648u))), _e463, _e466) * _e287) * select(0.00000011920929f, 1f, _e466)) * _e293);
@@ -474,55 +460,55 @@ fn function_() {
                         let _e518 = (_e511 == 0u);
                         let _e521 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e511)), 32u, _e518)) - 8i);
                         if (_e514 == 255i) {
-                            phi_911_ = 255i;
+                            phi_918_ = 255i;
                         } else {
-                            phi_911_ = (((_e514 + select(0i, 1i, (_e514 == 0i))) - _e521) + _e501);
+                            phi_918_ = (((_e514 + select(0i, 1i, (_e514 == 0i))) - _e521) + _e501);
                         }
-                        let _e529 = phi_911_;
+                        let _e529 = phi_918_;
                         let _e539 = (_e529 <= 0i);
                         if _e539 {
-                            phi_934_ = u32();
+                            phi_941_ = u32();
                         } else {
                             if _e518 {
-                                phi_933_ = u32();
+                                phi_940_ = u32();
                             } else {
-                                phi_933_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | ((_e511 << bitcast<u32>(((_e521 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e529 >= 255i));
+                                phi_940_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | ((_e511 << bitcast<u32>(((_e521 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e529 >= 255i));
                             }
-                            let _e543 = phi_933_;
-                            phi_934_ = _e543;
+                            let _e543 = phi_940_;
+                            phi_941_ = _e543;
                         }
-                        let _e545 = phi_934_;
+                        let _e545 = phi_941_;
                         let _e557 = ((_e217 & 8388607u) | (select(0u, 1u, ((_e217 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e560 = bitcast<i32>((_e217 >> bitcast<u32>(23i)));
                         let _e564 = (_e557 == 0u);
                         let _e567 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e557)), 32u, _e564)) - 8i);
                         if (_e560 == 255i) {
-                            phi_971_ = 255i;
+                            phi_978_ = 255i;
                         } else {
-                            phi_971_ = (((_e560 + select(0i, 1i, (_e560 == 0i))) - _e567) + _e501);
+                            phi_978_ = (((_e560 + select(0i, 1i, (_e560 == 0i))) - _e567) + _e501);
                         }
-                        let _e575 = phi_971_;
+                        let _e575 = phi_978_;
                         let _e585 = (_e575 <= 0i);
                         if _e585 {
-                            phi_994_ = u32();
+                            phi_1001_ = u32();
                         } else {
                             if _e564 {
-                                phi_993_ = u32();
+                                phi_1000_ = u32();
                             } else {
-                                phi_993_ = select(((bitcast<u32>(_e575) << bitcast<u32>(23i)) | ((_e557 << bitcast<u32>(((_e567 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e575 >= 255i));
+                                phi_1000_ = select(((bitcast<u32>(_e575) << bitcast<u32>(23i)) | ((_e557 << bitcast<u32>(((_e567 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e575 >= 255i));
                             }
-                            let _e589 = phi_993_;
-                            phi_994_ = _e589;
+                            let _e589 = phi_1000_;
+                            phi_1001_ = _e589;
                         }
-                        let _e591 = phi_994_;
-                        phi_1002_ = bitcast<f32>(((_e216 & 2147483648u) | select(_e591, 0u, select(_e564, true, _e585))));
-                        phi_1003_ = bitcast<f32>(((_e207 & 2147483648u) | select(_e545, 0u, select(_e518, true, _e539))));
+                        let _e591 = phi_1001_;
+                        phi_1009_ = bitcast<f32>(((_e216 & 2147483648u) | select(_e591, 0u, select(_e564, true, _e585))));
+                        phi_1010_ = bitcast<f32>(((_e207 & 2147483648u) | select(_e545, 0u, select(_e518, true, _e539))));
                     } else {
-                        phi_1002_ = 0f;
-                        phi_1003_ = 1f;
+                        phi_1009_ = 0f;
+                        phi_1010_ = 1f;
                     }
-                    let _e597 = phi_1002_;
-                    let _e599 = phi_1003_;
+                    let _e597 = phi_1009_;
+                    let _e599 = phi_1010_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -531,918 +517,832 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e604 = (_e259 % 3u);
-                    let _e605 = (_e604 < 3u);
-                    if _e605 {
+                    let _e606 = (_e259 % 3u);
+                    let _e607 = (_e606 < 3u);
+                    if _e607 {
                     } else {
                         break;
                     }
-                    let _e607 = local_1[_e604];
-                    let _e610 = (_e258 % 3u);
-                    let _e611 = (_e610 < 3u);
-                    if _e611 {
+                    let _e609 = local_1[_e606];
+                    let _e612 = (_e258 % 3u);
+                    let _e613 = (_e612 < 3u);
+                    if _e613 {
                     } else {
                         break;
                     }
-                    let _e613 = local_1[_e610];
-                    let _e616 = (_e260 % 3u);
-                    let _e617 = (_e616 < 3u);
-                    if _e617 {
+                    let _e615 = local_1[_e612];
+                    let _e618 = (_e260 % 3u);
+                    let _e619 = (_e618 < 3u);
+                    if _e619 {
                     } else {
                         break;
                     }
-                    let _e619 = local_1[_e616];
-                    if _e605 {
+                    let _e621 = local_1[_e618];
+                    if _e607 {
                     } else {
                         break;
                     }
-                    let _e624 = local[_e604];
-                    if _e611 {
+                    let _e626 = local[_e606];
+                    if _e613 {
                     } else {
                         break;
                     }
-                    let _e628 = local[_e610];
-                    if _e617 {
+                    let _e630 = local[_e612];
+                    if _e619 {
                     } else {
                         break;
                     }
-                    let _e632 = local[_e616];
-                    phi_3859_ = false;
-                    phi_1100_ = type_45(type_38(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e597), 0u, 0u);
-                    phi_1103_ = ((3u * _e89) + 1u);
-                    phi_1105_ = (_e599 <= _e597);
-                    phi_1107_ = 0u;
-                    phi_1109_ = type_52(type_33(vec4<f32>((f32(_e607) * _e139), (f32(_e613) * _e139), (f32(_e619) * _e139), 0f), vec4<f32>((f32(_e624) * _e139), (f32(_e628) * _e139), (f32(_e632) * _e139), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
+                    let _e634 = local[_e618];
+                    phi_3785_ = false;
+                    phi_1107_ = type_45(type_38(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e597), 0u, 0u);
+                    phi_1110_ = (_e599 <= _e597);
+                    phi_1112_ = type_52(type_33(vec4<f32>((f32(_e609) * _e139), (f32(_e615) * _e139), (f32(_e621) * _e139), 0f), vec4<f32>((f32(_e626) * _e139), (f32(_e630) * _e139), (f32(_e634) * _e139), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
+                    phi_1114_ = 0u;
+                    phi_1116_ = ((3u * _e89) + 1u);
                     loop {
-                        let _e642 = phi_3859_;
-                        let _e644 = phi_1100_;
-                        let _e646 = phi_1103_;
-                        let _e648 = phi_1105_;
-                        let _e650 = phi_1107_;
-                        let _e652 = phi_1109_;
-                        local_10 = _e644;
+                        let _e642 = phi_3785_;
+                        let _e644 = phi_1107_;
+                        let _e646 = phi_1110_;
+                        let _e648 = phi_1112_;
+                        let _e650 = phi_1114_;
+                        let _e652 = phi_1116_;
                         local_11 = _e644;
-                        if _e648 {
-                            phi_1120_ = true;
+                        local_12 = _e644;
+                        if _e646 {
+                            phi_1127_ = true;
                         } else {
-                            phi_1120_ = (_e650 > 0u);
+                            phi_1127_ = (_e650 > 0u);
                         }
-                        let _e655 = phi_1120_;
+                        let _e655 = phi_1127_;
                         if _e655 {
-                            let _e656 = (_e646 > 0u);
+                            let _e656 = (_e652 > 0u);
                             if _e656 {
-                                if _e648 {
-                                    phi_1206_ = _e648;
-                                    phi_1207_ = _e650;
-                                    phi_1208_ = _e652;
+                                if _e646 {
+                                    phi_1213_ = _e646;
+                                    phi_1214_ = _e648;
+                                    phi_1215_ = _e650;
                                 } else {
                                     let _e657 = (_e650 - 1u);
                                     let _e658 = (_e657 % 128u);
                                     let _e659 = (_e658 < 128u);
                                     if _e659 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e661 = local_7[_e658];
                                     if _e659 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e663 = local_6[_e658];
                                     if _e659 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e665 = local_5[_e658];
                                     if _e659 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e667 = local_4[_e658];
                                     if _e659 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e669 = local_3[_e658];
                                     if _e659 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e671 = local_2[_e658];
                                     if _e659 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e676 = local_8[_e658];
                                     if _e659 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e679 = local_9[_e658];
-                                    phi_1206_ = (_e679 <= _e644.member.member_1);
-                                    phi_1207_ = _e657;
-                                    phi_1208_ = type_52(type_33(vec4<f32>(_e661, _e663, _e665, 0f), vec4<f32>(_e667, _e669, _e671, 0f)), _e676);
+                                    phi_1213_ = (_e679 <= _e644.member.member_1);
+                                    phi_1214_ = type_52(type_33(vec4<f32>(_e661, _e663, _e665, 0f), vec4<f32>(_e667, _e669, _e671, 0f)), _e676);
+                                    phi_1215_ = _e657;
                                 }
-                                let _e684 = phi_1206_;
-                                let _e686 = phi_1207_;
-                                let _e688 = phi_1208_;
+                                let _e684 = phi_1213_;
+                                let _e686 = phi_1214_;
+                                let _e688 = phi_1215_;
                                 if _e684 {
-                                    let _e692 = ((_e688.member_1 & 2147483648u) != 0u);
-                                    if _e692 {
-                                        phi_1226_ = _e644;
-                                        phi_1229_ = type_4(0u, ((_e688.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e686.member_1 & 2147483648u) != 0u) {
+                                        phi_1233_ = _e644;
+                                        phi_1236_ = type_4(0u, ((_e686.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e699 = phi_1226_;
-                                            let _e701 = phi_1229_;
-                                            local_12 = _e699;
-                                            if (_e701.member < _e701.member_1) {
-                                                phi_1230_ = type_4((_e701.member + 1u), _e701.member_1);
-                                                phi_1252_ = type_4(1u, _e701.member);
+                                            let _e1144 = phi_1233_;
+                                            let _e1146 = phi_1236_;
+                                            local_10 = _e1144;
+                                            local_13 = _e1144;
+                                            if (_e1146.member < _e1146.member_1) {
+                                                phi_1237_ = type_4((_e1146.member + 1u), _e1146.member_1);
+                                                phi_1259_ = type_4(1u, _e1146.member);
                                             } else {
-                                                phi_1230_ = _e701;
-                                                phi_1252_ = type_4(0u, type_4().member_1);
+                                                phi_1237_ = _e1146;
+                                                phi_1259_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e714 = phi_1230_;
-                                            let _e716 = phi_1252_;
-                                            let _e720 = (bitcast<i32>(_e716.member) != 0i);
-                                            if _e720 {
-                                                let _e726 = type_45(_e699.member, _e699.member_1, (_e699.member_2 + 1u));
-                                                let _e727 = ((_e688.member_1 & 268435455u) + _e716.member_1);
-                                                let _e728 = (_e727 < _e91);
-                                                if _e728 {
-                                                    if _e728 {
+                                            let _e1159 = phi_1237_;
+                                            let _e1161 = phi_1259_;
+                                            let _e1165 = (bitcast<i32>(_e1161.member) != 0i);
+                                            if _e1165 {
+                                                let _e1171 = type_45(_e1144.member, _e1144.member_1, (_e1144.member_2 + 1u));
+                                                let _e1172 = ((_e686.member_1 & 268435455u) + _e1161.member_1);
+                                                let _e1173 = (_e1172 < _e91);
+                                                if _e1173 {
+                                                    if _e1173 {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e732 = global_2.member[_e727].member_1;
-                                                    phi_1276_ = _e732;
+                                                    let _e1177 = global_2.member[_e1172].member_1;
+                                                    phi_1283_ = _e1177;
                                                 } else {
-                                                    phi_1276_ = 4294967295u;
+                                                    phi_1283_ = 4294967295u;
                                                 }
-                                                let _e734 = phi_1276_;
-                                                if (_e727 >= _e91) {
-                                                    phi_1368_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1179 = phi_1283_;
+                                                if (_e1172 >= _e91) {
+                                                    phi_1375_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e728 {
+                                                    if _e1173 {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    if (_e604 < 9u) {
+                                                    if (_e606 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e741 = global_2.member[_e727].member[_e604];
-                                                    if (_e610 < 9u) {
+                                                    let _e1186 = global_2.member[_e1172].member[_e606];
+                                                    if (_e612 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e747 = global_2.member[_e727].member[_e610];
-                                                    if (_e616 < 9u) {
+                                                    let _e1192 = global_2.member[_e1172].member[_e612];
+                                                    if (_e618 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e753 = global_2.member[_e727].member[_e616];
-                                                    let _e755 = (3u + _e604);
-                                                    if (_e755 < 9u) {
+                                                    let _e1198 = global_2.member[_e1172].member[_e618];
+                                                    let _e1200 = (3u + _e606);
+                                                    if (_e1200 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e761 = global_2.member[_e727].member[_e755];
-                                                    let _e762 = (3u + _e610);
-                                                    if (_e762 < 9u) {
+                                                    let _e1206 = global_2.member[_e1172].member[_e1200];
+                                                    let _e1207 = (3u + _e612);
+                                                    if (_e1207 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e768 = global_2.member[_e727].member[_e762];
-                                                    let _e769 = (3u + _e616);
-                                                    if (_e769 < 9u) {
+                                                    let _e1213 = global_2.member[_e1172].member[_e1207];
+                                                    let _e1214 = (3u + _e618);
+                                                    if (_e1214 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e775 = global_2.member[_e727].member[_e769];
-                                                    let _e777 = (6u + _e604);
-                                                    if (_e777 < 9u) {
+                                                    let _e1220 = global_2.member[_e1172].member[_e1214];
+                                                    let _e1222 = (6u + _e606);
+                                                    if (_e1222 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e783 = global_2.member[_e727].member[_e777];
-                                                    let _e784 = (6u + _e610);
-                                                    if (_e784 < 9u) {
+                                                    let _e1228 = global_2.member[_e1172].member[_e1222];
+                                                    let _e1229 = (6u + _e612);
+                                                    if (_e1229 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e790 = global_2.member[_e727].member[_e784];
-                                                    let _e791 = (6u + _e616);
-                                                    if (_e791 < 9u) {
+                                                    let _e1235 = global_2.member[_e1172].member[_e1229];
+                                                    let _e1236 = (6u + _e618);
+                                                    if (_e1236 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e797 = global_2.member[_e727].member[_e791];
-                                                    phi_1368_ = array<array<f32, 3>, 3>(array<f32, 3>(_e741, _e747, _e753), array<f32, 3>(_e761, _e768, _e775), array<f32, 3>(_e783, _e790, _e797));
+                                                    let _e1242 = global_2.member[_e1172].member[_e1236];
+                                                    phi_1375_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1186, _e1192, _e1198), array<f32, 3>(_e1206, _e1213, _e1220), array<f32, 3>(_e1228, _e1235, _e1242));
                                                 }
-                                                let _e801 = phi_1368_;
-                                                let _e818 = (_e801[0][2] - _e456);
-                                                let _e821 = (((_e801[0][0] - _e323) * _e492) - (_e818 * _e360));
-                                                let _e824 = (((_e801[0][1] - _e390) * _e492) - (_e818 * _e426));
-                                                let _e827 = (_e801[1][2] - _e456);
-                                                let _e830 = (((_e801[1][0] - _e323) * _e492) - (_e827 * _e360));
-                                                let _e833 = (((_e801[1][1] - _e390) * _e492) - (_e827 * _e426));
-                                                let _e836 = (_e801[2][2] - _e456);
-                                                let _e839 = (((_e801[2][0] - _e323) * _e492) - (_e836 * _e360));
-                                                let _e842 = (((_e801[2][1] - _e390) * _e492) - (_e836 * _e426));
-                                                let _e843 = (_e839 * _e833);
-                                                let _e844 = (_e842 * _e830);
-                                                let _e845 = (_e821 * _e842);
-                                                let _e846 = (_e824 * _e839);
-                                                let _e847 = (_e830 * _e824);
-                                                let _e848 = (_e833 * _e821);
-                                                let _e853 = (((_e843 >= _e844) && (_e845 >= _e846)) && (_e847 >= _e848));
-                                                let _e859 = (_e853 || (((_e843 <= _e844) && (_e845 <= _e846)) && (_e847 <= _e848)));
-                                                if _e859 {
-                                                    let _e861 = select(-1f, 1f, _e853);
-                                                    let _e863 = ((_e843 - _e844) * _e861);
-                                                    let _e865 = select(0f, _e863, (_e863 > 0f));
-                                                    let _e867 = ((_e845 - _e846) * _e861);
-                                                    let _e869 = select(0f, _e867, (_e867 > 0f));
-                                                    let _e871 = ((_e847 - _e848) * _e861);
-                                                    let _e873 = select(0f, _e871, (_e871 > 0f));
-                                                    let _e875 = ((_e865 + _e869) + _e873);
-                                                    let _e877 = select(_e801[1][0], _e801[0][0], (_e801[0][0] < _e801[1][0]));
-                                                    let _e881 = select(_e801[1][0], _e801[0][0], (_e801[0][0] > _e801[1][0]));
-                                                    let _e885 = select(_e801[1][1], _e801[0][1], (_e801[0][1] < _e801[1][1]));
-                                                    let _e889 = select(_e801[1][1], _e801[0][1], (_e801[0][1] > _e801[1][1]));
-                                                    let _e893 = select(_e801[1][2], _e801[0][2], (_e801[0][2] < _e801[1][2]));
-                                                    let _e897 = select(_e801[1][2], _e801[0][2], (_e801[0][2] > _e801[1][2]));
-                                                    let _e902 = ((select(_e801[2][0], _e877, (_e877 < _e801[2][0])) - _e361) * _e364);
-                                                    let _e903 = ((select(_e801[2][0], _e881, (_e881 > _e801[2][0])) - _e362) * _e364);
-                                                    let _e906 = ((select(_e801[2][1], _e885, (_e885 < _e801[2][1])) - _e427) * _e430);
-                                                    let _e907 = ((select(_e801[2][1], _e889, (_e889 > _e801[2][1])) - _e428) * _e430);
-                                                    let _e910 = ((select(_e801[2][2], _e893, (_e893 < _e801[2][2])) - _e493) * _e496);
-                                                    let _e911 = ((select(_e801[2][2], _e897, (_e897 > _e801[2][2])) - _e494) * _e496);
-                                                    let _e913 = select(_e911, _e910, (_e910 < _e911));
-                                                    let _e915 = select(_e911, _e910, (_e910 > _e911));
-                                                    let _e917 = select(_e903, _e902, (_e902 < _e903));
-                                                    let _e919 = select(_e907, _e906, (_e906 < _e907));
-                                                    let _e921 = select(_e919, _e917, (_e917 > _e919));
-                                                    let _e923 = select(_e913, _e921, (_e921 > _e913));
-                                                    let _e925 = select(_e903, _e902, (_e902 > _e903));
-                                                    let _e927 = select(_e907, _e906, (_e906 > _e907));
-                                                    let _e929 = select(_e927, _e925, (_e925 < _e927));
-                                                    let _e931 = select(_e915, _e929, (_e929 < _e915));
-                                                    let _e932 = -(_e913);
-                                                    let _e938 = select(_e599, _e923, (_e923 > _e599));
-                                                    let _e942 = select(_e830, _e821, (_e821 < _e830));
-                                                    let _e947 = select(_e830, _e821, (_e821 > _e830));
-                                                    let _e954 = select(_e833, _e824, (_e824 < _e833));
-                                                    let _e959 = select(_e833, _e824, (_e824 > _e833));
-                                                    let _e968 = (((((_e859 && (_e875 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e839, _e942, (_e942 < _e839)) <= 0f) && (select(_e839, _e947, (_e947 > _e839)) >= 0f))) && ((select(_e842, _e954, (_e954 < _e842)) <= 0f) && (select(_e842, _e959, (_e959 > _e842)) >= 0f))) && (_e938 <= (_e931 + (select(_e932, _e915, (_e915 > _e932)) * 0.0000019073523f)))) && (_e938 <= _e699.member.member_1));
-                                                    if _e968 {
-                                                        let _e973 = (_e801[1][0] - _e801[0][0]);
-                                                        let _e974 = (_e801[1][1] - _e801[0][1]);
-                                                        let _e975 = (_e801[1][2] - _e801[0][2]);
-                                                        let _e976 = vec3<f32>(_e973, _e974, _e975);
-                                                        let _e977 = (_e801[2][0] - _e801[1][0]);
-                                                        let _e978 = (_e801[2][1] - _e801[1][1]);
-                                                        let _e979 = (_e801[2][2] - _e801[1][2]);
-                                                        let _e980 = vec3<f32>(_e977, _e978, _e979);
-                                                        let _e981 = (_e801[0][0] - _e801[2][0]);
-                                                        let _e982 = (_e801[0][1] - _e801[2][1]);
-                                                        let _e983 = (_e801[0][2] - _e801[2][2]);
-                                                        let _e984 = vec3<f32>(_e981, _e982, _e983);
-                                                        let _e985 = abs(_e973);
-                                                        let _e986 = abs(_e974);
-                                                        if (_e985 != _e985) {
-                                                            phi_3494_ = true;
+                                                let _e1246 = phi_1375_;
+                                                let _e1263 = (_e1246[0][2] - _e456);
+                                                let _e1266 = (((_e1246[0][0] - _e323) * _e492) - (_e1263 * _e360));
+                                                let _e1269 = (((_e1246[0][1] - _e390) * _e492) - (_e1263 * _e426));
+                                                let _e1272 = (_e1246[1][2] - _e456);
+                                                let _e1275 = (((_e1246[1][0] - _e323) * _e492) - (_e1272 * _e360));
+                                                let _e1278 = (((_e1246[1][1] - _e390) * _e492) - (_e1272 * _e426));
+                                                let _e1281 = (_e1246[2][2] - _e456);
+                                                let _e1284 = (((_e1246[2][0] - _e323) * _e492) - (_e1281 * _e360));
+                                                let _e1287 = (((_e1246[2][1] - _e390) * _e492) - (_e1281 * _e426));
+                                                let _e1288 = (_e1284 * _e1278);
+                                                let _e1289 = (_e1287 * _e1275);
+                                                let _e1290 = (_e1266 * _e1287);
+                                                let _e1291 = (_e1269 * _e1284);
+                                                let _e1292 = (_e1275 * _e1269);
+                                                let _e1293 = (_e1278 * _e1266);
+                                                let _e1298 = (((_e1288 >= _e1289) && (_e1290 >= _e1291)) && (_e1292 >= _e1293));
+                                                let _e1304 = (_e1298 || (((_e1288 <= _e1289) && (_e1290 <= _e1291)) && (_e1292 <= _e1293)));
+                                                if _e1304 {
+                                                    let _e1306 = select(-1f, 1f, _e1298);
+                                                    let _e1308 = ((_e1288 - _e1289) * _e1306);
+                                                    let _e1310 = select(0f, _e1308, (_e1308 > 0f));
+                                                    let _e1312 = ((_e1290 - _e1291) * _e1306);
+                                                    let _e1314 = select(0f, _e1312, (_e1312 > 0f));
+                                                    let _e1316 = ((_e1292 - _e1293) * _e1306);
+                                                    let _e1318 = select(0f, _e1316, (_e1316 > 0f));
+                                                    let _e1320 = ((_e1310 + _e1314) + _e1318);
+                                                    let _e1322 = select(_e1246[1][0], _e1246[0][0], (_e1246[0][0] < _e1246[1][0]));
+                                                    let _e1326 = select(_e1246[1][0], _e1246[0][0], (_e1246[0][0] > _e1246[1][0]));
+                                                    let _e1330 = select(_e1246[1][1], _e1246[0][1], (_e1246[0][1] < _e1246[1][1]));
+                                                    let _e1334 = select(_e1246[1][1], _e1246[0][1], (_e1246[0][1] > _e1246[1][1]));
+                                                    let _e1338 = select(_e1246[1][2], _e1246[0][2], (_e1246[0][2] < _e1246[1][2]));
+                                                    let _e1342 = select(_e1246[1][2], _e1246[0][2], (_e1246[0][2] > _e1246[1][2]));
+                                                    let _e1347 = ((select(_e1246[2][0], _e1322, (_e1322 < _e1246[2][0])) - _e361) * _e364);
+                                                    let _e1348 = ((select(_e1246[2][0], _e1326, (_e1326 > _e1246[2][0])) - _e362) * _e364);
+                                                    let _e1351 = ((select(_e1246[2][1], _e1330, (_e1330 < _e1246[2][1])) - _e427) * _e430);
+                                                    let _e1352 = ((select(_e1246[2][1], _e1334, (_e1334 > _e1246[2][1])) - _e428) * _e430);
+                                                    let _e1355 = ((select(_e1246[2][2], _e1338, (_e1338 < _e1246[2][2])) - _e493) * _e496);
+                                                    let _e1356 = ((select(_e1246[2][2], _e1342, (_e1342 > _e1246[2][2])) - _e494) * _e496);
+                                                    let _e1358 = select(_e1356, _e1355, (_e1355 < _e1356));
+                                                    let _e1360 = select(_e1356, _e1355, (_e1355 > _e1356));
+                                                    let _e1362 = select(_e1348, _e1347, (_e1347 < _e1348));
+                                                    let _e1364 = select(_e1352, _e1351, (_e1351 < _e1352));
+                                                    let _e1366 = select(_e1364, _e1362, (_e1362 > _e1364));
+                                                    let _e1368 = select(_e1358, _e1366, (_e1366 > _e1358));
+                                                    let _e1370 = select(_e1348, _e1347, (_e1347 > _e1348));
+                                                    let _e1372 = select(_e1352, _e1351, (_e1351 > _e1352));
+                                                    let _e1374 = select(_e1372, _e1370, (_e1370 < _e1372));
+                                                    let _e1376 = select(_e1360, _e1374, (_e1374 < _e1360));
+                                                    let _e1377 = -(_e1358);
+                                                    let _e1383 = select(_e599, _e1368, (_e1368 > _e599));
+                                                    let _e1387 = select(_e1275, _e1266, (_e1266 < _e1275));
+                                                    let _e1392 = select(_e1275, _e1266, (_e1266 > _e1275));
+                                                    let _e1399 = select(_e1278, _e1269, (_e1269 < _e1278));
+                                                    let _e1404 = select(_e1278, _e1269, (_e1269 > _e1278));
+                                                    let _e1413 = (((((_e1304 && (_e1320 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1284, _e1387, (_e1387 < _e1284)) <= 0f) && (select(_e1284, _e1392, (_e1392 > _e1284)) >= 0f))) && ((select(_e1287, _e1399, (_e1399 < _e1287)) <= 0f) && (select(_e1287, _e1404, (_e1404 > _e1287)) >= 0f))) && (_e1383 <= (_e1376 + (select(_e1377, _e1360, (_e1360 > _e1377)) * 0.0000019073523f)))) && (_e1383 <= _e1144.member.member_1));
+                                                    if _e1413 {
+                                                        let _e1418 = (_e1246[1][0] - _e1246[0][0]);
+                                                        let _e1419 = (_e1246[1][1] - _e1246[0][1]);
+                                                        let _e1420 = (_e1246[1][2] - _e1246[0][2]);
+                                                        let _e1421 = vec3<f32>(_e1418, _e1419, _e1420);
+                                                        let _e1422 = (_e1246[2][0] - _e1246[1][0]);
+                                                        let _e1423 = (_e1246[2][1] - _e1246[1][1]);
+                                                        let _e1424 = (_e1246[2][2] - _e1246[1][2]);
+                                                        let _e1425 = vec3<f32>(_e1422, _e1423, _e1424);
+                                                        let _e1426 = (_e1246[0][0] - _e1246[2][0]);
+                                                        let _e1427 = (_e1246[0][1] - _e1246[2][1]);
+                                                        let _e1428 = (_e1246[0][2] - _e1246[2][2]);
+                                                        let _e1429 = vec3<f32>(_e1426, _e1427, _e1428);
+                                                        let _e1432 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
+                                                        let _e1435 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
+                                                        let _e1437 = select(_e1435, _e1432, (_e1432 > _e1435));
+                                                        let _e1440 = bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u));
+                                                        let _e1442 = select(_e1440, _e1437, (_e1437 > _e1440));
+                                                        let _e1445 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
+                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
+                                                        let _e1450 = select(_e1448, _e1445, (_e1445 > _e1448));
+                                                        let _e1453 = bitcast<f32>((bitcast<u32>(_e1424) & 2147483647u));
+                                                        let _e1455 = select(_e1453, _e1450, (_e1450 > _e1453));
+                                                        let _e1458 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
+                                                        let _e1461 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                        let _e1463 = select(_e1461, _e1458, (_e1458 > _e1461));
+                                                        let _e1466 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
+                                                        let _e1468 = select(_e1466, _e1463, (_e1463 > _e1466));
+                                                        let _e1470 = select(_e1455, _e1442, (_e1442 > _e1455));
+                                                        let _e1472 = select(_e1468, _e1470, (_e1470 > _e1468));
+                                                        if (_e1442 == _e1472) {
+                                                            phi_1905_ = _e1278;
+                                                            phi_1906_ = _e1275;
+                                                            phi_1907_ = _e1269;
+                                                            phi_1908_ = _e1266;
+                                                            phi_1909_ = vec3<f32>(_e1246[0][0], _e1246[0][1], _e1246[0][2]);
+                                                            phi_1910_ = _e1429;
+                                                            phi_1911_ = _e1425;
+                                                            phi_1912_ = _e1421;
                                                         } else {
-                                                            phi_3494_ = (_e986 >= _e985);
+                                                            let _e1474 = (_e1455 == _e1472);
+                                                            let _e1479 = vec3(_e1474);
+                                                            phi_1905_ = select(_e1269, _e1287, _e1474);
+                                                            phi_1906_ = select(_e1266, _e1284, _e1474);
+                                                            phi_1907_ = select(_e1287, _e1278, _e1474);
+                                                            phi_1908_ = select(_e1284, _e1275, _e1474);
+                                                            phi_1909_ = select(vec3<f32>(_e1246[2][0], _e1246[2][1], _e1246[2][2]), vec3<f32>(_e1246[1][0], _e1246[1][1], _e1246[1][2]), _e1479);
+                                                            phi_1910_ = select(_e1425, _e1421, _e1479);
+                                                            phi_1911_ = select(_e1421, _e1429, _e1479);
+                                                            phi_1912_ = select(_e1429, _e1425, _e1479);
                                                         }
-                                                        let _e990 = phi_3494_;
-                                                        let _e991 = select(_e985, _e986, _e990);
-                                                        let _e992 = abs(_e975);
-                                                        if (_e991 != _e991) {
-                                                            phi_3509_ = true;
+                                                        let _e1485 = phi_1905_;
+                                                        let _e1487 = phi_1906_;
+                                                        let _e1489 = phi_1907_;
+                                                        let _e1491 = phi_1908_;
+                                                        let _e1493 = phi_1909_;
+                                                        let _e1495 = phi_1910_;
+                                                        let _e1497 = phi_1911_;
+                                                        let _e1499 = phi_1912_;
+                                                        let _e1506 = ((_e1497.y * _e1495.z) - (_e1495.y * _e1497.z));
+                                                        let _e1511 = ((_e1497.z * _e1495.x) - (_e1495.z * _e1497.x));
+                                                        let _e1514 = ((_e1497.x * _e1495.y) - (_e1495.x * _e1497.y));
+                                                        let _e1517 = ((_e1310 >= _e1314) && (_e1310 >= _e1318));
+                                                        let _e1518 = (_e1314 >= _e1318);
+                                                        let _e1532 = (((_e1506 * (select(select(_e1246[2][0], _e1246[1][0], _e1518), _e1246[0][0], _e1517) - _e323)) + (_e1511 * (select(select(_e1246[2][1], _e1246[1][1], _e1518), _e1246[0][1], _e1517) - _e390))) + (_e1514 * (select(select(_e1246[2][2], _e1246[1][2], _e1518), _e1246[0][2], _e1517) - _e456)));
+                                                        let _e1537 = (((_e1506 * _e360) + (_e1511 * _e426)) + (_e1514 * _e492));
+                                                        let _e1538 = (_e1487 - _e1491);
+                                                        let _e1539 = (_e1485 - _e1489);
+                                                        let _e1542 = ((_e1538 * _e1538) + (_e1539 * _e1539));
+                                                        let _e1549 = (-(((_e1491 * _e1538) + (_e1489 * _e1539))) / select(0.000000000000000000000000000000000000011754944f, _e1542, (_e1542 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1551 = select(1f, _e1549, (_e1549 < 1f));
+                                                        let _e1553 = select(0f, _e1551, (_e1551 > 0f));
+                                                        let _e1562 = ((_e1493.x + (_e1499.x * _e1553)) - _e323);
+                                                        let _e1565 = ((_e1493.y + (_e1499.y * _e1553)) - _e390);
+                                                        let _e1568 = ((_e1493.z + (_e1499.z * _e1553)) - _e456);
+                                                        let _e1571 = bitcast<f32>((bitcast<u32>(_e1562) & 2147483647u));
+                                                        let _e1574 = bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u));
+                                                        let _e1576 = select(_e1574, _e1571, (_e1571 > _e1574));
+                                                        let _e1579 = bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u));
+                                                        let _e1581 = select(_e1579, _e1576, (_e1576 > _e1579));
+                                                        let _e1587 = bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u));
+                                                        let _e1590 = bitcast<f32>((bitcast<u32>(_e1511) & 2147483647u));
+                                                        let _e1592 = select(_e1590, _e1587, (_e1587 > _e1590));
+                                                        let _e1595 = bitcast<f32>((bitcast<u32>(_e1514) & 2147483647u));
+                                                        let _e1614 = bitcast<f32>((bitcast<u32>(_e1497.x) & 2147483647u));
+                                                        let _e1617 = bitcast<f32>((bitcast<u32>(_e1497.y) & 2147483647u));
+                                                        let _e1619 = select(_e1617, _e1614, (_e1614 > _e1617));
+                                                        let _e1622 = bitcast<f32>((bitcast<u32>(_e1497.z) & 2147483647u));
+                                                        let _e1628 = bitcast<f32>((bitcast<u32>(_e1495.x) & 2147483647u));
+                                                        let _e1631 = bitcast<f32>((bitcast<u32>(_e1495.y) & 2147483647u));
+                                                        let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
+                                                        let _e1636 = bitcast<f32>((bitcast<u32>(_e1495.z) & 2147483647u));
+                                                        let _e1642 = ((bitcast<f32>((bitcast<u32>(((((_e1506 * _e1562) + (_e1511 * _e1565)) + (_e1514 * _e1568)) - _e1532)) & 2147483647u)) <= ((0.0000009536743f * select(_e1472, _e1581, (_e1581 > _e1472))) * select(_e1595, _e1592, (_e1592 > _e1595)))) && !((bitcast<f32>((bitcast<u32>(_e1537) & 2147483647u)) <= ((0.0000038146973f * select(_e1622, _e1619, (_e1619 > _e1622))) * select(_e1636, _e1633, (_e1633 > _e1636))))));
+                                                        let _e1643 = (_e1532 / _e1537);
+                                                        if (_e1413 && !(_e1642)) {
+                                                            let _e1646 = (_e1568 / _e492);
+                                                            let _e1654 = (((_e1506 * (_e1562 - (_e360 * _e1646))) + (_e1511 * (_e1565 - (_e426 * _e1646)))) / _e1537);
+                                                            phi_2103_ = select(select(_e1646, (_e1646 + _e1654), (bitcast<f32>((bitcast<u32>(_e1654) & 2147483647u)) <= _e1472)), _e1643, _e1642);
                                                         } else {
-                                                            phi_3509_ = (_e992 >= _e991);
+                                                            phi_2103_ = _e1643;
                                                         }
-                                                        let _e996 = phi_3509_;
-                                                        let _e997 = select(_e991, _e992, _e996);
-                                                        let _e998 = abs(_e977);
-                                                        let _e999 = abs(_e978);
-                                                        if (_e998 != _e998) {
-                                                            phi_3524_ = true;
-                                                        } else {
-                                                            phi_3524_ = (_e999 >= _e998);
-                                                        }
-                                                        let _e1003 = phi_3524_;
-                                                        let _e1004 = select(_e998, _e999, _e1003);
-                                                        let _e1005 = abs(_e979);
-                                                        if (_e1004 != _e1004) {
-                                                            phi_3539_ = true;
-                                                        } else {
-                                                            phi_3539_ = (_e1005 >= _e1004);
-                                                        }
-                                                        let _e1009 = phi_3539_;
-                                                        let _e1010 = select(_e1004, _e1005, _e1009);
-                                                        let _e1011 = abs(_e981);
-                                                        let _e1012 = abs(_e982);
-                                                        if (_e1011 != _e1011) {
-                                                            phi_3554_ = true;
-                                                        } else {
-                                                            phi_3554_ = (_e1012 >= _e1011);
-                                                        }
-                                                        let _e1016 = phi_3554_;
-                                                        let _e1017 = select(_e1011, _e1012, _e1016);
-                                                        let _e1018 = abs(_e983);
-                                                        if (_e1017 != _e1017) {
-                                                            phi_3569_ = true;
-                                                        } else {
-                                                            phi_3569_ = (_e1018 >= _e1017);
-                                                        }
-                                                        let _e1022 = phi_3569_;
-                                                        let _e1023 = select(_e1017, _e1018, _e1022);
-                                                        let _e1025 = select(_e1010, _e997, (_e997 > _e1010));
-                                                        let _e1027 = select(_e1023, _e1025, (_e1025 > _e1023));
-                                                        if (_e997 == _e1027) {
-                                                            phi_1910_ = _e833;
-                                                            phi_1911_ = _e830;
-                                                            phi_1912_ = _e824;
-                                                            phi_1913_ = _e821;
-                                                            phi_1914_ = vec3<f32>(_e801[0][0], _e801[0][1], _e801[0][2]);
-                                                            phi_1915_ = _e984;
-                                                            phi_1916_ = _e980;
-                                                            phi_1917_ = _e976;
-                                                        } else {
-                                                            let _e1029 = (_e1010 == _e1027);
-                                                            let _e1034 = vec3(_e1029);
-                                                            phi_1910_ = select(_e824, _e842, _e1029);
-                                                            phi_1911_ = select(_e821, _e839, _e1029);
-                                                            phi_1912_ = select(_e842, _e833, _e1029);
-                                                            phi_1913_ = select(_e839, _e830, _e1029);
-                                                            phi_1914_ = select(vec3<f32>(_e801[2][0], _e801[2][1], _e801[2][2]), vec3<f32>(_e801[1][0], _e801[1][1], _e801[1][2]), _e1034);
-                                                            phi_1915_ = select(_e980, _e976, _e1034);
-                                                            phi_1916_ = select(_e976, _e984, _e1034);
-                                                            phi_1917_ = select(_e984, _e980, _e1034);
-                                                        }
-                                                        let _e1040 = phi_1910_;
-                                                        let _e1042 = phi_1911_;
-                                                        let _e1044 = phi_1912_;
-                                                        let _e1046 = phi_1913_;
-                                                        let _e1048 = phi_1914_;
-                                                        let _e1050 = phi_1915_;
-                                                        let _e1052 = phi_1916_;
-                                                        let _e1054 = phi_1917_;
-                                                        let _e1061 = ((_e1052.y * _e1050.z) - (_e1050.y * _e1052.z));
-                                                        let _e1066 = ((_e1052.z * _e1050.x) - (_e1050.z * _e1052.x));
-                                                        let _e1069 = ((_e1052.x * _e1050.y) - (_e1050.x * _e1052.y));
-                                                        let _e1072 = ((_e865 >= _e869) && (_e865 >= _e873));
-                                                        let _e1073 = (_e869 >= _e873);
-                                                        let _e1087 = (((_e1061 * (select(select(_e801[2][0], _e801[1][0], _e1073), _e801[0][0], _e1072) - _e323)) + (_e1066 * (select(select(_e801[2][1], _e801[1][1], _e1073), _e801[0][1], _e1072) - _e390))) + (_e1069 * (select(select(_e801[2][2], _e801[1][2], _e1073), _e801[0][2], _e1072) - _e456)));
-                                                        let _e1092 = (((_e1061 * _e360) + (_e1066 * _e426)) + (_e1069 * _e492));
-                                                        let _e1093 = (_e1042 - _e1046);
-                                                        let _e1094 = (_e1040 - _e1044);
-                                                        let _e1097 = ((_e1093 * _e1093) + (_e1094 * _e1094));
-                                                        let _e1104 = (-(((_e1046 * _e1093) + (_e1044 * _e1094))) / select(0.000000000000000000000000000000000000011754944f, _e1097, (_e1097 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1106 = select(1f, _e1104, (_e1104 < 1f));
-                                                        let _e1108 = select(0f, _e1106, (_e1106 > 0f));
-                                                        let _e1117 = ((_e1048.x + (_e1054.x * _e1108)) - _e323);
-                                                        let _e1120 = ((_e1048.y + (_e1054.y * _e1108)) - _e390);
-                                                        let _e1123 = ((_e1048.z + (_e1054.z * _e1108)) - _e456);
-                                                        let _e1126 = bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u));
-                                                        let _e1129 = bitcast<f32>((bitcast<u32>(_e1120) & 2147483647u));
-                                                        let _e1131 = select(_e1129, _e1126, (_e1126 > _e1129));
-                                                        let _e1134 = bitcast<f32>((bitcast<u32>(_e1123) & 2147483647u));
-                                                        let _e1136 = select(_e1134, _e1131, (_e1131 > _e1134));
-                                                        let _e1140 = abs(_e1061);
-                                                        let _e1141 = abs(_e1066);
-                                                        if (_e1140 != _e1140) {
-                                                            phi_3584_ = true;
-                                                        } else {
-                                                            phi_3584_ = (_e1141 >= _e1140);
-                                                        }
-                                                        let _e1145 = phi_3584_;
-                                                        let _e1146 = select(_e1140, _e1141, _e1145);
-                                                        let _e1147 = abs(_e1069);
-                                                        if (_e1146 != _e1146) {
-                                                            phi_3599_ = true;
-                                                        } else {
-                                                            phi_3599_ = (_e1147 >= _e1146);
-                                                        }
-                                                        let _e1151 = phi_3599_;
-                                                        let _e1167 = abs(_e1052.x);
-                                                        let _e1168 = abs(_e1052.y);
-                                                        if (_e1167 != _e1167) {
-                                                            phi_3614_ = true;
-                                                        } else {
-                                                            phi_3614_ = (_e1168 >= _e1167);
-                                                        }
-                                                        let _e1172 = phi_3614_;
-                                                        let _e1173 = select(_e1167, _e1168, _e1172);
-                                                        let _e1174 = abs(_e1052.z);
-                                                        if (_e1173 != _e1173) {
-                                                            phi_3629_ = true;
-                                                        } else {
-                                                            phi_3629_ = (_e1174 >= _e1173);
-                                                        }
-                                                        let _e1178 = phi_3629_;
-                                                        let _e1181 = abs(_e1050.x);
-                                                        let _e1182 = abs(_e1050.y);
-                                                        if (_e1181 != _e1181) {
-                                                            phi_3644_ = true;
-                                                        } else {
-                                                            phi_3644_ = (_e1182 >= _e1181);
-                                                        }
-                                                        let _e1186 = phi_3644_;
-                                                        let _e1187 = select(_e1181, _e1182, _e1186);
-                                                        let _e1188 = abs(_e1050.z);
-                                                        if (_e1187 != _e1187) {
-                                                            phi_3659_ = true;
-                                                        } else {
-                                                            phi_3659_ = (_e1188 >= _e1187);
-                                                        }
-                                                        let _e1192 = phi_3659_;
-                                                        let _e1197 = ((bitcast<f32>((bitcast<u32>(((((_e1061 * _e1117) + (_e1066 * _e1120)) + (_e1069 * _e1123)) - _e1087)) & 2147483647u)) <= ((0.0000009536743f * select(_e1027, _e1136, (_e1136 > _e1027))) * select(_e1146, _e1147, _e1151))) && !((bitcast<f32>((bitcast<u32>(_e1092) & 2147483647u)) <= ((0.0000038146973f * select(_e1173, _e1174, _e1178)) * select(_e1187, _e1188, _e1192)))));
-                                                        let _e1198 = (_e1087 / _e1092);
-                                                        if (_e968 && !(_e1197)) {
-                                                            let _e1201 = (_e1123 / _e492);
-                                                            let _e1209 = (((_e1061 * (_e1117 - (_e360 * _e1201))) + (_e1066 * (_e1120 - (_e426 * _e1201)))) / _e1092);
-                                                            phi_2125_ = select(select(_e1201, (_e1201 + _e1209), (bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u)) <= _e1027)), _e1198, _e1197);
-                                                        } else {
-                                                            phi_2125_ = _e1198;
-                                                        }
-                                                        let _e1218 = phi_2125_;
-                                                        let _e1220 = select(_e931, _e1218, (_e1218 < _e931));
-                                                        let _e1222 = select(_e923, _e1220, (_e1220 > _e923));
-                                                        let _e1223 = (1f / _e875);
-                                                        phi_2145_ = type_41(_e1222, (_e869 * _e1223), (_e873 * _e1223), ((_e968 && (_e1222 >= _e599)) && (_e1222 <= _e699.member.member_1)));
-                                                        phi_2146_ = type_41();
+                                                        let _e1663 = phi_2103_;
+                                                        let _e1665 = select(_e1376, _e1663, (_e1663 < _e1376));
+                                                        let _e1667 = select(_e1368, _e1665, (_e1665 > _e1368));
+                                                        let _e1668 = (1f / _e1320);
+                                                        phi_2123_ = type_41(_e1667, (_e1314 * _e1668), (_e1318 * _e1668), ((_e1413 && (_e1667 >= _e599)) && (_e1667 <= _e1144.member.member_1)));
+                                                        phi_2124_ = type_41();
                                                     } else {
-                                                        phi_2145_ = type_41();
-                                                        phi_2146_ = type_41(0f, 0f, 0f, _e968);
+                                                        phi_2123_ = type_41();
+                                                        phi_2124_ = type_41(0f, 0f, 0f, _e1413);
                                                     }
-                                                    let _e1232 = phi_2145_;
-                                                    let _e1234 = phi_2146_;
-                                                    phi_2149_ = _e1232;
-                                                    phi_2150_ = _e1234;
-                                                    phi_2151_ = select(true, false, _e968);
+                                                    let _e1677 = phi_2123_;
+                                                    let _e1679 = phi_2124_;
+                                                    phi_2127_ = _e1677;
+                                                    phi_2128_ = _e1679;
+                                                    phi_2129_ = select(true, false, _e1413);
                                                 } else {
-                                                    phi_2149_ = type_41();
-                                                    phi_2150_ = type_41(0f, 0f, 0f, _e859);
-                                                    phi_2151_ = true;
+                                                    phi_2127_ = type_41();
+                                                    phi_2128_ = type_41(0f, 0f, 0f, _e1304);
+                                                    phi_2129_ = true;
                                                 }
-                                                let _e1237 = phi_2149_;
-                                                let _e1239 = phi_2150_;
-                                                let _e1241 = phi_2151_;
-                                                if _e1241 {
-                                                    phi_2155_ = _e1239;
+                                                let _e1682 = phi_2127_;
+                                                let _e1684 = phi_2128_;
+                                                let _e1686 = phi_2129_;
+                                                if _e1686 {
+                                                    phi_2133_ = _e1684;
                                                 } else {
-                                                    phi_2155_ = _e1237;
+                                                    phi_2133_ = _e1682;
                                                 }
-                                                let _e1243 = phi_2155_;
-                                                if _e1243.member_3 {
-                                                    phi_2164_ = type_29(_e1243.member, _e1243.member_1, _e1243.member_2, _e734);
+                                                let _e1688 = phi_2133_;
+                                                if _e1688.member_3 {
+                                                    phi_2142_ = type_29(_e1688.member, _e1688.member_1, _e1688.member_2, _e1179);
                                                 } else {
-                                                    phi_2164_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2142_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1250 = phi_2164_;
-                                                if (_e1250.member_3 != 4294967295u) {
-                                                    if (_e734 != 4294967295u) {
-                                                        if (_e1250.member < _e699.member.member.member) {
-                                                            phi_2190_ = true;
+                                                let _e1695 = phi_2142_;
+                                                if (_e1695.member_3 != 4294967295u) {
+                                                    if (_e1179 != 4294967295u) {
+                                                        if (_e1695.member < _e1144.member.member.member) {
+                                                            phi_2168_ = true;
                                                         } else {
-                                                            if (_e1250.member == _e699.member.member.member) {
-                                                                phi_2189_ = (_e1250.member_3 < _e699.member.member.member_3);
+                                                            if (_e1695.member == _e1144.member.member.member) {
+                                                                phi_2167_ = (_e1695.member_3 < _e1144.member.member.member_3);
                                                             } else {
-                                                                phi_2189_ = false;
+                                                                phi_2167_ = false;
                                                             }
-                                                            let _e1265 = phi_2189_;
-                                                            phi_2190_ = _e1265;
+                                                            let _e1710 = phi_2167_;
+                                                            phi_2168_ = _e1710;
                                                         }
-                                                        let _e1267 = phi_2190_;
-                                                        if _e1267 {
-                                                            phi_2197_ = type_45(type_38(_e1250, _e1250.member), _e726.member_1, _e726.member_2);
+                                                        let _e1712 = phi_2168_;
+                                                        if _e1712 {
+                                                            phi_2175_ = type_45(type_38(_e1695, _e1695.member), _e1171.member_1, _e1171.member_2);
                                                         } else {
-                                                            phi_2197_ = _e726;
+                                                            phi_2175_ = _e1171;
                                                         }
-                                                        let _e1274 = phi_2197_;
-                                                        phi_2198_ = _e1274;
+                                                        let _e1719 = phi_2175_;
+                                                        phi_2176_ = _e1719;
                                                     } else {
-                                                        phi_2198_ = _e726;
+                                                        phi_2176_ = _e1171;
                                                     }
-                                                    let _e1276 = phi_2198_;
-                                                    phi_2199_ = _e1276;
+                                                    let _e1721 = phi_2176_;
+                                                    phi_2177_ = _e1721;
                                                 } else {
-                                                    phi_2199_ = _e726;
+                                                    phi_2177_ = _e1171;
                                                 }
-                                                let _e1278 = phi_2199_;
-                                                phi_1227_ = _e1278;
+                                                let _e1723 = phi_2177_;
+                                                phi_1234_ = _e1723;
                                             } else {
-                                                phi_1227_ = type_45();
+                                                phi_1234_ = type_45();
                                             }
-                                            let _e1280 = phi_1227_;
+                                            let _e1725 = phi_1234_;
                                             continue;
                                             continuing {
-                                                phi_1226_ = _e1280;
-                                                phi_1229_ = _e714;
-                                                phi_3853_ = _e642;
-                                                break if !(_e720);
+                                                phi_1233_ = _e1725;
+                                                phi_1236_ = _e1159;
+                                                phi_3779_ = _e642;
+                                                break if !(_e1165);
                                             }
                                         }
-                                        let _e1283 = phi_3853_;
-                                        phi_4018_ = _e1283;
-                                        if _e1283 {
+                                        let _e1728 = phi_3779_;
+                                        phi_3932_ = _e1728;
+                                        if _e1728 {
                                             break;
                                         }
-                                        phi_4104_ = _e1283;
-                                        let _e1883 = local_12;
-                                        phi_2200_ = _e1883;
+                                        let _e1730 = local_10;
+                                        phi_3936_ = _e1728;
+                                        let _e1888 = local_13;
+                                        phi_3407_ = _e1888;
+                                        phi_3408_ = false;
+                                        phi_3409_ = _e686;
+                                        phi_3410_ = select(_e688, 0u, (_e599 > _e1730.member.member_1));
                                     } else {
-                                        phi_4104_ = _e642;
-                                        phi_2200_ = _e644;
-                                    }
-                                    let _e1285 = phi_4104_;
-                                    let _e1287 = phi_2200_;
-                                    if _e692 {
-                                        phi_3434_ = type_45();
-                                        phi_3435_ = bool();
-                                        phi_3436_ = u32();
-                                        phi_3437_ = type_52();
-                                    } else {
-                                        if (_e688.member_1 >= _e89) {
-                                            phi_2966_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e686.member_1 >= _e89) {
+                                            phi_2943_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e688.member_1 < _e89) {
+                                            if (_e686.member_1 < _e89) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1291 = ((1u + _e259) % 4u);
-                                            if (_e1291 < 4u) {
+                                            let _e700 = ((1u + _e259) % 4u);
+                                            if (_e700 < 4u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1296 = global_4.member[_e688.member_1][_e1291];
-                                            let _e1298 = (_e1296 >> bitcast<u32>(11u));
-                                            let _e1300 = ((1u + _e258) % 4u);
-                                            if (_e1300 < 4u) {
+                                            let _e705 = global_4.member[_e686.member_1][_e700];
+                                            let _e707 = (_e705 >> bitcast<u32>(11u));
+                                            let _e709 = ((1u + _e258) % 4u);
+                                            if (_e709 < 4u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1305 = global_4.member[_e688.member_1][_e1300];
-                                            let _e1307 = (_e1305 >> bitcast<u32>(11u));
-                                            let _e1309 = ((1u + _e260) % 4u);
-                                            if (_e1309 < 4u) {
+                                            let _e714 = global_4.member[_e686.member_1][_e709];
+                                            let _e716 = (_e714 >> bitcast<u32>(11u));
+                                            let _e718 = ((1u + _e260) % 4u);
+                                            if (_e718 < 4u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1314 = global_4.member[_e688.member_1][_e1309];
-                                            let _e1316 = (_e1314 >> bitcast<u32>(11u));
-                                            let _e1339 = (bitcast<f32>((bitcast<u32>((_e688.member.member_1.x - _e688.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e1340 = (bitcast<f32>((bitcast<u32>((_e688.member.member_1.y - _e688.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e1341 = (bitcast<f32>((bitcast<u32>((_e688.member.member_1.z - _e688.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e1343 = select(_e139, _e1339, (_e1339 > _e139));
-                                            let _e1345 = select(_e139, _e1340, (_e1340 > _e139));
-                                            let _e1347 = select(_e139, _e1341, (_e1341 > _e139));
-                                            let _e1378 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1296 & 1023u))) - 8388608f) * _e1343));
-                                            let _e1383 = (bitcast<i32>((_e1296 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1386 = bitcast<f32>((_e1378 & bitcast<u32>(_e1383)));
-                                            let _e1387 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1305 & 1023u))) - 8388608f) * _e1345));
-                                            let _e1392 = (bitcast<i32>((_e1305 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1395 = bitcast<f32>((_e1387 & bitcast<u32>(_e1392)));
-                                            let _e1396 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1314 & 1023u))) - 8388608f) * _e1347));
-                                            let _e1401 = (bitcast<i32>((_e1314 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1404 = bitcast<f32>((_e1396 & bitcast<u32>(_e1401)));
-                                            let _e1408 = bitcast<f32>((_e1378 & bitcast<u32>(~(_e1383))));
-                                            let _e1412 = bitcast<f32>((_e1387 & bitcast<u32>(~(_e1392))));
-                                            let _e1416 = bitcast<f32>((_e1396 & bitcast<u32>(~(_e1401))));
-                                            let _e1417 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1298 & 1023u))) - 8388608f) * _e1343));
-                                            let _e1422 = (bitcast<i32>((_e1298 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1425 = bitcast<f32>((_e1417 & bitcast<u32>(_e1422)));
-                                            let _e1426 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1307 & 1023u))) - 8388608f) * _e1345));
-                                            let _e1431 = (bitcast<i32>((_e1307 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1434 = bitcast<f32>((_e1426 & bitcast<u32>(_e1431)));
-                                            let _e1435 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1316 & 1023u))) - 8388608f) * _e1347));
-                                            let _e1440 = (bitcast<i32>((_e1316 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1443 = bitcast<f32>((_e1435 & bitcast<u32>(_e1440)));
-                                            let _e1447 = bitcast<f32>((_e1417 & bitcast<u32>(~(_e1422))));
-                                            let _e1451 = bitcast<f32>((_e1426 & bitcast<u32>(~(_e1431))));
-                                            let _e1455 = bitcast<f32>((_e1435 & bitcast<u32>(~(_e1440))));
-                                            let _e1485 = global_4.member[_e688.member_1][0u];
-                                            let _e1489 = global_4.member[_e688.member_1][1u];
-                                            let _e1493 = global_4.member[_e688.member_1][2u];
-                                            let _e1497 = global_4.member[_e688.member_1][3u];
-                                            let _e1509 = (((_e1489 >> bitcast<u32>(22i)) | ((_e1493 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1497 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1510 = (_e1485 & 268435455u);
-                                            let _e1511 = (_e1509 & 268435455u);
-                                            let _e1514 = ((_e1485 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1522 = ((_e1485 >> bitcast<u32>(31i)) | (((_e1509 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1523 = (_e1514 != 0u);
-                                            if (_e1514 == 0u) {
-                                                phi_2928_ = _e1510;
+                                            let _e723 = global_4.member[_e686.member_1][_e718];
+                                            let _e725 = (_e723 >> bitcast<u32>(11u));
+                                            let _e748 = (bitcast<f32>((bitcast<u32>((_e686.member.member_1.x - _e686.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e749 = (bitcast<f32>((bitcast<u32>((_e686.member.member_1.y - _e686.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e750 = (bitcast<f32>((bitcast<u32>((_e686.member.member_1.z - _e686.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e752 = select(_e139, _e748, (_e748 > _e139));
+                                            let _e754 = select(_e139, _e749, (_e749 > _e139));
+                                            let _e756 = select(_e139, _e750, (_e750 > _e139));
+                                            let _e787 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e705 & 1023u))) - 8388608f) * _e752));
+                                            let _e792 = (bitcast<i32>((_e705 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e795 = bitcast<f32>((_e787 & bitcast<u32>(_e792)));
+                                            let _e796 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e714 & 1023u))) - 8388608f) * _e754));
+                                            let _e801 = (bitcast<i32>((_e714 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e804 = bitcast<f32>((_e796 & bitcast<u32>(_e801)));
+                                            let _e805 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 1023u))) - 8388608f) * _e756));
+                                            let _e810 = (bitcast<i32>((_e723 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e813 = bitcast<f32>((_e805 & bitcast<u32>(_e810)));
+                                            let _e817 = bitcast<f32>((_e787 & bitcast<u32>(~(_e792))));
+                                            let _e821 = bitcast<f32>((_e796 & bitcast<u32>(~(_e801))));
+                                            let _e825 = bitcast<f32>((_e805 & bitcast<u32>(~(_e810))));
+                                            let _e826 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e707 & 1023u))) - 8388608f) * _e752));
+                                            let _e831 = (bitcast<i32>((_e707 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e834 = bitcast<f32>((_e826 & bitcast<u32>(_e831)));
+                                            let _e835 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e716 & 1023u))) - 8388608f) * _e754));
+                                            let _e840 = (bitcast<i32>((_e716 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e843 = bitcast<f32>((_e835 & bitcast<u32>(_e840)));
+                                            let _e844 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 1023u))) - 8388608f) * _e756));
+                                            let _e849 = (bitcast<i32>((_e725 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e852 = bitcast<f32>((_e844 & bitcast<u32>(_e849)));
+                                            let _e856 = bitcast<f32>((_e826 & bitcast<u32>(~(_e831))));
+                                            let _e860 = bitcast<f32>((_e835 & bitcast<u32>(~(_e840))));
+                                            let _e864 = bitcast<f32>((_e844 & bitcast<u32>(~(_e849))));
+                                            let _e894 = global_4.member[_e686.member_1][0u];
+                                            let _e898 = global_4.member[_e686.member_1][1u];
+                                            let _e902 = global_4.member[_e686.member_1][2u];
+                                            let _e906 = global_4.member[_e686.member_1][3u];
+                                            let _e918 = (((_e898 >> bitcast<u32>(22i)) | ((_e902 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e906 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e919 = (_e894 & 268435455u);
+                                            let _e920 = (_e918 & 268435455u);
+                                            let _e923 = ((_e894 >> bitcast<u32>(28u)) & 7u);
+                                            let _e931 = ((_e894 >> bitcast<u32>(31i)) | (((_e918 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e932 = (_e923 != 0u);
+                                            if (_e923 == 0u) {
+                                                phi_2905_ = _e919;
                                             } else {
-                                                if (_e1514 == 7u) {
-                                                    phi_2927_ = 2147483648u;
+                                                if (_e923 == 7u) {
+                                                    phi_2904_ = 2147483648u;
                                                 } else {
-                                                    phi_2927_ = ((2147483648u | (_e1514 << bitcast<u32>(28u))) | (_e1511 & 268435455u));
+                                                    phi_2904_ = ((2147483648u | (_e923 << bitcast<u32>(28u))) | (_e920 & 268435455u));
                                                 }
-                                                let _e1532 = phi_2927_;
-                                                phi_2928_ = _e1532;
+                                                let _e941 = phi_2904_;
+                                                phi_2905_ = _e941;
                                             }
-                                            let _e1534 = phi_2928_;
-                                            if _e1523 {
-                                                let _e1535 = (_e1514 != 7u);
-                                                if _e1535 {
-                                                    phi_2938_ = (_e1511 + _e1514);
+                                            let _e943 = phi_2905_;
+                                            if _e932 {
+                                                let _e944 = (_e923 != 7u);
+                                                if _e944 {
+                                                    phi_2915_ = (_e920 + _e923);
                                                 } else {
-                                                    phi_2938_ = u32();
+                                                    phi_2915_ = u32();
                                                 }
-                                                let _e1538 = phi_2938_;
-                                                phi_2940_ = _e1538;
-                                                phi_2941_ = select(true, false, _e1535);
+                                                let _e947 = phi_2915_;
+                                                phi_2917_ = _e947;
+                                                phi_2918_ = select(true, false, _e944);
                                             } else {
-                                                phi_2940_ = u32();
-                                                phi_2941_ = true;
+                                                phi_2917_ = u32();
+                                                phi_2918_ = true;
                                             }
-                                            let _e1541 = phi_2940_;
-                                            let _e1543 = phi_2941_;
-                                            if (_e1522 == 0u) {
-                                                phi_2962_ = (_e1510 + select(0u, 1u, !(_e1523)));
+                                            let _e950 = phi_2917_;
+                                            let _e952 = phi_2918_;
+                                            if (_e931 == 0u) {
+                                                phi_2939_ = (_e919 + select(0u, 1u, !(_e932)));
                                             } else {
-                                                if (_e1522 == 7u) {
-                                                    phi_2961_ = 2147483648u;
+                                                if (_e931 == 7u) {
+                                                    phi_2938_ = 2147483648u;
                                                 } else {
-                                                    phi_2961_ = ((2147483648u | (_e1522 << bitcast<u32>(28u))) | (select(_e1541, _e1511, _e1543) & 268435455u));
+                                                    phi_2938_ = ((2147483648u | (_e931 << bitcast<u32>(28u))) | (select(_e950, _e920, _e952) & 268435455u));
                                                 }
-                                                let _e1556 = phi_2961_;
-                                                phi_2962_ = _e1556;
+                                                let _e965 = phi_2938_;
+                                                phi_2939_ = _e965;
                                             }
-                                            let _e1558 = phi_2962_;
-                                            phi_2966_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e688.member.member.x + _e1386), (_e688.member.member.x + _e1408), (_e688.member.member_1.x - _e1425), (_e688.member.member_1.x - _e1447)), vec4<f32>((_e688.member.member.y + _e1395), (_e688.member.member.y + _e1412), (_e688.member.member_1.y - _e1434), (_e688.member.member_1.y - _e1451)), vec4<f32>((_e688.member.member.z + _e1404), (_e688.member.member.z + _e1416), (_e688.member.member_1.z - _e1443), (_e688.member.member_1.z - _e1455))), type_52(type_33((_e688.member.member + vec4<f32>(_e1386, _e1395, _e1404, 0f)), (_e688.member.member_1 - vec4<f32>(_e1425, _e1434, _e1443, 0f))), _e1534), type_52(type_33((_e688.member.member + vec4<f32>(_e1408, _e1412, _e1416, 0f)), (_e688.member.member_1 - vec4<f32>(_e1447, _e1451, _e1455, 0f))), _e1558));
+                                            let _e967 = phi_2939_;
+                                            phi_2943_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e686.member.member.x + _e795), (_e686.member.member.x + _e817), (_e686.member.member_1.x - _e834), (_e686.member.member_1.x - _e856)), vec4<f32>((_e686.member.member.y + _e804), (_e686.member.member.y + _e821), (_e686.member.member_1.y - _e843), (_e686.member.member_1.y - _e860)), vec4<f32>((_e686.member.member.z + _e813), (_e686.member.member.z + _e825), (_e686.member.member_1.z - _e852), (_e686.member.member_1.z - _e864))), type_52(type_33((_e686.member.member + vec4<f32>(_e795, _e804, _e813, 0f)), (_e686.member.member_1 - vec4<f32>(_e834, _e843, _e852, 0f))), _e943), type_52(type_33((_e686.member.member + vec4<f32>(_e817, _e821, _e825, 0f)), (_e686.member.member_1 - vec4<f32>(_e856, _e860, _e864, 0f))), _e967));
                                         }
-                                        let _e1563 = phi_2966_;
-                                        let _e1582 = ((_e1563.member[0].x - _e361) * _e364);
-                                        let _e1583 = ((_e1563.member[0].y - _e361) * _e364);
-                                        let _e1584 = ((_e1563.member[0].z - _e362) * _e364);
-                                        let _e1585 = ((_e1563.member[0].w - _e362) * _e364);
-                                        let _e1595 = ((_e1563.member[1].x - _e427) * _e430);
-                                        let _e1596 = ((_e1563.member[1].y - _e427) * _e430);
-                                        let _e1597 = ((_e1563.member[1].z - _e428) * _e430);
-                                        let _e1598 = ((_e1563.member[1].w - _e428) * _e430);
-                                        let _e1608 = ((_e1563.member[2].x - _e493) * _e496);
-                                        let _e1609 = ((_e1563.member[2].y - _e493) * _e496);
-                                        let _e1610 = ((_e1563.member[2].z - _e494) * _e496);
-                                        let _e1611 = ((_e1563.member[2].w - _e494) * _e496);
-                                        let _e1613 = select(_e1610, _e1608, (_e1608 < _e1610));
-                                        let _e1615 = select(_e1611, _e1609, (_e1609 < _e1611));
-                                        let _e1617 = select(_e1610, _e1608, (_e1608 > _e1610));
-                                        let _e1619 = select(_e1611, _e1609, (_e1609 > _e1611));
-                                        let _e1621 = select(_e1584, _e1582, (_e1582 < _e1584));
-                                        let _e1623 = select(_e1585, _e1583, (_e1583 < _e1585));
-                                        let _e1625 = select(_e1597, _e1595, (_e1595 < _e1597));
-                                        let _e1627 = select(_e1598, _e1596, (_e1596 < _e1598));
-                                        let _e1629 = select(_e1625, _e1621, (_e1621 > _e1625));
-                                        let _e1631 = select(_e1627, _e1623, (_e1623 > _e1627));
-                                        let _e1633 = select(_e1613, _e1629, (_e1629 > _e1613));
-                                        let _e1635 = select(_e1615, _e1631, (_e1631 > _e1615));
-                                        let _e1637 = select(_e1584, _e1582, (_e1582 > _e1584));
-                                        let _e1639 = select(_e1585, _e1583, (_e1583 > _e1585));
-                                        let _e1641 = select(_e1597, _e1595, (_e1595 > _e1597));
-                                        let _e1643 = select(_e1598, _e1596, (_e1596 > _e1598));
-                                        let _e1645 = select(_e1641, _e1637, (_e1637 < _e1641));
-                                        let _e1647 = select(_e1643, _e1639, (_e1639 < _e1643));
-                                        let _e1652 = -(_e1613);
-                                        let _e1653 = -(_e1615);
-                                        let _e1660 = (select(_e1617, _e1645, (_e1645 < _e1617)) + (select(_e1652, _e1617, (_e1617 > _e1652)) * 0.0000019073523f));
-                                        let _e1661 = (select(_e1619, _e1647, (_e1647 < _e1619)) + (select(_e1653, _e1619, (_e1619 > _e1653)) * 0.0000019073523f));
-                                        let _e1663 = select(_e599, _e1633, (_e1633 > _e599));
-                                        let _e1665 = select(_e599, _e1635, (_e1635 > _e599));
-                                        let _e1670 = (_e1663 <= select(_e1287.member.member_1, _e1660, (_e1660 < _e1287.member.member_1)));
-                                        let _e1671 = (_e1665 <= select(_e1287.member.member_1, _e1661, (_e1661 < _e1287.member.member_1)));
-                                        let _e1672 = (_e1663 <= _e1665);
-                                        if _e1670 {
-                                            if _e1671 {
-                                                if _e1672 {
-                                                    phi_3331_ = _e1563.member_2;
+                                        let _e972 = phi_2943_;
+                                        let _e991 = ((_e972.member[0].x - _e361) * _e364);
+                                        let _e992 = ((_e972.member[0].y - _e361) * _e364);
+                                        let _e993 = ((_e972.member[0].z - _e362) * _e364);
+                                        let _e994 = ((_e972.member[0].w - _e362) * _e364);
+                                        let _e1004 = ((_e972.member[1].x - _e427) * _e430);
+                                        let _e1005 = ((_e972.member[1].y - _e427) * _e430);
+                                        let _e1006 = ((_e972.member[1].z - _e428) * _e430);
+                                        let _e1007 = ((_e972.member[1].w - _e428) * _e430);
+                                        let _e1017 = ((_e972.member[2].x - _e493) * _e496);
+                                        let _e1018 = ((_e972.member[2].y - _e493) * _e496);
+                                        let _e1019 = ((_e972.member[2].z - _e494) * _e496);
+                                        let _e1020 = ((_e972.member[2].w - _e494) * _e496);
+                                        let _e1022 = select(_e1019, _e1017, (_e1017 < _e1019));
+                                        let _e1024 = select(_e1020, _e1018, (_e1018 < _e1020));
+                                        let _e1026 = select(_e1019, _e1017, (_e1017 > _e1019));
+                                        let _e1028 = select(_e1020, _e1018, (_e1018 > _e1020));
+                                        let _e1030 = select(_e993, _e991, (_e991 < _e993));
+                                        let _e1032 = select(_e994, _e992, (_e992 < _e994));
+                                        let _e1034 = select(_e1006, _e1004, (_e1004 < _e1006));
+                                        let _e1036 = select(_e1007, _e1005, (_e1005 < _e1007));
+                                        let _e1038 = select(_e1034, _e1030, (_e1030 > _e1034));
+                                        let _e1040 = select(_e1036, _e1032, (_e1032 > _e1036));
+                                        let _e1042 = select(_e1022, _e1038, (_e1038 > _e1022));
+                                        let _e1044 = select(_e1024, _e1040, (_e1040 > _e1024));
+                                        let _e1046 = select(_e993, _e991, (_e991 > _e993));
+                                        let _e1048 = select(_e994, _e992, (_e992 > _e994));
+                                        let _e1050 = select(_e1006, _e1004, (_e1004 > _e1006));
+                                        let _e1052 = select(_e1007, _e1005, (_e1005 > _e1007));
+                                        let _e1054 = select(_e1050, _e1046, (_e1046 < _e1050));
+                                        let _e1056 = select(_e1052, _e1048, (_e1048 < _e1052));
+                                        let _e1061 = -(_e1022);
+                                        let _e1062 = -(_e1024);
+                                        let _e1069 = (select(_e1026, _e1054, (_e1054 < _e1026)) + (select(_e1061, _e1026, (_e1026 > _e1061)) * 0.0000019073523f));
+                                        let _e1070 = (select(_e1028, _e1056, (_e1056 < _e1028)) + (select(_e1062, _e1028, (_e1028 > _e1062)) * 0.0000019073523f));
+                                        let _e1072 = select(_e599, _e1042, (_e1042 > _e599));
+                                        let _e1074 = select(_e599, _e1044, (_e1044 > _e599));
+                                        let _e1079 = (_e1072 <= select(_e644.member.member_1, _e1069, (_e1069 < _e644.member.member_1)));
+                                        let _e1080 = (_e1074 <= select(_e644.member.member_1, _e1070, (_e1070 < _e644.member.member_1)));
+                                        let _e1081 = (_e1072 <= _e1074);
+                                        if _e1079 {
+                                            if _e1080 {
+                                                if _e1081 {
+                                                    phi_3308_ = _e972.member_2;
                                                 } else {
-                                                    phi_3331_ = _e1563.member_1;
+                                                    phi_3308_ = _e972.member_1;
                                                 }
-                                                let _e1676 = phi_3331_;
-                                                let _e1697 = (_e686 % 128u);
-                                                let _e1698 = (_e1697 < 128u);
-                                                if _e1698 {
+                                                let _e1085 = phi_3308_;
+                                                let _e1106 = (_e688 % 128u);
+                                                let _e1107 = (_e1106 < 128u);
+                                                if _e1107 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1697] = _e1676.member_1;
-                                                if _e1698 {
+                                                local_8[_e1106] = _e1085.member_1;
+                                                if _e1107 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1697] = _e1676.member.member.x;
-                                                if _e1698 {
+                                                local_7[_e1106] = _e1085.member.member.x;
+                                                if _e1107 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1697] = _e1676.member.member.y;
-                                                if _e1698 {
+                                                local_6[_e1106] = _e1085.member.member.y;
+                                                if _e1107 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1697] = _e1676.member.member.z;
-                                                if _e1698 {
+                                                local_5[_e1106] = _e1085.member.member.z;
+                                                if _e1107 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1697] = _e1676.member.member_1.x;
-                                                if _e1698 {
+                                                local_4[_e1106] = _e1085.member.member_1.x;
+                                                if _e1107 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1697] = _e1676.member.member_1.y;
-                                                if _e1698 {
+                                                local_3[_e1106] = _e1085.member.member_1.y;
+                                                if _e1107 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1697] = _e1676.member.member_1.z;
-                                                if _e1698 {
+                                                local_2[_e1106] = _e1085.member.member_1.z;
+                                                if _e1107 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1697] = select(_e1663, _e1665, _e1672);
-                                                if _e1672 {
-                                                    phi_3407_ = _e1563.member_1;
+                                                local_9[_e1106] = select(_e1072, _e1074, _e1081);
+                                                if _e1081 {
+                                                    phi_3384_ = _e972.member_1;
                                                 } else {
-                                                    phi_3407_ = _e1563.member_2;
+                                                    phi_3384_ = _e972.member_2;
                                                 }
-                                                let _e1711 = phi_3407_;
-                                                phi_3408_ = (_e686 + 1u);
-                                                phi_3409_ = _e1711;
+                                                let _e1120 = phi_3384_;
+                                                phi_3385_ = _e1120;
+                                                phi_3386_ = (_e688 + 1u);
                                             } else {
-                                                phi_3408_ = u32();
-                                                phi_3409_ = type_52();
+                                                phi_3385_ = type_52();
+                                                phi_3386_ = u32();
                                             }
-                                            let _e1713 = phi_3408_;
-                                            let _e1715 = phi_3409_;
-                                            phi_3411_ = _e1713;
-                                            phi_3412_ = _e1715;
-                                            phi_3413_ = select(true, false, _e1671);
+                                            let _e1122 = phi_3385_;
+                                            let _e1124 = phi_3386_;
+                                            phi_3388_ = _e1122;
+                                            phi_3389_ = _e1124;
+                                            phi_3390_ = select(true, false, _e1080);
                                         } else {
-                                            phi_3411_ = u32();
-                                            phi_3412_ = type_52();
-                                            phi_3413_ = true;
+                                            phi_3388_ = type_52();
+                                            phi_3389_ = u32();
+                                            phi_3390_ = true;
                                         }
-                                        let _e1718 = phi_3411_;
-                                        let _e1720 = phi_3412_;
-                                        let _e1722 = phi_3413_;
-                                        if _e1722 {
-                                            if _e1670 {
-                                                phi_3422_ = _e1563.member_1;
+                                        let _e1127 = phi_3388_;
+                                        let _e1129 = phi_3389_;
+                                        let _e1131 = phi_3390_;
+                                        if _e1131 {
+                                            if _e1079 {
+                                                phi_3399_ = _e972.member_1;
                                             } else {
-                                                phi_3422_ = _e1563.member_2;
+                                                phi_3399_ = _e972.member_2;
                                             }
-                                            let _e1726 = phi_3422_;
-                                            phi_3427_ = select(_e1671, true, _e1670);
-                                            phi_3429_ = _e1726;
+                                            let _e1135 = phi_3399_;
+                                            phi_3404_ = select(_e1080, true, _e1079);
+                                            phi_3405_ = _e1135;
                                         } else {
-                                            phi_3427_ = _e684;
-                                            phi_3429_ = _e1720;
+                                            phi_3404_ = _e684;
+                                            phi_3405_ = _e1127;
                                         }
-                                        let _e1729 = phi_3427_;
-                                        let _e1731 = phi_3429_;
-                                        phi_3434_ = type_45(_e1287.member, (_e1287.member_1 + 1u), _e1287.member_2);
-                                        phi_3435_ = _e1729;
-                                        phi_3436_ = select(_e1718, _e686, _e1722);
-                                        phi_3437_ = _e1731;
+                                        let _e1138 = phi_3404_;
+                                        let _e1140 = phi_3405_;
+                                        phi_3936_ = _e642;
+                                        phi_3407_ = type_45(_e644.member, (_e644.member_1 + 1u), _e644.member_2);
+                                        phi_3408_ = _e1138;
+                                        phi_3409_ = _e1140;
+                                        phi_3410_ = select(_e1129, _e688, _e1131);
                                     }
-                                    let _e1734 = phi_3434_;
-                                    let _e1736 = phi_3435_;
-                                    let _e1738 = phi_3436_;
-                                    let _e1740 = phi_3437_;
-                                    if _e692 {
-                                        phi_3445_ = _e1287;
-                                        phi_3448_ = _e688;
-                                    } else {
-                                        phi_3445_ = _e1734;
-                                        phi_3448_ = _e1740;
-                                    }
-                                    let _e1742 = phi_3445_;
-                                    let _e1744 = phi_3448_;
-                                    phi_4021_ = _e1285;
-                                    phi_3449_ = _e1742;
-                                    phi_3450_ = (_e646 - 1u);
-                                    phi_3451_ = select(_e1736, false, _e692);
-                                    phi_3452_ = select(_e1738, _e686, _e692);
-                                    phi_3453_ = _e1744;
+                                    let _e1736 = phi_3936_;
+                                    let _e1738 = phi_3407_;
+                                    let _e1740 = phi_3408_;
+                                    let _e1742 = phi_3409_;
+                                    let _e1744 = phi_3410_;
+                                    phi_3935_ = _e1736;
+                                    phi_3411_ = _e1738;
+                                    phi_3412_ = _e1740;
+                                    phi_3413_ = _e1742;
+                                    phi_3414_ = _e1744;
+                                    phi_3415_ = (_e652 - 1u);
                                 } else {
-                                    phi_4021_ = _e642;
-                                    phi_3449_ = _e644;
-                                    phi_3450_ = _e646;
-                                    phi_3451_ = _e684;
-                                    phi_3452_ = _e686;
-                                    phi_3453_ = _e688;
+                                    phi_3935_ = _e642;
+                                    phi_3411_ = _e644;
+                                    phi_3412_ = _e684;
+                                    phi_3413_ = _e686;
+                                    phi_3414_ = _e688;
+                                    phi_3415_ = _e652;
                                 }
-                                let _e1748 = phi_4021_;
-                                let _e1750 = phi_3449_;
-                                let _e1752 = phi_3450_;
-                                let _e1754 = phi_3451_;
-                                let _e1756 = phi_3452_;
-                                let _e1758 = phi_3453_;
-                                phi_4020_ = _e1748;
-                                phi_3454_ = _e1750;
-                                phi_3455_ = _e1752;
-                                phi_3456_ = _e1754;
-                                phi_3457_ = _e1756;
-                                phi_3458_ = _e1758;
+                                let _e1746 = phi_3935_;
+                                let _e1748 = phi_3411_;
+                                let _e1750 = phi_3412_;
+                                let _e1752 = phi_3413_;
+                                let _e1754 = phi_3414_;
+                                let _e1756 = phi_3415_;
+                                phi_3934_ = _e1746;
+                                phi_3416_ = _e1748;
+                                phi_3417_ = _e1750;
+                                phi_3418_ = _e1752;
+                                phi_3419_ = _e1754;
+                                phi_3420_ = _e1756;
                             } else {
-                                phi_4020_ = _e642;
-                                phi_3454_ = type_45();
-                                phi_3455_ = u32();
-                                phi_3456_ = bool();
-                                phi_3457_ = u32();
-                                phi_3458_ = type_52();
+                                phi_3934_ = _e642;
+                                phi_3416_ = type_45();
+                                phi_3417_ = bool();
+                                phi_3418_ = type_52();
+                                phi_3419_ = u32();
+                                phi_3420_ = u32();
                             }
-                            let _e1760 = phi_4020_;
-                            let _e1762 = phi_3454_;
-                            let _e1764 = phi_3455_;
-                            let _e1766 = phi_3456_;
-                            let _e1768 = phi_3457_;
-                            let _e1770 = phi_3458_;
-                            phi_4019_ = _e1760;
-                            phi_1101_ = _e1762;
-                            phi_1104_ = _e1764;
-                            phi_1106_ = _e1766;
-                            phi_1108_ = _e1768;
-                            phi_1110_ = _e1770;
-                            phi_3459_ = _e656;
+                            let _e1758 = phi_3934_;
+                            let _e1760 = phi_3416_;
+                            let _e1762 = phi_3417_;
+                            let _e1764 = phi_3418_;
+                            let _e1766 = phi_3419_;
+                            let _e1768 = phi_3420_;
+                            phi_3933_ = _e1758;
+                            phi_1108_ = _e1760;
+                            phi_1111_ = _e1762;
+                            phi_1113_ = _e1764;
+                            phi_1115_ = _e1766;
+                            phi_1117_ = _e1768;
+                            phi_3421_ = _e656;
                         } else {
-                            phi_4019_ = _e642;
-                            phi_1101_ = type_45();
-                            phi_1104_ = u32();
-                            phi_1106_ = bool();
-                            phi_1108_ = u32();
-                            phi_1110_ = type_52();
-                            phi_3459_ = false;
+                            phi_3933_ = _e642;
+                            phi_1108_ = type_45();
+                            phi_1111_ = bool();
+                            phi_1113_ = type_52();
+                            phi_1115_ = u32();
+                            phi_1117_ = u32();
+                            phi_3421_ = false;
                         }
-                        let _e1772 = phi_4019_;
-                        let _e1774 = phi_1101_;
-                        let _e1776 = phi_1104_;
-                        let _e1778 = phi_1106_;
-                        let _e1780 = phi_1108_;
-                        let _e1782 = phi_1110_;
-                        let _e1784 = phi_3459_;
+                        let _e1770 = phi_3933_;
+                        let _e1772 = phi_1108_;
+                        let _e1774 = phi_1111_;
+                        let _e1776 = phi_1113_;
+                        let _e1778 = phi_1115_;
+                        let _e1780 = phi_1117_;
+                        let _e1782 = phi_3421_;
                         continue;
                         continuing {
-                            phi_3859_ = _e1772;
-                            phi_1100_ = _e1774;
-                            phi_1103_ = _e1776;
-                            phi_1105_ = _e1778;
-                            phi_1107_ = _e1780;
-                            phi_1109_ = _e1782;
-                            phi_4018_ = _e1772;
-                            break if !(_e1784);
+                            phi_3785_ = _e1770;
+                            phi_1107_ = _e1772;
+                            phi_1110_ = _e1774;
+                            phi_1112_ = _e1776;
+                            phi_1114_ = _e1778;
+                            phi_1116_ = _e1780;
+                            phi_3932_ = _e1770;
+                            break if !(_e1782);
                         }
                     }
-                    let _e1787 = phi_4018_;
-                    if _e1787 {
+                    let _e1785 = phi_3932_;
+                    if _e1785 {
                         break;
                     }
-                    let _e1789 = local_10;
-                    let _e1792 = local_11;
+                    let _e1787 = local_11;
+                    let _e1790 = local_12;
                     if _e147 {
                     } else {
                         break;
                     }
-                    global_6.member[_e145][0u] = _e1789.member_1;
-                    global_6.member[_e145][1u] = _e1792.member_2;
+                    global_6.member[_e145][0u] = _e1787.member_1;
+                    global_6.member[_e145][1u] = _e1790.member_2;
                 }
             }
             break;

@@ -100,169 +100,155 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_423_: i32;
-    var phi_424_: i32;
-    var phi_434_: bool;
-    var phi_444_: u32;
-    var phi_445_: u32;
-    var phi_447_: bool;
+    var phi_430_: i32;
+    var phi_431_: i32;
+    var phi_441_: bool;
+    var phi_451_: u32;
     var phi_452_: u32;
-    var phi_465_: i32;
-    var phi_485_: i32;
-    var phi_503_: f32;
-    var phi_509_: f32;
-    var phi_549_: f32;
-    var phi_555_: f32;
-    var phi_628_: f32;
-    var phi_634_: f32;
-    var phi_674_: f32;
-    var phi_680_: f32;
-    var phi_753_: f32;
-    var phi_759_: f32;
-    var phi_799_: f32;
-    var phi_805_: f32;
-    var phi_924_: i32;
-    var phi_946_: u32;
-    var phi_947_: u32;
-    var phi_984_: i32;
-    var phi_1006_: u32;
-    var phi_1007_: u32;
-    var phi_1015_: f32;
-    var phi_1016_: f32;
-    var phi_4533_: bool;
-    var phi_1113_: type_44;
-    var phi_1116_: u32;
-    var phi_1118_: bool;
-    var phi_1120_: u32;
-    var phi_1122_: type_51;
-    var phi_1133_: bool;
-    var phi_1219_: bool;
-    var phi_1220_: u32;
-    var phi_1221_: type_51;
-    var phi_1240_: type_44;
-    var phi_1243_: type_8;
-    var phi_1244_: type_8;
-    var phi_1266_: type_8;
-    var phi_1310_: u32;
-    var phi_1316_: u32;
-    var phi_1326_: u32;
-    var phi_1342_: u32;
-    var phi_1375_: u32;
-    var phi_1381_: u32;
-    var phi_1847_: u32;
-    var phi_1865_: u32;
-    var phi_1883_: u32;
-    var phi_1906_: u32;
-    var phi_1924_: u32;
-    var phi_1942_: u32;
-    var phi_1965_: u32;
-    var phi_1983_: u32;
-    var phi_2001_: u32;
-    var phi_1555_: u32;
-    var phi_1570_: u32;
-    var phi_1580_: u32;
-    var phi_1601_: u32;
-    var phi_1622_: u32;
-    var phi_1652_: u32;
-    var phi_1667_: u32;
-    var phi_1677_: u32;
-    var phi_1698_: u32;
-    var phi_1719_: u32;
-    var phi_1749_: u32;
-    var phi_1764_: u32;
-    var phi_1774_: u32;
-    var phi_1795_: u32;
-    var phi_1816_: u32;
-    var phi_1408_: u32;
-    var phi_1457_: u32;
-    var phi_1506_: u32;
-    var phi_2007_: array<array<f32, 3>, 3>;
-    var phi_4168_: bool;
-    var phi_4183_: bool;
-    var phi_4198_: bool;
-    var phi_4213_: bool;
-    var phi_4228_: bool;
-    var phi_4243_: bool;
-    var phi_2549_: f32;
-    var phi_2550_: f32;
-    var phi_2551_: f32;
-    var phi_2552_: f32;
-    var phi_2553_: vec3<f32>;
-    var phi_2554_: vec3<f32>;
-    var phi_2555_: vec3<f32>;
-    var phi_2556_: vec3<f32>;
-    var phi_4258_: bool;
-    var phi_4273_: bool;
-    var phi_4288_: bool;
-    var phi_4303_: bool;
-    var phi_4318_: bool;
-    var phi_4333_: bool;
-    var phi_2764_: f32;
-    var phi_2784_: type_40;
-    var phi_2785_: type_40;
-    var phi_2788_: type_40;
-    var phi_2789_: type_40;
-    var phi_2790_: bool;
-    var phi_2794_: type_40;
-    var phi_2803_: type_28;
-    var phi_2828_: bool;
-    var phi_2829_: bool;
-    var phi_2836_: type_44;
-    var phi_2837_: type_44;
-    var phi_2838_: type_44;
-    var phi_1241_: type_44;
-    var phi_4527_: bool;
-    var phi_4830_: bool;
-    var phi_2839_: type_44;
-    var phi_3341_: u32;
-    var phi_3347_: u32;
-    var phi_3601_: u32;
-    var phi_3602_: u32;
+    var phi_454_: bool;
+    var phi_459_: u32;
+    var phi_472_: i32;
+    var phi_492_: i32;
+    var phi_510_: f32;
+    var phi_516_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_635_: f32;
+    var phi_641_: f32;
+    var phi_681_: f32;
+    var phi_687_: f32;
+    var phi_760_: f32;
+    var phi_766_: f32;
+    var phi_806_: f32;
+    var phi_812_: f32;
+    var phi_931_: i32;
+    var phi_953_: u32;
+    var phi_954_: u32;
+    var phi_991_: i32;
+    var phi_1013_: u32;
+    var phi_1014_: u32;
+    var phi_1022_: f32;
+    var phi_1023_: f32;
+    var phi_4459_: bool;
+    var phi_1120_: type_44;
+    var phi_1123_: bool;
+    var phi_1125_: type_51;
+    var phi_1127_: u32;
+    var phi_1129_: u32;
+    var phi_1140_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: type_51;
+    var phi_1228_: u32;
+    var phi_3318_: u32;
+    var phi_3324_: u32;
+    var phi_3578_: u32;
+    var phi_3579_: u32;
+    var phi_3589_: u32;
+    var phi_3591_: u32;
+    var phi_3592_: bool;
     var phi_3612_: u32;
-    var phi_3614_: u32;
-    var phi_3615_: bool;
-    var phi_3635_: u32;
-    var phi_3636_: u32;
-    var phi_3640_: type_52;
-    var phi_4005_: type_51;
-    var phi_4081_: type_51;
-    var phi_4082_: u32;
-    var phi_4083_: type_51;
-    var phi_4085_: u32;
-    var phi_4086_: type_51;
-    var phi_4087_: bool;
-    var phi_4096_: type_51;
-    var phi_4101_: bool;
-    var phi_4103_: type_51;
-    var phi_4108_: type_44;
-    var phi_4109_: bool;
-    var phi_4110_: u32;
-    var phi_4111_: type_51;
-    var phi_4119_: type_44;
-    var phi_4122_: type_51;
-    var phi_4742_: bool;
-    var phi_4123_: type_44;
-    var phi_4124_: u32;
-    var phi_4125_: bool;
-    var phi_4126_: u32;
-    var phi_4127_: type_51;
-    var phi_4741_: bool;
-    var phi_4128_: type_44;
-    var phi_4129_: u32;
-    var phi_4130_: bool;
-    var phi_4131_: u32;
-    var phi_4132_: type_51;
-    var phi_4740_: bool;
-    var phi_1114_: type_44;
-    var phi_1117_: u32;
-    var phi_1119_: bool;
-    var phi_1121_: u32;
-    var phi_1123_: type_51;
-    var phi_4133_: bool;
-    var phi_4739_: bool;
+    var phi_3613_: u32;
+    var phi_3617_: type_52;
+    var phi_3982_: type_51;
+    var phi_4058_: type_51;
+    var phi_4059_: type_51;
+    var phi_4060_: u32;
+    var phi_4062_: type_51;
+    var phi_4063_: u32;
+    var phi_4064_: bool;
+    var phi_4073_: type_51;
+    var phi_4078_: bool;
+    var phi_4079_: type_51;
+    var phi_1247_: type_44;
+    var phi_1250_: type_8;
+    var phi_1251_: type_8;
+    var phi_1273_: type_8;
+    var phi_1317_: u32;
+    var phi_1323_: u32;
+    var phi_1333_: u32;
+    var phi_1349_: u32;
+    var phi_1382_: u32;
+    var phi_1388_: u32;
+    var phi_1854_: u32;
+    var phi_1872_: u32;
+    var phi_1890_: u32;
+    var phi_1913_: u32;
+    var phi_1931_: u32;
+    var phi_1949_: u32;
+    var phi_1972_: u32;
+    var phi_1990_: u32;
+    var phi_2008_: u32;
+    var phi_1562_: u32;
+    var phi_1577_: u32;
+    var phi_1587_: u32;
+    var phi_1608_: u32;
+    var phi_1629_: u32;
+    var phi_1659_: u32;
+    var phi_1674_: u32;
+    var phi_1684_: u32;
+    var phi_1705_: u32;
+    var phi_1726_: u32;
+    var phi_1756_: u32;
+    var phi_1771_: u32;
+    var phi_1781_: u32;
+    var phi_1802_: u32;
+    var phi_1823_: u32;
+    var phi_1415_: u32;
+    var phi_1464_: u32;
+    var phi_1513_: u32;
+    var phi_2014_: array<array<f32, 3>, 3>;
+    var phi_2544_: f32;
+    var phi_2545_: f32;
+    var phi_2546_: f32;
+    var phi_2547_: f32;
+    var phi_2548_: vec3<f32>;
+    var phi_2549_: vec3<f32>;
+    var phi_2550_: vec3<f32>;
+    var phi_2551_: vec3<f32>;
+    var phi_2742_: f32;
+    var phi_2762_: type_40;
+    var phi_2763_: type_40;
+    var phi_2766_: type_40;
+    var phi_2767_: type_40;
+    var phi_2768_: bool;
+    var phi_2772_: type_40;
+    var phi_2781_: type_28;
+    var phi_2806_: bool;
+    var phi_2807_: bool;
+    var phi_2814_: type_44;
+    var phi_2815_: type_44;
+    var phi_2816_: type_44;
+    var phi_1248_: type_44;
+    var phi_4453_: bool;
     var local_10: type_44;
+    var phi_4657_: bool;
+    var phi_4081_: type_44;
+    var phi_4082_: bool;
+    var phi_4083_: type_51;
+    var phi_4084_: u32;
+    var phi_4656_: bool;
+    var phi_4085_: type_44;
+    var phi_4086_: bool;
+    var phi_4087_: type_51;
+    var phi_4088_: u32;
+    var phi_4089_: u32;
+    var phi_4655_: bool;
+    var phi_4090_: type_44;
+    var phi_4091_: bool;
+    var phi_4092_: type_51;
+    var phi_4093_: u32;
+    var phi_4094_: u32;
+    var phi_4654_: bool;
+    var phi_1121_: type_44;
+    var phi_1124_: bool;
+    var phi_1126_: type_51;
+    var phi_1128_: u32;
+    var phi_1130_: u32;
+    var phi_4095_: bool;
+    var phi_4653_: bool;
     var local_11: type_44;
     var local_12: type_44;
+    var local_13: type_44;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -317,93 +303,93 @@ fn function_() {
                     if _e228 {
                         let _e231 = (bitcast<u32>(bitcast<f32>(_e203)) & 2147483647u);
                         if (_e231 >= 8388608u) {
-                            phi_423_ = (bitcast<i32>((_e231 >> bitcast<u32>(23i))) - 127i);
+                            phi_430_ = (bitcast<i32>((_e231 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_423_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e231)), 32u, (_e231 == 0u))));
+                            phi_430_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e231)), 32u, (_e231 == 0u))));
                         }
-                        let _e245 = phi_423_;
-                        phi_424_ = _e245;
+                        let _e245 = phi_430_;
+                        phi_431_ = _e245;
                     } else {
-                        phi_424_ = 0i;
+                        phi_431_ = 0i;
                     }
-                    let _e247 = phi_424_;
+                    let _e247 = phi_431_;
                     let _e248 = (_e164 == _e203);
                     if _e248 {
-                        phi_434_ = true;
+                        phi_441_ = true;
                     } else {
-                        phi_434_ = (_e171 == _e203);
+                        phi_441_ = (_e171 == _e203);
                     }
-                    let _e251 = phi_434_;
+                    let _e251 = phi_441_;
                     let _e252 = select(1u, 0u, _e248);
                     if _e251 {
                         let _e253 = (_e252 + 1u);
-                        phi_444_ = _e253;
-                        phi_445_ = _e253;
-                        phi_447_ = select(true, false, (_e253 == 2u));
+                        phi_451_ = _e253;
+                        phi_452_ = _e253;
+                        phi_454_ = select(true, false, (_e253 == 2u));
                     } else {
-                        phi_444_ = u32();
-                        phi_445_ = 0u;
-                        phi_447_ = true;
-                    }
-                    let _e257 = phi_444_;
-                    let _e259 = phi_445_;
-                    let _e261 = phi_447_;
-                    if _e261 {
-                        phi_452_ = (_e259 + 1u);
-                    } else {
+                        phi_451_ = u32();
                         phi_452_ = 0u;
+                        phi_454_ = true;
                     }
-                    let _e265 = phi_452_;
+                    let _e257 = phi_451_;
+                    let _e259 = phi_452_;
+                    let _e261 = phi_454_;
+                    if _e261 {
+                        phi_459_ = (_e259 + 1u);
+                    } else {
+                        phi_459_ = 0u;
+                    }
+                    let _e265 = phi_459_;
                     let _e266 = select(_e257, _e259, _e261);
                     let _e267 = select(_e252, select(2u, _e252, _e251), _e261);
                     if (_e134 < -126i) {
-                        phi_465_ = -126i;
+                        phi_472_ = -126i;
                     } else {
-                        phi_465_ = select(_e134, 127i, (_e134 > 127i));
+                        phi_472_ = select(_e134, 127i, (_e134 > 127i));
                     }
-                    let _e272 = phi_465_;
+                    let _e272 = phi_472_;
                     let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
                     let _e283 = bitcast<f32>((bitcast<u32>(((_e134 - _e272) + 127i)) << bitcast<u32>(23i)));
                     let _e284 = -(_e247);
                     if (_e284 < -126i) {
-                        phi_485_ = -126i;
+                        phi_492_ = -126i;
                     } else {
-                        phi_485_ = select(_e284, 127i, (_e284 > 127i));
+                        phi_492_ = select(_e284, 127i, (_e284 > 127i));
                     }
-                    let _e289 = phi_485_;
+                    let _e289 = phi_492_;
                     let _e294 = bitcast<f32>((bitcast<u32>((_e289 + 127i)) << bitcast<u32>(23i)));
                     let _e300 = bitcast<f32>((bitcast<u32>(((_e284 - _e289) + 127i)) << bitcast<u32>(23i)));
                     let _e304 = global_4.member[_e152].member;
                     let _e305 = (_e266 == 0u);
                     if _e305 {
-                        phi_503_ = _e304[0];
+                        phi_510_ = _e304[0];
                     } else {
-                        phi_503_ = _e304[1];
+                        phi_510_ = _e304[1];
                     }
-                    let _e309 = phi_503_;
+                    let _e309 = phi_510_;
                     let _e310 = (_e266 == 2u);
                     if _e310 {
-                        phi_509_ = _e304[2];
+                        phi_516_ = _e304[2];
                     } else {
-                        phi_509_ = _e309;
+                        phi_516_ = _e309;
                     }
-                    let _e313 = phi_509_;
+                    let _e313 = phi_516_;
                     let _e314 = bitcast<u32>(_e313);
                     let _e316 = ((_e314 & 2139095040u) != 0u);
                     let _e330 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e313, _e316) * _e277) * select(0.00000011920929f, 1f, _e316)) * _e283);
                     let _e331 = global_4.member[_e152].member_2;
                     if _e305 {
-                        phi_549_ = _e331[0];
+                        phi_556_ = _e331[0];
                     } else {
-                        phi_549_ = _e331[1];
+                        phi_556_ = _e331[1];
                     }
-                    let _e335 = phi_549_;
+                    let _e335 = phi_556_;
                     if _e310 {
-                        phi_555_ = _e331[2];
+                        phi_562_ = _e331[2];
                     } else {
-                        phi_555_ = _e335;
+                        phi_562_ = _e335;
                     }
-                    let _e338 = phi_555_;
+                    let _e338 = phi_562_;
                     let _e339 = bitcast<u32>(_e338);
                     let _e341 = ((_e339 & 2139095040u) != 0u);
                     let _e355 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e339 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e339 & 2147483648u))), _e338, _e341) * _e294) * select(0.00000011920929f, 1f, _e341)) * _e300);
@@ -417,33 +403,33 @@ fn function_() {
                     let _e371 = select(38685626000000000000000000f, (1f / _e355), _e359);
                     let _e372 = (_e265 == 0u);
                     if _e372 {
-                        phi_628_ = _e304[0];
+                        phi_635_ = _e304[0];
                     } else {
-                        phi_628_ = _e304[1];
+                        phi_635_ = _e304[1];
                     }
-                    let _e376 = phi_628_;
+                    let _e376 = phi_635_;
                     let _e377 = (_e265 == 2u);
                     if _e377 {
-                        phi_634_ = _e304[2];
+                        phi_641_ = _e304[2];
                     } else {
-                        phi_634_ = _e376;
+                        phi_641_ = _e376;
                     }
-                    let _e380 = phi_634_;
+                    let _e380 = phi_641_;
                     let _e381 = bitcast<u32>(_e380);
                     let _e383 = ((_e381 & 2139095040u) != 0u);
                     let _e397 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * _e277) * select(0.00000011920929f, 1f, _e383)) * _e283);
                     if _e372 {
-                        phi_674_ = _e331[0];
+                        phi_681_ = _e331[0];
                     } else {
-                        phi_674_ = _e331[1];
+                        phi_681_ = _e331[1];
                     }
-                    let _e401 = phi_674_;
+                    let _e401 = phi_681_;
                     if _e377 {
-                        phi_680_ = _e331[2];
+                        phi_687_ = _e331[2];
                     } else {
-                        phi_680_ = _e401;
+                        phi_687_ = _e401;
                     }
-                    let _e404 = phi_680_;
+                    let _e404 = phi_687_;
                     let _e405 = bitcast<u32>(_e404);
                     let _e407 = ((_e405 & 2139095040u) != 0u);
                     let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e294) * select(0.00000011920929f, 1f, _e407)) * _e300);
@@ -457,33 +443,33 @@ fn function_() {
                     let _e437 = select(38685626000000000000000000f, (1f / _e421), _e425);
                     let _e438 = (_e267 == 0u);
                     if _e438 {
-                        phi_753_ = _e304[0];
+                        phi_760_ = _e304[0];
                     } else {
-                        phi_753_ = _e304[1];
+                        phi_760_ = _e304[1];
                     }
-                    let _e442 = phi_753_;
+                    let _e442 = phi_760_;
                     let _e443 = (_e267 == 2u);
                     if _e443 {
-                        phi_759_ = _e304[2];
+                        phi_766_ = _e304[2];
                     } else {
-                        phi_759_ = _e442;
+                        phi_766_ = _e442;
                     }
-                    let _e446 = phi_759_;
+                    let _e446 = phi_766_;
                     let _e447 = bitcast<u32>(_e446);
                     let _e449 = ((_e447 & 2139095040u) != 0u);
                     let _e463 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e447 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e447 & 2147483648u))), _e446, _e449) * _e277) * select(0.00000011920929f, 1f, _e449)) * _e283);
                     if _e438 {
-                        phi_799_ = _e331[0];
+                        phi_806_ = _e331[0];
                     } else {
-                        phi_799_ = _e331[1];
+                        phi_806_ = _e331[1];
                     }
-                    let _e467 = phi_799_;
+                    let _e467 = phi_806_;
                     if _e443 {
-                        phi_805_ = _e331[2];
+                        phi_812_ = _e331[2];
                     } else {
-                        phi_805_ = _e467;
+                        phi_812_ = _e467;
                     }
-                    let _e470 = phi_805_;
+                    let _e470 = phi_812_;
                     let _e471 = bitcast<u32>(_e470);
                     let _e473 = ((_e471 & 2139095040u) != 0u);
                     let _e487 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e471 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e471 & 2147483648u))), _e470, _e473) * _e294) * select(0.00000011920929f, 1f, _e473)) * _e300);
@@ -503,55 +489,55 @@ fn function_() {
                         let _e525 = (_e518 == 0u);
                         let _e528 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e518)), 32u, _e525)) - 8i);
                         if (_e521 == 255i) {
-                            phi_924_ = 255i;
+                            phi_931_ = 255i;
                         } else {
-                            phi_924_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
+                            phi_931_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
                         }
-                        let _e536 = phi_924_;
+                        let _e536 = phi_931_;
                         let _e546 = (_e536 <= 0i);
                         if _e546 {
-                            phi_947_ = u32();
+                            phi_954_ = u32();
                         } else {
                             if _e525 {
-                                phi_946_ = u32();
+                                phi_953_ = u32();
                             } else {
-                                phi_946_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
+                                phi_953_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
                             }
-                            let _e550 = phi_946_;
-                            phi_947_ = _e550;
+                            let _e550 = phi_953_;
+                            phi_954_ = _e550;
                         }
-                        let _e552 = phi_947_;
+                        let _e552 = phi_954_;
                         let _e564 = ((_e224 & 8388607u) | (select(0u, 1u, ((_e224 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e567 = bitcast<i32>((_e224 >> bitcast<u32>(23i)));
                         let _e571 = (_e564 == 0u);
                         let _e574 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e564)), 32u, _e571)) - 8i);
                         if (_e567 == 255i) {
-                            phi_984_ = 255i;
+                            phi_991_ = 255i;
                         } else {
-                            phi_984_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
+                            phi_991_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
                         }
-                        let _e582 = phi_984_;
+                        let _e582 = phi_991_;
                         let _e592 = (_e582 <= 0i);
                         if _e592 {
-                            phi_1007_ = u32();
+                            phi_1014_ = u32();
                         } else {
                             if _e571 {
-                                phi_1006_ = u32();
+                                phi_1013_ = u32();
                             } else {
-                                phi_1006_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
+                                phi_1013_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
                             }
-                            let _e596 = phi_1006_;
-                            phi_1007_ = _e596;
+                            let _e596 = phi_1013_;
+                            phi_1014_ = _e596;
                         }
-                        let _e598 = phi_1007_;
-                        phi_1015_ = bitcast<f32>(((_e223 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
-                        phi_1016_ = bitcast<f32>(((_e214 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
+                        let _e598 = phi_1014_;
+                        phi_1022_ = bitcast<f32>(((_e223 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
+                        phi_1023_ = bitcast<f32>(((_e214 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
                     } else {
-                        phi_1015_ = 0f;
-                        phi_1016_ = 1f;
+                        phi_1022_ = 0f;
+                        phi_1023_ = 1f;
                     }
-                    let _e604 = phi_1015_;
-                    let _e606 = phi_1016_;
+                    let _e604 = phi_1022_;
+                    let _e606 = phi_1023_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -560,1291 +546,1205 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e611 = (_e266 % 3u);
-                    let _e612 = (_e611 < 3u);
-                    if _e612 {
+                    let _e613 = (_e266 % 3u);
+                    let _e614 = (_e613 < 3u);
+                    if _e614 {
                     } else {
                         break;
                     }
-                    let _e614 = local_1[_e611];
-                    let _e617 = (_e265 % 3u);
-                    let _e618 = (_e617 < 3u);
-                    if _e618 {
+                    let _e616 = local_1[_e613];
+                    let _e619 = (_e265 % 3u);
+                    let _e620 = (_e619 < 3u);
+                    if _e620 {
                     } else {
                         break;
                     }
-                    let _e620 = local_1[_e617];
-                    let _e623 = (_e267 % 3u);
-                    let _e624 = (_e623 < 3u);
-                    if _e624 {
+                    let _e622 = local_1[_e619];
+                    let _e625 = (_e267 % 3u);
+                    let _e626 = (_e625 < 3u);
+                    if _e626 {
                     } else {
                         break;
                     }
-                    let _e626 = local_1[_e623];
-                    if _e612 {
+                    let _e628 = local_1[_e625];
+                    if _e614 {
                     } else {
                         break;
                     }
-                    let _e631 = local[_e611];
-                    if _e618 {
+                    let _e633 = local[_e613];
+                    if _e620 {
                     } else {
                         break;
                     }
-                    let _e635 = local[_e617];
-                    if _e624 {
+                    let _e637 = local[_e619];
+                    if _e626 {
                     } else {
                         break;
                     }
-                    let _e639 = local[_e623];
-                    phi_4533_ = false;
-                    phi_1113_ = type_44(type_37(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e604), 0u, 0u);
-                    phi_1116_ = ((3u * _e95) + 1u);
-                    phi_1118_ = (_e606 <= _e604);
-                    phi_1120_ = 0u;
-                    phi_1122_ = type_51(type_32(vec4<f32>((f32(_e614) * _e146), (f32(_e620) * _e146), (f32(_e626) * _e146), 0f), vec4<f32>((f32(_e631) * _e146), (f32(_e635) * _e146), (f32(_e639) * _e146), 0f)), select(0u, 2147483648u, (_e95 == 0u)));
+                    let _e641 = local[_e625];
+                    phi_4459_ = false;
+                    phi_1120_ = type_44(type_37(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e604), 0u, 0u);
+                    phi_1123_ = (_e606 <= _e604);
+                    phi_1125_ = type_51(type_32(vec4<f32>((f32(_e616) * _e146), (f32(_e622) * _e146), (f32(_e628) * _e146), 0f), vec4<f32>((f32(_e633) * _e146), (f32(_e637) * _e146), (f32(_e641) * _e146), 0f)), select(0u, 2147483648u, (_e95 == 0u)));
+                    phi_1127_ = 0u;
+                    phi_1129_ = ((3u * _e95) + 1u);
                     loop {
-                        let _e649 = phi_4533_;
-                        let _e651 = phi_1113_;
-                        let _e653 = phi_1116_;
-                        let _e655 = phi_1118_;
-                        let _e657 = phi_1120_;
-                        let _e659 = phi_1122_;
-                        local_10 = _e651;
+                        let _e649 = phi_4459_;
+                        let _e651 = phi_1120_;
+                        let _e653 = phi_1123_;
+                        let _e655 = phi_1125_;
+                        let _e657 = phi_1127_;
+                        let _e659 = phi_1129_;
                         local_11 = _e651;
-                        if _e655 {
-                            phi_1133_ = true;
+                        local_12 = _e651;
+                        if _e653 {
+                            phi_1140_ = true;
                         } else {
-                            phi_1133_ = (_e657 > 0u);
+                            phi_1140_ = (_e657 > 0u);
                         }
-                        let _e662 = phi_1133_;
+                        let _e662 = phi_1140_;
                         if _e662 {
-                            let _e663 = (_e653 > 0u);
+                            let _e663 = (_e659 > 0u);
                             if _e663 {
-                                if _e655 {
-                                    phi_1219_ = _e655;
-                                    phi_1220_ = _e657;
-                                    phi_1221_ = _e659;
+                                if _e653 {
+                                    phi_1226_ = _e653;
+                                    phi_1227_ = _e655;
+                                    phi_1228_ = _e657;
                                 } else {
                                     let _e664 = (_e657 - 1u);
                                     let _e665 = (_e664 % 128u);
                                     let _e666 = (_e665 < 128u);
                                     if _e666 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e668 = local_7[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e670 = local_6[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e672 = local_5[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e674 = local_4[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e676 = local_3[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e678 = local_2[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e683 = local_8[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e686 = local_9[_e665];
-                                    phi_1219_ = (_e686 <= _e651.member.member_1);
-                                    phi_1220_ = _e664;
-                                    phi_1221_ = type_51(type_32(vec4<f32>(_e668, _e670, _e672, 0f), vec4<f32>(_e674, _e676, _e678, 0f)), _e683);
+                                    phi_1226_ = (_e686 <= _e651.member.member_1);
+                                    phi_1227_ = type_51(type_32(vec4<f32>(_e668, _e670, _e672, 0f), vec4<f32>(_e674, _e676, _e678, 0f)), _e683);
+                                    phi_1228_ = _e664;
                                 }
-                                let _e691 = phi_1219_;
-                                let _e693 = phi_1220_;
-                                let _e695 = phi_1221_;
+                                let _e691 = phi_1226_;
+                                let _e693 = phi_1227_;
+                                let _e695 = phi_1228_;
                                 if _e691 {
-                                    let _e699 = ((_e695.member_1 & 2147483648u) != 0u);
-                                    let _e700 = (_e695.member_1 & 268435455u);
-                                    if _e699 {
-                                        phi_1240_ = _e651;
-                                        phi_1243_ = type_8(0u, ((_e695.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e700 = (_e693.member_1 & 268435455u);
+                                    if ((_e693.member_1 & 2147483648u) != 0u) {
+                                        phi_1247_ = _e651;
+                                        phi_1250_ = type_8(0u, ((_e693.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e707 = phi_1240_;
-                                            let _e709 = phi_1243_;
-                                            local_12 = _e707;
-                                            if (_e709.member < _e709.member_1) {
-                                                phi_1244_ = type_8((_e709.member + 1u), _e709.member_1);
-                                                phi_1266_ = type_8(1u, _e709.member);
+                                            let _e1172 = phi_1247_;
+                                            let _e1174 = phi_1250_;
+                                            local_10 = _e1172;
+                                            local_13 = _e1172;
+                                            if (_e1174.member < _e1174.member_1) {
+                                                phi_1251_ = type_8((_e1174.member + 1u), _e1174.member_1);
+                                                phi_1273_ = type_8(1u, _e1174.member);
                                             } else {
-                                                phi_1244_ = _e709;
-                                                phi_1266_ = type_8(0u, type_8().member_1);
+                                                phi_1251_ = _e1174;
+                                                phi_1273_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e722 = phi_1244_;
-                                            let _e724 = phi_1266_;
-                                            let _e728 = (bitcast<i32>(_e724.member) != 0i);
-                                            if _e728 {
-                                                let _e734 = type_44(_e707.member, _e707.member_1, (_e707.member_2 + 1u));
-                                                let _e739 = (_e695.member.member_1.x - _e695.member.member.x);
-                                                let _e742 = (_e695.member.member_1.y - _e695.member.member.y);
-                                                let _e745 = (_e695.member.member_1.z - _e695.member.member.z);
-                                                let _e747 = select(_e742, _e739, (_e739 > _e742));
-                                                let _e749 = select(_e745, _e747, (_e747 > _e745));
-                                                let _e751 = (_e749 < (1024f * _e146));
-                                                if _e751 {
-                                                    phi_1310_ = 0u;
+                                            let _e1187 = phi_1251_;
+                                            let _e1189 = phi_1273_;
+                                            let _e1193 = (bitcast<i32>(_e1189.member) != 0i);
+                                            if _e1193 {
+                                                let _e1199 = type_44(_e1172.member, _e1172.member_1, (_e1172.member_2 + 1u));
+                                                let _e1204 = (_e693.member.member_1.x - _e693.member.member.x);
+                                                let _e1207 = (_e693.member.member_1.y - _e693.member.member.y);
+                                                let _e1210 = (_e693.member.member_1.z - _e693.member.member.z);
+                                                let _e1212 = select(_e1207, _e1204, (_e1204 > _e1207));
+                                                let _e1214 = select(_e1210, _e1212, (_e1212 > _e1210));
+                                                let _e1216 = (_e1214 < (1024f * _e146));
+                                                if _e1216 {
+                                                    phi_1317_ = 0u;
                                                 } else {
-                                                    phi_1310_ = select(2u, 1u, (_e749 < (2097152f * _e146)));
+                                                    phi_1317_ = select(2u, 1u, (_e1214 < (2097152f * _e146)));
                                                 }
-                                                let _e756 = phi_1310_;
-                                                switch bitcast<i32>(_e756) {
+                                                let _e1221 = phi_1317_;
+                                                switch bitcast<i32>(_e1221) {
                                                     case 0: {
-                                                        phi_1316_ = 1u;
+                                                        phi_1323_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1316_ = 2u;
+                                                        phi_1323_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1316_ = 3u;
+                                                        phi_1323_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1316_ = u32();
+                                                        phi_1323_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e759 = phi_1316_;
-                                                switch bitcast<i32>(_e756) {
+                                                let _e1224 = phi_1323_;
+                                                switch bitcast<i32>(_e1221) {
                                                     case 0: {
-                                                        phi_1326_ = 1u;
+                                                        phi_1333_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1326_ = 2u;
+                                                        phi_1333_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1326_ = 3u;
+                                                        phi_1333_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1326_ = u32();
+                                                        phi_1333_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e766 = phi_1326_;
-                                                let _e768 = ((_e700 + (_e724.member_1 * ((3u * _e759) + 1u))) + (3u * _e766));
-                                                let _e769 = (_e768 < _e98);
-                                                if _e769 {
-                                                    if _e769 {
+                                                let _e1231 = phi_1333_;
+                                                let _e1233 = ((_e700 + (_e1189.member_1 * ((3u * _e1224) + 1u))) + (3u * _e1231));
+                                                let _e1234 = (_e1233 < _e98);
+                                                if _e1234 {
+                                                    if _e1234 {
                                                     } else {
-                                                        phi_4527_ = true;
+                                                        phi_4453_ = true;
                                                         break;
                                                     }
-                                                    let _e771 = global_5.member[_e768];
-                                                    phi_1342_ = _e771;
+                                                    let _e1236 = global_5.member[_e1233];
+                                                    phi_1349_ = _e1236;
                                                 } else {
-                                                    phi_1342_ = 4294967295u;
+                                                    phi_1349_ = 4294967295u;
                                                 }
-                                                let _e773 = phi_1342_;
-                                                if _e751 {
-                                                    phi_1375_ = 0u;
+                                                let _e1238 = phi_1349_;
+                                                if _e1216 {
+                                                    phi_1382_ = 0u;
                                                 } else {
-                                                    phi_1375_ = select(2u, 1u, (_e749 < (2097152f * _e146)));
+                                                    phi_1382_ = select(2u, 1u, (_e1214 < (2097152f * _e146)));
                                                 }
-                                                let _e778 = phi_1375_;
-                                                switch bitcast<i32>(_e778) {
+                                                let _e1243 = phi_1382_;
+                                                switch bitcast<i32>(_e1243) {
                                                     case 0: {
-                                                        phi_1381_ = 1u;
+                                                        phi_1388_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1381_ = 2u;
+                                                        phi_1388_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1381_ = 3u;
+                                                        phi_1388_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1381_ = u32();
+                                                        phi_1388_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e781 = phi_1381_;
-                                                let _e785 = (_e700 + (_e724.member_1 * ((3u * _e781) + 1u)));
-                                                switch bitcast<i32>(_e778) {
+                                                let _e1246 = phi_1388_;
+                                                let _e1250 = (_e700 + (_e1189.member_1 * ((3u * _e1246) + 1u)));
+                                                switch bitcast<i32>(_e1243) {
                                                     case 0: {
-                                                        let _e1060 = (_e785 < _e98);
-                                                        if _e1060 {
-                                                            if _e1060 {
+                                                        let _e1525 = (_e1250 < _e98);
+                                                        if _e1525 {
+                                                            if _e1525 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1062 = global_5.member[_e785];
-                                                            phi_1408_ = _e1062;
+                                                            let _e1527 = global_5.member[_e1250];
+                                                            phi_1415_ = _e1527;
                                                         } else {
-                                                            phi_1408_ = 0u;
+                                                            phi_1415_ = 0u;
                                                         }
-                                                        let _e1064 = phi_1408_;
-                                                        let _e1066 = ((10u * _e266) & 31u);
-                                                        let _e1076 = ((10u * _e265) & 31u);
-                                                        let _e1086 = ((10u * _e267) & 31u);
-                                                        let _e1096 = (_e785 + 1u);
-                                                        let _e1097 = (_e1096 < _e98);
-                                                        if _e1097 {
-                                                            if _e1097 {
+                                                        let _e1529 = phi_1415_;
+                                                        let _e1531 = ((10u * _e266) & 31u);
+                                                        let _e1541 = ((10u * _e265) & 31u);
+                                                        let _e1551 = ((10u * _e267) & 31u);
+                                                        let _e1561 = (_e1250 + 1u);
+                                                        let _e1562 = (_e1561 < _e98);
+                                                        if _e1562 {
+                                                            if _e1562 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1099 = global_5.member[_e1096];
-                                                            phi_1457_ = _e1099;
+                                                            let _e1564 = global_5.member[_e1561];
+                                                            phi_1464_ = _e1564;
                                                         } else {
-                                                            phi_1457_ = 0u;
+                                                            phi_1464_ = 0u;
                                                         }
-                                                        let _e1101 = phi_1457_;
-                                                        let _e1127 = (_e785 + 2u);
-                                                        let _e1128 = (_e1127 < _e98);
-                                                        if _e1128 {
-                                                            if _e1128 {
+                                                        let _e1566 = phi_1464_;
+                                                        let _e1592 = (_e1250 + 2u);
+                                                        let _e1593 = (_e1592 < _e98);
+                                                        if _e1593 {
+                                                            if _e1593 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1130 = global_5.member[_e1127];
-                                                            phi_1506_ = _e1130;
+                                                            let _e1595 = global_5.member[_e1592];
+                                                            phi_1513_ = _e1595;
                                                         } else {
-                                                            phi_1506_ = 0u;
+                                                            phi_1513_ = 0u;
                                                         }
-                                                        let _e1132 = phi_1506_;
-                                                        phi_2007_ = array<array<f32, 3>, 3>(array<f32, 3>((_e695.member.member.x + ((bitcast<f32>((1258291200u | ((_e1064 >> bitcast<u32>(_e1066)) & 1023u))) - 8388608f) * _e146)), (_e695.member.member.y + ((bitcast<f32>((1258291200u | ((_e1064 >> bitcast<u32>(_e1076)) & 1023u))) - 8388608f) * _e146)), (_e695.member.member.z + ((bitcast<f32>((1258291200u | ((_e1064 >> bitcast<u32>(_e1086)) & 1023u))) - 8388608f) * _e146))), array<f32, 3>((_e695.member.member.x + ((bitcast<f32>((1258291200u | ((_e1101 >> bitcast<u32>(_e1066)) & 1023u))) - 8388608f) * _e146)), (_e695.member.member.y + ((bitcast<f32>((1258291200u | ((_e1101 >> bitcast<u32>(_e1076)) & 1023u))) - 8388608f) * _e146)), (_e695.member.member.z + ((bitcast<f32>((1258291200u | ((_e1101 >> bitcast<u32>(_e1086)) & 1023u))) - 8388608f) * _e146))), array<f32, 3>((_e695.member.member.x + ((bitcast<f32>((1258291200u | ((_e1132 >> bitcast<u32>(_e1066)) & 1023u))) - 8388608f) * _e146)), (_e695.member.member.y + ((bitcast<f32>((1258291200u | ((_e1132 >> bitcast<u32>(_e1076)) & 1023u))) - 8388608f) * _e146)), (_e695.member.member.z + ((bitcast<f32>((1258291200u | ((_e1132 >> bitcast<u32>(_e1086)) & 1023u))) - 8388608f) * _e146))));
+                                                        let _e1597 = phi_1513_;
+                                                        phi_2014_ = array<array<f32, 3>, 3>(array<f32, 3>((_e693.member.member.x + ((bitcast<f32>((1258291200u | ((_e1529 >> bitcast<u32>(_e1531)) & 1023u))) - 8388608f) * _e146)), (_e693.member.member.y + ((bitcast<f32>((1258291200u | ((_e1529 >> bitcast<u32>(_e1541)) & 1023u))) - 8388608f) * _e146)), (_e693.member.member.z + ((bitcast<f32>((1258291200u | ((_e1529 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e146))), array<f32, 3>((_e693.member.member.x + ((bitcast<f32>((1258291200u | ((_e1566 >> bitcast<u32>(_e1531)) & 1023u))) - 8388608f) * _e146)), (_e693.member.member.y + ((bitcast<f32>((1258291200u | ((_e1566 >> bitcast<u32>(_e1541)) & 1023u))) - 8388608f) * _e146)), (_e693.member.member.z + ((bitcast<f32>((1258291200u | ((_e1566 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e146))), array<f32, 3>((_e693.member.member.x + ((bitcast<f32>((1258291200u | ((_e1597 >> bitcast<u32>(_e1531)) & 1023u))) - 8388608f) * _e146)), (_e693.member.member.y + ((bitcast<f32>((1258291200u | ((_e1597 >> bitcast<u32>(_e1541)) & 1023u))) - 8388608f) * _e146)), (_e693.member.member.z + ((bitcast<f32>((1258291200u | ((_e1597 >> bitcast<u32>(_e1551)) & 1023u))) - 8388608f) * _e146))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e874 = (_e785 < _e98);
-                                                        if _e874 {
-                                                            if _e874 {
+                                                        let _e1339 = (_e1250 < _e98);
+                                                        if _e1339 {
+                                                            if _e1339 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e876 = global_5.member[_e785];
-                                                            phi_1555_ = _e876;
+                                                            let _e1341 = global_5.member[_e1250];
+                                                            phi_1562_ = _e1341;
                                                         } else {
-                                                            phi_1555_ = 0u;
+                                                            phi_1562_ = 0u;
                                                         }
-                                                        let _e878 = phi_1555_;
-                                                        let _e879 = (_e785 + 1u);
-                                                        let _e880 = (_e879 < _e98);
-                                                        if _e880 {
-                                                            if _e880 {
+                                                        let _e1343 = phi_1562_;
+                                                        let _e1344 = (_e1250 + 1u);
+                                                        let _e1345 = (_e1344 < _e98);
+                                                        if _e1345 {
+                                                            if _e1345 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e882 = global_5.member[_e879];
-                                                            phi_1570_ = _e882;
+                                                            let _e1347 = global_5.member[_e1344];
+                                                            phi_1577_ = _e1347;
                                                         } else {
-                                                            phi_1570_ = 0u;
+                                                            phi_1577_ = 0u;
                                                         }
-                                                        let _e884 = phi_1570_;
-                                                        let _e885 = (_e266 == 1u);
-                                                        if _e885 {
-                                                            phi_1580_ = ((_e878 >> bitcast<u32>(21i)) | (_e884 << bitcast<u32>(11i)));
+                                                        let _e1349 = phi_1577_;
+                                                        let _e1350 = (_e266 == 1u);
+                                                        if _e1350 {
+                                                            phi_1587_ = ((_e1343 >> bitcast<u32>(21i)) | (_e1349 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1580_ = (_e884 >> bitcast<u32>(10i));
+                                                            phi_1587_ = (_e1349 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e894 = phi_1580_;
-                                                        let _e902 = (_e265 == 1u);
-                                                        if _e902 {
-                                                            phi_1601_ = ((_e878 >> bitcast<u32>(21i)) | (_e884 << bitcast<u32>(11i)));
+                                                        let _e1359 = phi_1587_;
+                                                        let _e1367 = (_e265 == 1u);
+                                                        if _e1367 {
+                                                            phi_1608_ = ((_e1343 >> bitcast<u32>(21i)) | (_e1349 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1601_ = (_e884 >> bitcast<u32>(10i));
+                                                            phi_1608_ = (_e1349 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e911 = phi_1601_;
-                                                        let _e919 = (_e267 == 1u);
-                                                        if _e919 {
-                                                            phi_1622_ = ((_e878 >> bitcast<u32>(21i)) | (_e884 << bitcast<u32>(11i)));
+                                                        let _e1376 = phi_1608_;
+                                                        let _e1384 = (_e267 == 1u);
+                                                        if _e1384 {
+                                                            phi_1629_ = ((_e1343 >> bitcast<u32>(21i)) | (_e1349 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1622_ = (_e884 >> bitcast<u32>(10i));
+                                                            phi_1629_ = (_e1349 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e928 = phi_1622_;
-                                                        let _e937 = (_e785 + 2u);
-                                                        let _e938 = (_e937 < _e98);
-                                                        if _e938 {
-                                                            if _e938 {
+                                                        let _e1393 = phi_1629_;
+                                                        let _e1402 = (_e1250 + 2u);
+                                                        let _e1403 = (_e1402 < _e98);
+                                                        if _e1403 {
+                                                            if _e1403 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e940 = global_5.member[_e937];
-                                                            phi_1652_ = _e940;
+                                                            let _e1405 = global_5.member[_e1402];
+                                                            phi_1659_ = _e1405;
                                                         } else {
-                                                            phi_1652_ = 0u;
+                                                            phi_1659_ = 0u;
                                                         }
-                                                        let _e942 = phi_1652_;
-                                                        let _e943 = (_e785 + 3u);
-                                                        let _e944 = (_e943 < _e98);
-                                                        if _e944 {
-                                                            if _e944 {
+                                                        let _e1407 = phi_1659_;
+                                                        let _e1408 = (_e1250 + 3u);
+                                                        let _e1409 = (_e1408 < _e98);
+                                                        if _e1409 {
+                                                            if _e1409 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e946 = global_5.member[_e943];
-                                                            phi_1667_ = _e946;
+                                                            let _e1411 = global_5.member[_e1408];
+                                                            phi_1674_ = _e1411;
                                                         } else {
-                                                            phi_1667_ = 0u;
+                                                            phi_1674_ = 0u;
                                                         }
-                                                        let _e948 = phi_1667_;
-                                                        if _e885 {
-                                                            phi_1677_ = ((_e942 >> bitcast<u32>(21i)) | (_e948 << bitcast<u32>(11i)));
+                                                        let _e1413 = phi_1674_;
+                                                        if _e1350 {
+                                                            phi_1684_ = ((_e1407 >> bitcast<u32>(21i)) | (_e1413 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1677_ = (_e948 >> bitcast<u32>(10i));
+                                                            phi_1684_ = (_e1413 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e957 = phi_1677_;
-                                                        if _e902 {
-                                                            phi_1698_ = ((_e942 >> bitcast<u32>(21i)) | (_e948 << bitcast<u32>(11i)));
+                                                        let _e1422 = phi_1684_;
+                                                        if _e1367 {
+                                                            phi_1705_ = ((_e1407 >> bitcast<u32>(21i)) | (_e1413 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1698_ = (_e948 >> bitcast<u32>(10i));
+                                                            phi_1705_ = (_e1413 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e973 = phi_1698_;
-                                                        if _e919 {
-                                                            phi_1719_ = ((_e942 >> bitcast<u32>(21i)) | (_e948 << bitcast<u32>(11i)));
+                                                        let _e1438 = phi_1705_;
+                                                        if _e1384 {
+                                                            phi_1726_ = ((_e1407 >> bitcast<u32>(21i)) | (_e1413 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1719_ = (_e948 >> bitcast<u32>(10i));
+                                                            phi_1726_ = (_e1413 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e989 = phi_1719_;
-                                                        let _e998 = (_e785 + 4u);
-                                                        let _e999 = (_e998 < _e98);
-                                                        if _e999 {
-                                                            if _e999 {
+                                                        let _e1454 = phi_1726_;
+                                                        let _e1463 = (_e1250 + 4u);
+                                                        let _e1464 = (_e1463 < _e98);
+                                                        if _e1464 {
+                                                            if _e1464 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1001 = global_5.member[_e998];
-                                                            phi_1749_ = _e1001;
+                                                            let _e1466 = global_5.member[_e1463];
+                                                            phi_1756_ = _e1466;
                                                         } else {
-                                                            phi_1749_ = 0u;
+                                                            phi_1756_ = 0u;
                                                         }
-                                                        let _e1003 = phi_1749_;
-                                                        let _e1004 = (_e785 + 5u);
-                                                        let _e1005 = (_e1004 < _e98);
-                                                        if _e1005 {
-                                                            if _e1005 {
+                                                        let _e1468 = phi_1756_;
+                                                        let _e1469 = (_e1250 + 5u);
+                                                        let _e1470 = (_e1469 < _e98);
+                                                        if _e1470 {
+                                                            if _e1470 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1007 = global_5.member[_e1004];
-                                                            phi_1764_ = _e1007;
+                                                            let _e1472 = global_5.member[_e1469];
+                                                            phi_1771_ = _e1472;
                                                         } else {
-                                                            phi_1764_ = 0u;
+                                                            phi_1771_ = 0u;
                                                         }
-                                                        let _e1009 = phi_1764_;
-                                                        if _e885 {
-                                                            phi_1774_ = ((_e1003 >> bitcast<u32>(21i)) | (_e1009 << bitcast<u32>(11i)));
+                                                        let _e1474 = phi_1771_;
+                                                        if _e1350 {
+                                                            phi_1781_ = ((_e1468 >> bitcast<u32>(21i)) | (_e1474 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1774_ = (_e1009 >> bitcast<u32>(10i));
+                                                            phi_1781_ = (_e1474 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1018 = phi_1774_;
-                                                        if _e902 {
-                                                            phi_1795_ = ((_e1003 >> bitcast<u32>(21i)) | (_e1009 << bitcast<u32>(11i)));
+                                                        let _e1483 = phi_1781_;
+                                                        if _e1367 {
+                                                            phi_1802_ = ((_e1468 >> bitcast<u32>(21i)) | (_e1474 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1795_ = (_e1009 >> bitcast<u32>(10i));
+                                                            phi_1802_ = (_e1474 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1034 = phi_1795_;
-                                                        if _e919 {
-                                                            phi_1816_ = ((_e1003 >> bitcast<u32>(21i)) | (_e1009 << bitcast<u32>(11i)));
+                                                        let _e1499 = phi_1802_;
+                                                        if _e1384 {
+                                                            phi_1823_ = ((_e1468 >> bitcast<u32>(21i)) | (_e1474 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1816_ = (_e1009 >> bitcast<u32>(10i));
+                                                            phi_1823_ = (_e1474 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1050 = phi_1816_;
-                                                        phi_2007_ = array<array<f32, 3>, 3>(array<f32, 3>((_e695.member.member.x + ((bitcast<f32>((1258291200u | (select(_e894, _e878, _e305) & 2097151u))) - 8388608f) * _e146)), (_e695.member.member.y + ((bitcast<f32>((1258291200u | (select(_e911, _e878, _e372) & 2097151u))) - 8388608f) * _e146)), (_e695.member.member.z + ((bitcast<f32>((1258291200u | (select(_e928, _e878, _e438) & 2097151u))) - 8388608f) * _e146))), array<f32, 3>((_e695.member.member.x + ((bitcast<f32>((1258291200u | (select(_e957, _e942, _e305) & 2097151u))) - 8388608f) * _e146)), (_e695.member.member.y + ((bitcast<f32>((1258291200u | (select(_e973, _e942, _e372) & 2097151u))) - 8388608f) * _e146)), (_e695.member.member.z + ((bitcast<f32>((1258291200u | (select(_e989, _e942, _e438) & 2097151u))) - 8388608f) * _e146))), array<f32, 3>((_e695.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1018, _e1003, _e305) & 2097151u))) - 8388608f) * _e146)), (_e695.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1034, _e1003, _e372) & 2097151u))) - 8388608f) * _e146)), (_e695.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1050, _e1003, _e438) & 2097151u))) - 8388608f) * _e146))));
+                                                        let _e1515 = phi_1823_;
+                                                        phi_2014_ = array<array<f32, 3>, 3>(array<f32, 3>((_e693.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1359, _e1343, _e305) & 2097151u))) - 8388608f) * _e146)), (_e693.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1376, _e1343, _e372) & 2097151u))) - 8388608f) * _e146)), (_e693.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1393, _e1343, _e438) & 2097151u))) - 8388608f) * _e146))), array<f32, 3>((_e693.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1422, _e1407, _e305) & 2097151u))) - 8388608f) * _e146)), (_e693.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1438, _e1407, _e372) & 2097151u))) - 8388608f) * _e146)), (_e693.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1454, _e1407, _e438) & 2097151u))) - 8388608f) * _e146))), array<f32, 3>((_e693.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1483, _e1468, _e305) & 2097151u))) - 8388608f) * _e146)), (_e693.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1499, _e1468, _e372) & 2097151u))) - 8388608f) * _e146)), (_e693.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1515, _e1468, _e438) & 2097151u))) - 8388608f) * _e146))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e787 = (_e785 + _e266);
-                                                        let _e788 = (_e787 < _e98);
-                                                        if _e788 {
-                                                            if _e788 {
+                                                        let _e1252 = (_e1250 + _e266);
+                                                        let _e1253 = (_e1252 < _e98);
+                                                        if _e1253 {
+                                                            if _e1253 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e790 = global_5.member[_e787];
-                                                            phi_1847_ = _e790;
+                                                            let _e1255 = global_5.member[_e1252];
+                                                            phi_1854_ = _e1255;
                                                         } else {
-                                                            phi_1847_ = 0u;
+                                                            phi_1854_ = 0u;
                                                         }
-                                                        let _e792 = phi_1847_;
-                                                        let _e796 = (_e785 + _e265);
-                                                        let _e797 = (_e796 < _e98);
-                                                        if _e797 {
-                                                            if _e797 {
+                                                        let _e1257 = phi_1854_;
+                                                        let _e1261 = (_e1250 + _e265);
+                                                        let _e1262 = (_e1261 < _e98);
+                                                        if _e1262 {
+                                                            if _e1262 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e799 = global_5.member[_e796];
-                                                            phi_1865_ = _e799;
+                                                            let _e1264 = global_5.member[_e1261];
+                                                            phi_1872_ = _e1264;
                                                         } else {
-                                                            phi_1865_ = 0u;
+                                                            phi_1872_ = 0u;
                                                         }
-                                                        let _e801 = phi_1865_;
-                                                        let _e805 = (_e785 + _e267);
-                                                        let _e806 = (_e805 < _e98);
-                                                        if _e806 {
-                                                            if _e806 {
+                                                        let _e1266 = phi_1872_;
+                                                        let _e1270 = (_e1250 + _e267);
+                                                        let _e1271 = (_e1270 < _e98);
+                                                        if _e1271 {
+                                                            if _e1271 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e808 = global_5.member[_e805];
-                                                            phi_1883_ = _e808;
+                                                            let _e1273 = global_5.member[_e1270];
+                                                            phi_1890_ = _e1273;
                                                         } else {
-                                                            phi_1883_ = 0u;
+                                                            phi_1890_ = 0u;
                                                         }
-                                                        let _e810 = phi_1883_;
-                                                        let _e815 = (_e785 + 3u);
-                                                        let _e816 = (_e815 + _e266);
-                                                        let _e817 = (_e816 < _e98);
-                                                        if _e817 {
-                                                            if _e817 {
+                                                        let _e1275 = phi_1890_;
+                                                        let _e1280 = (_e1250 + 3u);
+                                                        let _e1281 = (_e1280 + _e266);
+                                                        let _e1282 = (_e1281 < _e98);
+                                                        if _e1282 {
+                                                            if _e1282 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e819 = global_5.member[_e816];
-                                                            phi_1906_ = _e819;
+                                                            let _e1284 = global_5.member[_e1281];
+                                                            phi_1913_ = _e1284;
                                                         } else {
-                                                            phi_1906_ = 0u;
+                                                            phi_1913_ = 0u;
                                                         }
-                                                        let _e821 = phi_1906_;
-                                                        let _e825 = (_e815 + _e265);
-                                                        let _e826 = (_e825 < _e98);
-                                                        if _e826 {
-                                                            if _e826 {
+                                                        let _e1286 = phi_1913_;
+                                                        let _e1290 = (_e1280 + _e265);
+                                                        let _e1291 = (_e1290 < _e98);
+                                                        if _e1291 {
+                                                            if _e1291 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e828 = global_5.member[_e825];
-                                                            phi_1924_ = _e828;
+                                                            let _e1293 = global_5.member[_e1290];
+                                                            phi_1931_ = _e1293;
                                                         } else {
-                                                            phi_1924_ = 0u;
+                                                            phi_1931_ = 0u;
                                                         }
-                                                        let _e830 = phi_1924_;
-                                                        let _e834 = (_e815 + _e267);
-                                                        let _e835 = (_e834 < _e98);
-                                                        if _e835 {
-                                                            if _e835 {
+                                                        let _e1295 = phi_1931_;
+                                                        let _e1299 = (_e1280 + _e267);
+                                                        let _e1300 = (_e1299 < _e98);
+                                                        if _e1300 {
+                                                            if _e1300 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e837 = global_5.member[_e834];
-                                                            phi_1942_ = _e837;
+                                                            let _e1302 = global_5.member[_e1299];
+                                                            phi_1949_ = _e1302;
                                                         } else {
-                                                            phi_1942_ = 0u;
+                                                            phi_1949_ = 0u;
                                                         }
-                                                        let _e839 = phi_1942_;
-                                                        let _e844 = (_e785 + 6u);
-                                                        let _e845 = (_e844 + _e266);
-                                                        let _e846 = (_e845 < _e98);
-                                                        if _e846 {
-                                                            if _e846 {
+                                                        let _e1304 = phi_1949_;
+                                                        let _e1309 = (_e1250 + 6u);
+                                                        let _e1310 = (_e1309 + _e266);
+                                                        let _e1311 = (_e1310 < _e98);
+                                                        if _e1311 {
+                                                            if _e1311 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e848 = global_5.member[_e845];
-                                                            phi_1965_ = _e848;
+                                                            let _e1313 = global_5.member[_e1310];
+                                                            phi_1972_ = _e1313;
                                                         } else {
-                                                            phi_1965_ = 0u;
+                                                            phi_1972_ = 0u;
                                                         }
-                                                        let _e850 = phi_1965_;
-                                                        let _e854 = (_e844 + _e265);
-                                                        let _e855 = (_e854 < _e98);
-                                                        if _e855 {
-                                                            if _e855 {
+                                                        let _e1315 = phi_1972_;
+                                                        let _e1319 = (_e1309 + _e265);
+                                                        let _e1320 = (_e1319 < _e98);
+                                                        if _e1320 {
+                                                            if _e1320 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e857 = global_5.member[_e854];
-                                                            phi_1983_ = _e857;
+                                                            let _e1322 = global_5.member[_e1319];
+                                                            phi_1990_ = _e1322;
                                                         } else {
-                                                            phi_1983_ = 0u;
+                                                            phi_1990_ = 0u;
                                                         }
-                                                        let _e859 = phi_1983_;
-                                                        let _e863 = (_e844 + _e267);
-                                                        let _e864 = (_e863 < _e98);
-                                                        if _e864 {
-                                                            if _e864 {
+                                                        let _e1324 = phi_1990_;
+                                                        let _e1328 = (_e1309 + _e267);
+                                                        let _e1329 = (_e1328 < _e98);
+                                                        if _e1329 {
+                                                            if _e1329 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e866 = global_5.member[_e863];
-                                                            phi_2001_ = _e866;
+                                                            let _e1331 = global_5.member[_e1328];
+                                                            phi_2008_ = _e1331;
                                                         } else {
-                                                            phi_2001_ = 0u;
+                                                            phi_2008_ = 0u;
                                                         }
-                                                        let _e868 = phi_2001_;
-                                                        phi_2007_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e792)) * _e146), (f32(bitcast<i32>(_e801)) * _e146), (f32(bitcast<i32>(_e810)) * _e146)), array<f32, 3>((f32(bitcast<i32>(_e821)) * _e146), (f32(bitcast<i32>(_e830)) * _e146), (f32(bitcast<i32>(_e839)) * _e146)), array<f32, 3>((f32(bitcast<i32>(_e850)) * _e146), (f32(bitcast<i32>(_e859)) * _e146), (f32(bitcast<i32>(_e868)) * _e146)));
+                                                        let _e1333 = phi_2008_;
+                                                        phi_2014_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1257)) * _e146), (f32(bitcast<i32>(_e1266)) * _e146), (f32(bitcast<i32>(_e1275)) * _e146)), array<f32, 3>((f32(bitcast<i32>(_e1286)) * _e146), (f32(bitcast<i32>(_e1295)) * _e146), (f32(bitcast<i32>(_e1304)) * _e146)), array<f32, 3>((f32(bitcast<i32>(_e1315)) * _e146), (f32(bitcast<i32>(_e1324)) * _e146), (f32(bitcast<i32>(_e1333)) * _e146)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2007_ = array<array<f32, 3>, 3>();
+                                                        phi_2014_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1160 = phi_2007_;
-                                                let _e1177 = (_e1160[0][2] - _e463);
-                                                let _e1180 = (((_e1160[0][0] - _e330) * _e499) - (_e1177 * _e367));
-                                                let _e1183 = (((_e1160[0][1] - _e397) * _e499) - (_e1177 * _e433));
-                                                let _e1186 = (_e1160[1][2] - _e463);
-                                                let _e1189 = (((_e1160[1][0] - _e330) * _e499) - (_e1186 * _e367));
-                                                let _e1192 = (((_e1160[1][1] - _e397) * _e499) - (_e1186 * _e433));
-                                                let _e1195 = (_e1160[2][2] - _e463);
-                                                let _e1198 = (((_e1160[2][0] - _e330) * _e499) - (_e1195 * _e367));
-                                                let _e1201 = (((_e1160[2][1] - _e397) * _e499) - (_e1195 * _e433));
-                                                let _e1202 = (_e1198 * _e1192);
-                                                let _e1203 = (_e1201 * _e1189);
-                                                let _e1204 = (_e1180 * _e1201);
-                                                let _e1205 = (_e1183 * _e1198);
-                                                let _e1206 = (_e1189 * _e1183);
-                                                let _e1207 = (_e1192 * _e1180);
-                                                let _e1212 = (((_e1202 >= _e1203) && (_e1204 >= _e1205)) && (_e1206 >= _e1207));
-                                                let _e1218 = (_e1212 || (((_e1202 <= _e1203) && (_e1204 <= _e1205)) && (_e1206 <= _e1207)));
-                                                if _e1218 {
-                                                    let _e1220 = select(-1f, 1f, _e1212);
-                                                    let _e1222 = ((_e1202 - _e1203) * _e1220);
-                                                    let _e1224 = select(0f, _e1222, (_e1222 > 0f));
-                                                    let _e1226 = ((_e1204 - _e1205) * _e1220);
-                                                    let _e1228 = select(0f, _e1226, (_e1226 > 0f));
-                                                    let _e1230 = ((_e1206 - _e1207) * _e1220);
-                                                    let _e1232 = select(0f, _e1230, (_e1230 > 0f));
-                                                    let _e1234 = ((_e1224 + _e1228) + _e1232);
-                                                    let _e1236 = select(_e1160[1][0], _e1160[0][0], (_e1160[0][0] < _e1160[1][0]));
-                                                    let _e1240 = select(_e1160[1][0], _e1160[0][0], (_e1160[0][0] > _e1160[1][0]));
-                                                    let _e1244 = select(_e1160[1][1], _e1160[0][1], (_e1160[0][1] < _e1160[1][1]));
-                                                    let _e1248 = select(_e1160[1][1], _e1160[0][1], (_e1160[0][1] > _e1160[1][1]));
-                                                    let _e1252 = select(_e1160[1][2], _e1160[0][2], (_e1160[0][2] < _e1160[1][2]));
-                                                    let _e1256 = select(_e1160[1][2], _e1160[0][2], (_e1160[0][2] > _e1160[1][2]));
-                                                    let _e1261 = ((select(_e1160[2][0], _e1236, (_e1236 < _e1160[2][0])) - _e368) * _e371);
-                                                    let _e1262 = ((select(_e1160[2][0], _e1240, (_e1240 > _e1160[2][0])) - _e369) * _e371);
-                                                    let _e1265 = ((select(_e1160[2][1], _e1244, (_e1244 < _e1160[2][1])) - _e434) * _e437);
-                                                    let _e1266 = ((select(_e1160[2][1], _e1248, (_e1248 > _e1160[2][1])) - _e435) * _e437);
-                                                    let _e1269 = ((select(_e1160[2][2], _e1252, (_e1252 < _e1160[2][2])) - _e500) * _e503);
-                                                    let _e1270 = ((select(_e1160[2][2], _e1256, (_e1256 > _e1160[2][2])) - _e501) * _e503);
-                                                    let _e1272 = select(_e1270, _e1269, (_e1269 < _e1270));
-                                                    let _e1274 = select(_e1270, _e1269, (_e1269 > _e1270));
-                                                    let _e1276 = select(_e1262, _e1261, (_e1261 < _e1262));
-                                                    let _e1278 = select(_e1266, _e1265, (_e1265 < _e1266));
-                                                    let _e1280 = select(_e1278, _e1276, (_e1276 > _e1278));
-                                                    let _e1282 = select(_e1272, _e1280, (_e1280 > _e1272));
-                                                    let _e1284 = select(_e1262, _e1261, (_e1261 > _e1262));
-                                                    let _e1286 = select(_e1266, _e1265, (_e1265 > _e1266));
-                                                    let _e1288 = select(_e1286, _e1284, (_e1284 < _e1286));
-                                                    let _e1290 = select(_e1274, _e1288, (_e1288 < _e1274));
-                                                    let _e1291 = -(_e1272);
-                                                    let _e1297 = select(_e606, _e1282, (_e1282 > _e606));
-                                                    let _e1301 = select(_e1189, _e1180, (_e1180 < _e1189));
-                                                    let _e1306 = select(_e1189, _e1180, (_e1180 > _e1189));
-                                                    let _e1313 = select(_e1192, _e1183, (_e1183 < _e1192));
-                                                    let _e1318 = select(_e1192, _e1183, (_e1183 > _e1192));
-                                                    let _e1327 = (((((_e1218 && (_e1234 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1198, _e1301, (_e1301 < _e1198)) <= 0f) && (select(_e1198, _e1306, (_e1306 > _e1198)) >= 0f))) && ((select(_e1201, _e1313, (_e1313 < _e1201)) <= 0f) && (select(_e1201, _e1318, (_e1318 > _e1201)) >= 0f))) && (_e1297 <= (_e1290 + (select(_e1291, _e1274, (_e1274 > _e1291)) * 0.0000019073523f)))) && (_e1297 <= _e707.member.member_1));
-                                                    if _e1327 {
-                                                        let _e1332 = (_e1160[1][0] - _e1160[0][0]);
-                                                        let _e1333 = (_e1160[1][1] - _e1160[0][1]);
-                                                        let _e1334 = (_e1160[1][2] - _e1160[0][2]);
-                                                        let _e1335 = vec3<f32>(_e1332, _e1333, _e1334);
-                                                        let _e1336 = (_e1160[2][0] - _e1160[1][0]);
-                                                        let _e1337 = (_e1160[2][1] - _e1160[1][1]);
-                                                        let _e1338 = (_e1160[2][2] - _e1160[1][2]);
-                                                        let _e1339 = vec3<f32>(_e1336, _e1337, _e1338);
-                                                        let _e1340 = (_e1160[0][0] - _e1160[2][0]);
-                                                        let _e1341 = (_e1160[0][1] - _e1160[2][1]);
-                                                        let _e1342 = (_e1160[0][2] - _e1160[2][2]);
-                                                        let _e1343 = vec3<f32>(_e1340, _e1341, _e1342);
-                                                        let _e1344 = abs(_e1332);
-                                                        let _e1345 = abs(_e1333);
-                                                        if (_e1344 != _e1344) {
-                                                            phi_4168_ = true;
+                                                let _e1625 = phi_2014_;
+                                                let _e1642 = (_e1625[0][2] - _e463);
+                                                let _e1645 = (((_e1625[0][0] - _e330) * _e499) - (_e1642 * _e367));
+                                                let _e1648 = (((_e1625[0][1] - _e397) * _e499) - (_e1642 * _e433));
+                                                let _e1651 = (_e1625[1][2] - _e463);
+                                                let _e1654 = (((_e1625[1][0] - _e330) * _e499) - (_e1651 * _e367));
+                                                let _e1657 = (((_e1625[1][1] - _e397) * _e499) - (_e1651 * _e433));
+                                                let _e1660 = (_e1625[2][2] - _e463);
+                                                let _e1663 = (((_e1625[2][0] - _e330) * _e499) - (_e1660 * _e367));
+                                                let _e1666 = (((_e1625[2][1] - _e397) * _e499) - (_e1660 * _e433));
+                                                let _e1667 = (_e1663 * _e1657);
+                                                let _e1668 = (_e1666 * _e1654);
+                                                let _e1669 = (_e1645 * _e1666);
+                                                let _e1670 = (_e1648 * _e1663);
+                                                let _e1671 = (_e1654 * _e1648);
+                                                let _e1672 = (_e1657 * _e1645);
+                                                let _e1677 = (((_e1667 >= _e1668) && (_e1669 >= _e1670)) && (_e1671 >= _e1672));
+                                                let _e1683 = (_e1677 || (((_e1667 <= _e1668) && (_e1669 <= _e1670)) && (_e1671 <= _e1672)));
+                                                if _e1683 {
+                                                    let _e1685 = select(-1f, 1f, _e1677);
+                                                    let _e1687 = ((_e1667 - _e1668) * _e1685);
+                                                    let _e1689 = select(0f, _e1687, (_e1687 > 0f));
+                                                    let _e1691 = ((_e1669 - _e1670) * _e1685);
+                                                    let _e1693 = select(0f, _e1691, (_e1691 > 0f));
+                                                    let _e1695 = ((_e1671 - _e1672) * _e1685);
+                                                    let _e1697 = select(0f, _e1695, (_e1695 > 0f));
+                                                    let _e1699 = ((_e1689 + _e1693) + _e1697);
+                                                    let _e1701 = select(_e1625[1][0], _e1625[0][0], (_e1625[0][0] < _e1625[1][0]));
+                                                    let _e1705 = select(_e1625[1][0], _e1625[0][0], (_e1625[0][0] > _e1625[1][0]));
+                                                    let _e1709 = select(_e1625[1][1], _e1625[0][1], (_e1625[0][1] < _e1625[1][1]));
+                                                    let _e1713 = select(_e1625[1][1], _e1625[0][1], (_e1625[0][1] > _e1625[1][1]));
+                                                    let _e1717 = select(_e1625[1][2], _e1625[0][2], (_e1625[0][2] < _e1625[1][2]));
+                                                    let _e1721 = select(_e1625[1][2], _e1625[0][2], (_e1625[0][2] > _e1625[1][2]));
+                                                    let _e1726 = ((select(_e1625[2][0], _e1701, (_e1701 < _e1625[2][0])) - _e368) * _e371);
+                                                    let _e1727 = ((select(_e1625[2][0], _e1705, (_e1705 > _e1625[2][0])) - _e369) * _e371);
+                                                    let _e1730 = ((select(_e1625[2][1], _e1709, (_e1709 < _e1625[2][1])) - _e434) * _e437);
+                                                    let _e1731 = ((select(_e1625[2][1], _e1713, (_e1713 > _e1625[2][1])) - _e435) * _e437);
+                                                    let _e1734 = ((select(_e1625[2][2], _e1717, (_e1717 < _e1625[2][2])) - _e500) * _e503);
+                                                    let _e1735 = ((select(_e1625[2][2], _e1721, (_e1721 > _e1625[2][2])) - _e501) * _e503);
+                                                    let _e1737 = select(_e1735, _e1734, (_e1734 < _e1735));
+                                                    let _e1739 = select(_e1735, _e1734, (_e1734 > _e1735));
+                                                    let _e1741 = select(_e1727, _e1726, (_e1726 < _e1727));
+                                                    let _e1743 = select(_e1731, _e1730, (_e1730 < _e1731));
+                                                    let _e1745 = select(_e1743, _e1741, (_e1741 > _e1743));
+                                                    let _e1747 = select(_e1737, _e1745, (_e1745 > _e1737));
+                                                    let _e1749 = select(_e1727, _e1726, (_e1726 > _e1727));
+                                                    let _e1751 = select(_e1731, _e1730, (_e1730 > _e1731));
+                                                    let _e1753 = select(_e1751, _e1749, (_e1749 < _e1751));
+                                                    let _e1755 = select(_e1739, _e1753, (_e1753 < _e1739));
+                                                    let _e1756 = -(_e1737);
+                                                    let _e1762 = select(_e606, _e1747, (_e1747 > _e606));
+                                                    let _e1766 = select(_e1654, _e1645, (_e1645 < _e1654));
+                                                    let _e1771 = select(_e1654, _e1645, (_e1645 > _e1654));
+                                                    let _e1778 = select(_e1657, _e1648, (_e1648 < _e1657));
+                                                    let _e1783 = select(_e1657, _e1648, (_e1648 > _e1657));
+                                                    let _e1792 = (((((_e1683 && (_e1699 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1663, _e1766, (_e1766 < _e1663)) <= 0f) && (select(_e1663, _e1771, (_e1771 > _e1663)) >= 0f))) && ((select(_e1666, _e1778, (_e1778 < _e1666)) <= 0f) && (select(_e1666, _e1783, (_e1783 > _e1666)) >= 0f))) && (_e1762 <= (_e1755 + (select(_e1756, _e1739, (_e1739 > _e1756)) * 0.0000019073523f)))) && (_e1762 <= _e1172.member.member_1));
+                                                    if _e1792 {
+                                                        let _e1797 = (_e1625[1][0] - _e1625[0][0]);
+                                                        let _e1798 = (_e1625[1][1] - _e1625[0][1]);
+                                                        let _e1799 = (_e1625[1][2] - _e1625[0][2]);
+                                                        let _e1800 = vec3<f32>(_e1797, _e1798, _e1799);
+                                                        let _e1801 = (_e1625[2][0] - _e1625[1][0]);
+                                                        let _e1802 = (_e1625[2][1] - _e1625[1][1]);
+                                                        let _e1803 = (_e1625[2][2] - _e1625[1][2]);
+                                                        let _e1804 = vec3<f32>(_e1801, _e1802, _e1803);
+                                                        let _e1805 = (_e1625[0][0] - _e1625[2][0]);
+                                                        let _e1806 = (_e1625[0][1] - _e1625[2][1]);
+                                                        let _e1807 = (_e1625[0][2] - _e1625[2][2]);
+                                                        let _e1808 = vec3<f32>(_e1805, _e1806, _e1807);
+                                                        let _e1811 = bitcast<f32>((bitcast<u32>(_e1797) & 2147483647u));
+                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u));
+                                                        let _e1816 = select(_e1814, _e1811, (_e1811 > _e1814));
+                                                        let _e1819 = bitcast<f32>((bitcast<u32>(_e1799) & 2147483647u));
+                                                        let _e1821 = select(_e1819, _e1816, (_e1816 > _e1819));
+                                                        let _e1824 = bitcast<f32>((bitcast<u32>(_e1801) & 2147483647u));
+                                                        let _e1827 = bitcast<f32>((bitcast<u32>(_e1802) & 2147483647u));
+                                                        let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
+                                                        let _e1832 = bitcast<f32>((bitcast<u32>(_e1803) & 2147483647u));
+                                                        let _e1834 = select(_e1832, _e1829, (_e1829 > _e1832));
+                                                        let _e1837 = bitcast<f32>((bitcast<u32>(_e1805) & 2147483647u));
+                                                        let _e1840 = bitcast<f32>((bitcast<u32>(_e1806) & 2147483647u));
+                                                        let _e1842 = select(_e1840, _e1837, (_e1837 > _e1840));
+                                                        let _e1845 = bitcast<f32>((bitcast<u32>(_e1807) & 2147483647u));
+                                                        let _e1847 = select(_e1845, _e1842, (_e1842 > _e1845));
+                                                        let _e1849 = select(_e1834, _e1821, (_e1821 > _e1834));
+                                                        let _e1851 = select(_e1847, _e1849, (_e1849 > _e1847));
+                                                        if (_e1821 == _e1851) {
+                                                            phi_2544_ = _e1657;
+                                                            phi_2545_ = _e1654;
+                                                            phi_2546_ = _e1648;
+                                                            phi_2547_ = _e1645;
+                                                            phi_2548_ = vec3<f32>(_e1625[0][0], _e1625[0][1], _e1625[0][2]);
+                                                            phi_2549_ = _e1808;
+                                                            phi_2550_ = _e1804;
+                                                            phi_2551_ = _e1800;
                                                         } else {
-                                                            phi_4168_ = (_e1345 >= _e1344);
+                                                            let _e1853 = (_e1834 == _e1851);
+                                                            let _e1858 = vec3(_e1853);
+                                                            phi_2544_ = select(_e1648, _e1666, _e1853);
+                                                            phi_2545_ = select(_e1645, _e1663, _e1853);
+                                                            phi_2546_ = select(_e1666, _e1657, _e1853);
+                                                            phi_2547_ = select(_e1663, _e1654, _e1853);
+                                                            phi_2548_ = select(vec3<f32>(_e1625[2][0], _e1625[2][1], _e1625[2][2]), vec3<f32>(_e1625[1][0], _e1625[1][1], _e1625[1][2]), _e1858);
+                                                            phi_2549_ = select(_e1804, _e1800, _e1858);
+                                                            phi_2550_ = select(_e1800, _e1808, _e1858);
+                                                            phi_2551_ = select(_e1808, _e1804, _e1858);
                                                         }
-                                                        let _e1349 = phi_4168_;
-                                                        let _e1350 = select(_e1344, _e1345, _e1349);
-                                                        let _e1351 = abs(_e1334);
-                                                        if (_e1350 != _e1350) {
-                                                            phi_4183_ = true;
+                                                        let _e1864 = phi_2544_;
+                                                        let _e1866 = phi_2545_;
+                                                        let _e1868 = phi_2546_;
+                                                        let _e1870 = phi_2547_;
+                                                        let _e1872 = phi_2548_;
+                                                        let _e1874 = phi_2549_;
+                                                        let _e1876 = phi_2550_;
+                                                        let _e1878 = phi_2551_;
+                                                        let _e1885 = ((_e1876.y * _e1874.z) - (_e1874.y * _e1876.z));
+                                                        let _e1890 = ((_e1876.z * _e1874.x) - (_e1874.z * _e1876.x));
+                                                        let _e1893 = ((_e1876.x * _e1874.y) - (_e1874.x * _e1876.y));
+                                                        let _e1896 = ((_e1689 >= _e1693) && (_e1689 >= _e1697));
+                                                        let _e1897 = (_e1693 >= _e1697);
+                                                        let _e1911 = (((_e1885 * (select(select(_e1625[2][0], _e1625[1][0], _e1897), _e1625[0][0], _e1896) - _e330)) + (_e1890 * (select(select(_e1625[2][1], _e1625[1][1], _e1897), _e1625[0][1], _e1896) - _e397))) + (_e1893 * (select(select(_e1625[2][2], _e1625[1][2], _e1897), _e1625[0][2], _e1896) - _e463)));
+                                                        let _e1916 = (((_e1885 * _e367) + (_e1890 * _e433)) + (_e1893 * _e499));
+                                                        let _e1917 = (_e1866 - _e1870);
+                                                        let _e1918 = (_e1864 - _e1868);
+                                                        let _e1921 = ((_e1917 * _e1917) + (_e1918 * _e1918));
+                                                        let _e1928 = (-(((_e1870 * _e1917) + (_e1868 * _e1918))) / select(0.000000000000000000000000000000000000011754944f, _e1921, (_e1921 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1930 = select(1f, _e1928, (_e1928 < 1f));
+                                                        let _e1932 = select(0f, _e1930, (_e1930 > 0f));
+                                                        let _e1941 = ((_e1872.x + (_e1878.x * _e1932)) - _e330);
+                                                        let _e1944 = ((_e1872.y + (_e1878.y * _e1932)) - _e397);
+                                                        let _e1947 = ((_e1872.z + (_e1878.z * _e1932)) - _e463);
+                                                        let _e1950 = bitcast<f32>((bitcast<u32>(_e1941) & 2147483647u));
+                                                        let _e1953 = bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u));
+                                                        let _e1955 = select(_e1953, _e1950, (_e1950 > _e1953));
+                                                        let _e1958 = bitcast<f32>((bitcast<u32>(_e1947) & 2147483647u));
+                                                        let _e1960 = select(_e1958, _e1955, (_e1955 > _e1958));
+                                                        let _e1966 = bitcast<f32>((bitcast<u32>(_e1885) & 2147483647u));
+                                                        let _e1969 = bitcast<f32>((bitcast<u32>(_e1890) & 2147483647u));
+                                                        let _e1971 = select(_e1969, _e1966, (_e1966 > _e1969));
+                                                        let _e1974 = bitcast<f32>((bitcast<u32>(_e1893) & 2147483647u));
+                                                        let _e1993 = bitcast<f32>((bitcast<u32>(_e1876.x) & 2147483647u));
+                                                        let _e1996 = bitcast<f32>((bitcast<u32>(_e1876.y) & 2147483647u));
+                                                        let _e1998 = select(_e1996, _e1993, (_e1993 > _e1996));
+                                                        let _e2001 = bitcast<f32>((bitcast<u32>(_e1876.z) & 2147483647u));
+                                                        let _e2007 = bitcast<f32>((bitcast<u32>(_e1874.x) & 2147483647u));
+                                                        let _e2010 = bitcast<f32>((bitcast<u32>(_e1874.y) & 2147483647u));
+                                                        let _e2012 = select(_e2010, _e2007, (_e2007 > _e2010));
+                                                        let _e2015 = bitcast<f32>((bitcast<u32>(_e1874.z) & 2147483647u));
+                                                        let _e2021 = ((bitcast<f32>((bitcast<u32>(((((_e1885 * _e1941) + (_e1890 * _e1944)) + (_e1893 * _e1947)) - _e1911)) & 2147483647u)) <= ((0.0000009536743f * select(_e1851, _e1960, (_e1960 > _e1851))) * select(_e1974, _e1971, (_e1971 > _e1974)))) && !((bitcast<f32>((bitcast<u32>(_e1916) & 2147483647u)) <= ((0.0000038146973f * select(_e2001, _e1998, (_e1998 > _e2001))) * select(_e2015, _e2012, (_e2012 > _e2015))))));
+                                                        let _e2022 = (_e1911 / _e1916);
+                                                        if (_e1792 && !(_e2021)) {
+                                                            let _e2025 = (_e1947 / _e499);
+                                                            let _e2033 = (((_e1885 * (_e1941 - (_e367 * _e2025))) + (_e1890 * (_e1944 - (_e433 * _e2025)))) / _e1916);
+                                                            phi_2742_ = select(select(_e2025, (_e2025 + _e2033), (bitcast<f32>((bitcast<u32>(_e2033) & 2147483647u)) <= _e1851)), _e2022, _e2021);
                                                         } else {
-                                                            phi_4183_ = (_e1351 >= _e1350);
+                                                            phi_2742_ = _e2022;
                                                         }
-                                                        let _e1355 = phi_4183_;
-                                                        let _e1356 = select(_e1350, _e1351, _e1355);
-                                                        let _e1357 = abs(_e1336);
-                                                        let _e1358 = abs(_e1337);
-                                                        if (_e1357 != _e1357) {
-                                                            phi_4198_ = true;
-                                                        } else {
-                                                            phi_4198_ = (_e1358 >= _e1357);
-                                                        }
-                                                        let _e1362 = phi_4198_;
-                                                        let _e1363 = select(_e1357, _e1358, _e1362);
-                                                        let _e1364 = abs(_e1338);
-                                                        if (_e1363 != _e1363) {
-                                                            phi_4213_ = true;
-                                                        } else {
-                                                            phi_4213_ = (_e1364 >= _e1363);
-                                                        }
-                                                        let _e1368 = phi_4213_;
-                                                        let _e1369 = select(_e1363, _e1364, _e1368);
-                                                        let _e1370 = abs(_e1340);
-                                                        let _e1371 = abs(_e1341);
-                                                        if (_e1370 != _e1370) {
-                                                            phi_4228_ = true;
-                                                        } else {
-                                                            phi_4228_ = (_e1371 >= _e1370);
-                                                        }
-                                                        let _e1375 = phi_4228_;
-                                                        let _e1376 = select(_e1370, _e1371, _e1375);
-                                                        let _e1377 = abs(_e1342);
-                                                        if (_e1376 != _e1376) {
-                                                            phi_4243_ = true;
-                                                        } else {
-                                                            phi_4243_ = (_e1377 >= _e1376);
-                                                        }
-                                                        let _e1381 = phi_4243_;
-                                                        let _e1382 = select(_e1376, _e1377, _e1381);
-                                                        let _e1384 = select(_e1369, _e1356, (_e1356 > _e1369));
-                                                        let _e1386 = select(_e1382, _e1384, (_e1384 > _e1382));
-                                                        if (_e1356 == _e1386) {
-                                                            phi_2549_ = _e1192;
-                                                            phi_2550_ = _e1189;
-                                                            phi_2551_ = _e1183;
-                                                            phi_2552_ = _e1180;
-                                                            phi_2553_ = vec3<f32>(_e1160[0][0], _e1160[0][1], _e1160[0][2]);
-                                                            phi_2554_ = _e1343;
-                                                            phi_2555_ = _e1339;
-                                                            phi_2556_ = _e1335;
-                                                        } else {
-                                                            let _e1388 = (_e1369 == _e1386);
-                                                            let _e1393 = vec3(_e1388);
-                                                            phi_2549_ = select(_e1183, _e1201, _e1388);
-                                                            phi_2550_ = select(_e1180, _e1198, _e1388);
-                                                            phi_2551_ = select(_e1201, _e1192, _e1388);
-                                                            phi_2552_ = select(_e1198, _e1189, _e1388);
-                                                            phi_2553_ = select(vec3<f32>(_e1160[2][0], _e1160[2][1], _e1160[2][2]), vec3<f32>(_e1160[1][0], _e1160[1][1], _e1160[1][2]), _e1393);
-                                                            phi_2554_ = select(_e1339, _e1335, _e1393);
-                                                            phi_2555_ = select(_e1335, _e1343, _e1393);
-                                                            phi_2556_ = select(_e1343, _e1339, _e1393);
-                                                        }
-                                                        let _e1399 = phi_2549_;
-                                                        let _e1401 = phi_2550_;
-                                                        let _e1403 = phi_2551_;
-                                                        let _e1405 = phi_2552_;
-                                                        let _e1407 = phi_2553_;
-                                                        let _e1409 = phi_2554_;
-                                                        let _e1411 = phi_2555_;
-                                                        let _e1413 = phi_2556_;
-                                                        let _e1420 = ((_e1411.y * _e1409.z) - (_e1409.y * _e1411.z));
-                                                        let _e1425 = ((_e1411.z * _e1409.x) - (_e1409.z * _e1411.x));
-                                                        let _e1428 = ((_e1411.x * _e1409.y) - (_e1409.x * _e1411.y));
-                                                        let _e1431 = ((_e1224 >= _e1228) && (_e1224 >= _e1232));
-                                                        let _e1432 = (_e1228 >= _e1232);
-                                                        let _e1446 = (((_e1420 * (select(select(_e1160[2][0], _e1160[1][0], _e1432), _e1160[0][0], _e1431) - _e330)) + (_e1425 * (select(select(_e1160[2][1], _e1160[1][1], _e1432), _e1160[0][1], _e1431) - _e397))) + (_e1428 * (select(select(_e1160[2][2], _e1160[1][2], _e1432), _e1160[0][2], _e1431) - _e463)));
-                                                        let _e1451 = (((_e1420 * _e367) + (_e1425 * _e433)) + (_e1428 * _e499));
-                                                        let _e1452 = (_e1401 - _e1405);
-                                                        let _e1453 = (_e1399 - _e1403);
-                                                        let _e1456 = ((_e1452 * _e1452) + (_e1453 * _e1453));
-                                                        let _e1463 = (-(((_e1405 * _e1452) + (_e1403 * _e1453))) / select(0.000000000000000000000000000000000000011754944f, _e1456, (_e1456 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1465 = select(1f, _e1463, (_e1463 < 1f));
-                                                        let _e1467 = select(0f, _e1465, (_e1465 > 0f));
-                                                        let _e1476 = ((_e1407.x + (_e1413.x * _e1467)) - _e330);
-                                                        let _e1479 = ((_e1407.y + (_e1413.y * _e1467)) - _e397);
-                                                        let _e1482 = ((_e1407.z + (_e1413.z * _e1467)) - _e463);
-                                                        let _e1485 = bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u));
-                                                        let _e1488 = bitcast<f32>((bitcast<u32>(_e1479) & 2147483647u));
-                                                        let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
-                                                        let _e1493 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
-                                                        let _e1495 = select(_e1493, _e1490, (_e1490 > _e1493));
-                                                        let _e1499 = abs(_e1420);
-                                                        let _e1500 = abs(_e1425);
-                                                        if (_e1499 != _e1499) {
-                                                            phi_4258_ = true;
-                                                        } else {
-                                                            phi_4258_ = (_e1500 >= _e1499);
-                                                        }
-                                                        let _e1504 = phi_4258_;
-                                                        let _e1505 = select(_e1499, _e1500, _e1504);
-                                                        let _e1506 = abs(_e1428);
-                                                        if (_e1505 != _e1505) {
-                                                            phi_4273_ = true;
-                                                        } else {
-                                                            phi_4273_ = (_e1506 >= _e1505);
-                                                        }
-                                                        let _e1510 = phi_4273_;
-                                                        let _e1526 = abs(_e1411.x);
-                                                        let _e1527 = abs(_e1411.y);
-                                                        if (_e1526 != _e1526) {
-                                                            phi_4288_ = true;
-                                                        } else {
-                                                            phi_4288_ = (_e1527 >= _e1526);
-                                                        }
-                                                        let _e1531 = phi_4288_;
-                                                        let _e1532 = select(_e1526, _e1527, _e1531);
-                                                        let _e1533 = abs(_e1411.z);
-                                                        if (_e1532 != _e1532) {
-                                                            phi_4303_ = true;
-                                                        } else {
-                                                            phi_4303_ = (_e1533 >= _e1532);
-                                                        }
-                                                        let _e1537 = phi_4303_;
-                                                        let _e1540 = abs(_e1409.x);
-                                                        let _e1541 = abs(_e1409.y);
-                                                        if (_e1540 != _e1540) {
-                                                            phi_4318_ = true;
-                                                        } else {
-                                                            phi_4318_ = (_e1541 >= _e1540);
-                                                        }
-                                                        let _e1545 = phi_4318_;
-                                                        let _e1546 = select(_e1540, _e1541, _e1545);
-                                                        let _e1547 = abs(_e1409.z);
-                                                        if (_e1546 != _e1546) {
-                                                            phi_4333_ = true;
-                                                        } else {
-                                                            phi_4333_ = (_e1547 >= _e1546);
-                                                        }
-                                                        let _e1551 = phi_4333_;
-                                                        let _e1556 = ((bitcast<f32>((bitcast<u32>(((((_e1420 * _e1476) + (_e1425 * _e1479)) + (_e1428 * _e1482)) - _e1446)) & 2147483647u)) <= ((0.0000009536743f * select(_e1386, _e1495, (_e1495 > _e1386))) * select(_e1505, _e1506, _e1510))) && !((bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u)) <= ((0.0000038146973f * select(_e1532, _e1533, _e1537)) * select(_e1546, _e1547, _e1551)))));
-                                                        let _e1557 = (_e1446 / _e1451);
-                                                        if (_e1327 && !(_e1556)) {
-                                                            let _e1560 = (_e1482 / _e499);
-                                                            let _e1568 = (((_e1420 * (_e1476 - (_e367 * _e1560))) + (_e1425 * (_e1479 - (_e433 * _e1560)))) / _e1451);
-                                                            phi_2764_ = select(select(_e1560, (_e1560 + _e1568), (bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u)) <= _e1386)), _e1557, _e1556);
-                                                        } else {
-                                                            phi_2764_ = _e1557;
-                                                        }
-                                                        let _e1577 = phi_2764_;
-                                                        let _e1579 = select(_e1290, _e1577, (_e1577 < _e1290));
-                                                        let _e1581 = select(_e1282, _e1579, (_e1579 > _e1282));
-                                                        let _e1582 = (1f / _e1234);
-                                                        phi_2784_ = type_40(_e1581, (_e1228 * _e1582), (_e1232 * _e1582), ((_e1327 && (_e1581 >= _e606)) && (_e1581 <= _e707.member.member_1)));
-                                                        phi_2785_ = type_40();
+                                                        let _e2042 = phi_2742_;
+                                                        let _e2044 = select(_e1755, _e2042, (_e2042 < _e1755));
+                                                        let _e2046 = select(_e1747, _e2044, (_e2044 > _e1747));
+                                                        let _e2047 = (1f / _e1699);
+                                                        phi_2762_ = type_40(_e2046, (_e1693 * _e2047), (_e1697 * _e2047), ((_e1792 && (_e2046 >= _e606)) && (_e2046 <= _e1172.member.member_1)));
+                                                        phi_2763_ = type_40();
                                                     } else {
-                                                        phi_2784_ = type_40();
-                                                        phi_2785_ = type_40(0f, 0f, 0f, _e1327);
+                                                        phi_2762_ = type_40();
+                                                        phi_2763_ = type_40(0f, 0f, 0f, _e1792);
                                                     }
-                                                    let _e1591 = phi_2784_;
-                                                    let _e1593 = phi_2785_;
-                                                    phi_2788_ = _e1591;
-                                                    phi_2789_ = _e1593;
-                                                    phi_2790_ = select(true, false, _e1327);
+                                                    let _e2056 = phi_2762_;
+                                                    let _e2058 = phi_2763_;
+                                                    phi_2766_ = _e2056;
+                                                    phi_2767_ = _e2058;
+                                                    phi_2768_ = select(true, false, _e1792);
                                                 } else {
-                                                    phi_2788_ = type_40();
-                                                    phi_2789_ = type_40(0f, 0f, 0f, _e1218);
-                                                    phi_2790_ = true;
+                                                    phi_2766_ = type_40();
+                                                    phi_2767_ = type_40(0f, 0f, 0f, _e1683);
+                                                    phi_2768_ = true;
                                                 }
-                                                let _e1596 = phi_2788_;
-                                                let _e1598 = phi_2789_;
-                                                let _e1600 = phi_2790_;
-                                                if _e1600 {
-                                                    phi_2794_ = _e1598;
+                                                let _e2061 = phi_2766_;
+                                                let _e2063 = phi_2767_;
+                                                let _e2065 = phi_2768_;
+                                                if _e2065 {
+                                                    phi_2772_ = _e2063;
                                                 } else {
-                                                    phi_2794_ = _e1596;
+                                                    phi_2772_ = _e2061;
                                                 }
-                                                let _e1602 = phi_2794_;
-                                                if _e1602.member_3 {
-                                                    phi_2803_ = type_28(_e1602.member, _e1602.member_1, _e1602.member_2, _e773);
+                                                let _e2067 = phi_2772_;
+                                                if _e2067.member_3 {
+                                                    phi_2781_ = type_28(_e2067.member, _e2067.member_1, _e2067.member_2, _e1238);
                                                 } else {
-                                                    phi_2803_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2781_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1609 = phi_2803_;
-                                                if (_e1609.member_3 != 4294967295u) {
-                                                    if (_e773 != 4294967295u) {
-                                                        if (_e1609.member < _e707.member.member.member) {
-                                                            phi_2829_ = true;
+                                                let _e2074 = phi_2781_;
+                                                if (_e2074.member_3 != 4294967295u) {
+                                                    if (_e1238 != 4294967295u) {
+                                                        if (_e2074.member < _e1172.member.member.member) {
+                                                            phi_2807_ = true;
                                                         } else {
-                                                            if (_e1609.member == _e707.member.member.member) {
-                                                                phi_2828_ = (_e1609.member_3 < _e707.member.member.member_3);
+                                                            if (_e2074.member == _e1172.member.member.member) {
+                                                                phi_2806_ = (_e2074.member_3 < _e1172.member.member.member_3);
                                                             } else {
-                                                                phi_2828_ = false;
+                                                                phi_2806_ = false;
                                                             }
-                                                            let _e1624 = phi_2828_;
-                                                            phi_2829_ = _e1624;
+                                                            let _e2089 = phi_2806_;
+                                                            phi_2807_ = _e2089;
                                                         }
-                                                        let _e1626 = phi_2829_;
-                                                        if _e1626 {
-                                                            phi_2836_ = type_44(type_37(_e1609, _e1609.member), _e734.member_1, _e734.member_2);
+                                                        let _e2091 = phi_2807_;
+                                                        if _e2091 {
+                                                            phi_2814_ = type_44(type_37(_e2074, _e2074.member), _e1199.member_1, _e1199.member_2);
                                                         } else {
-                                                            phi_2836_ = _e734;
+                                                            phi_2814_ = _e1199;
                                                         }
-                                                        let _e1633 = phi_2836_;
-                                                        phi_2837_ = _e1633;
+                                                        let _e2098 = phi_2814_;
+                                                        phi_2815_ = _e2098;
                                                     } else {
-                                                        phi_2837_ = _e734;
+                                                        phi_2815_ = _e1199;
                                                     }
-                                                    let _e1635 = phi_2837_;
-                                                    phi_2838_ = _e1635;
+                                                    let _e2100 = phi_2815_;
+                                                    phi_2816_ = _e2100;
                                                 } else {
-                                                    phi_2838_ = _e734;
+                                                    phi_2816_ = _e1199;
                                                 }
-                                                let _e1637 = phi_2838_;
-                                                phi_1241_ = _e1637;
+                                                let _e2102 = phi_2816_;
+                                                phi_1248_ = _e2102;
                                             } else {
-                                                phi_1241_ = type_44();
+                                                phi_1248_ = type_44();
                                             }
-                                            let _e1639 = phi_1241_;
+                                            let _e2104 = phi_1248_;
                                             continue;
                                             continuing {
-                                                phi_1240_ = _e1639;
-                                                phi_1243_ = _e722;
-                                                phi_4527_ = _e649;
-                                                break if !(_e728);
+                                                phi_1247_ = _e2104;
+                                                phi_1250_ = _e1187;
+                                                phi_4453_ = _e649;
+                                                break if !(_e1193);
                                             }
                                         }
-                                        let _e1642 = phi_4527_;
-                                        phi_4739_ = _e1642;
-                                        if _e1642 {
+                                        let _e2107 = phi_4453_;
+                                        phi_4653_ = _e2107;
+                                        if _e2107 {
                                             break;
                                         }
-                                        phi_4830_ = _e1642;
-                                        let _e2294 = local_12;
-                                        phi_2839_ = _e2294;
+                                        let _e2109 = local_10;
+                                        phi_4657_ = _e2107;
+                                        let _e2301 = local_13;
+                                        phi_4081_ = _e2301;
+                                        phi_4082_ = false;
+                                        phi_4083_ = _e693;
+                                        phi_4084_ = select(_e695, 0u, (_e606 > _e2109.member.member_1));
                                     } else {
-                                        phi_4830_ = _e649;
-                                        phi_2839_ = _e651;
-                                    }
-                                    let _e1644 = phi_4830_;
-                                    let _e1646 = phi_2839_;
-                                    if _e699 {
-                                        phi_4108_ = type_44();
-                                        phi_4109_ = bool();
-                                        phi_4110_ = u32();
-                                        phi_4111_ = type_51();
-                                    } else {
-                                        if (_e695.member_1 >= _e95) {
-                                            phi_3640_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e693.member_1 >= _e95) {
+                                            phi_3617_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e695.member_1 < _e95) {
+                                            if (_e693.member_1 < _e95) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1650 = ((1u + _e266) % 4u);
-                                            if (_e1650 < 4u) {
+                                            let _e708 = ((1u + _e266) % 4u);
+                                            if (_e708 < 4u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1655 = global_3.member[_e695.member_1][_e1650];
-                                            let _e1657 = (_e1655 >> bitcast<u32>(11u));
-                                            let _e1659 = ((1u + _e265) % 4u);
-                                            if (_e1659 < 4u) {
+                                            let _e713 = global_3.member[_e693.member_1][_e708];
+                                            let _e715 = (_e713 >> bitcast<u32>(11u));
+                                            let _e717 = ((1u + _e265) % 4u);
+                                            if (_e717 < 4u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1664 = global_3.member[_e695.member_1][_e1659];
-                                            let _e1666 = (_e1664 >> bitcast<u32>(11u));
-                                            let _e1668 = ((1u + _e267) % 4u);
-                                            if (_e1668 < 4u) {
+                                            let _e722 = global_3.member[_e693.member_1][_e717];
+                                            let _e724 = (_e722 >> bitcast<u32>(11u));
+                                            let _e726 = ((1u + _e267) % 4u);
+                                            if (_e726 < 4u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1673 = global_3.member[_e695.member_1][_e1668];
-                                            let _e1675 = (_e1673 >> bitcast<u32>(11u));
-                                            let _e1698 = (bitcast<f32>((bitcast<u32>((_e695.member.member_1.x - _e695.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e1699 = (bitcast<f32>((bitcast<u32>((_e695.member.member_1.y - _e695.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e1700 = (bitcast<f32>((bitcast<u32>((_e695.member.member_1.z - _e695.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e1702 = select(_e146, _e1698, (_e1698 > _e146));
-                                            let _e1704 = select(_e146, _e1699, (_e1699 > _e146));
-                                            let _e1706 = select(_e146, _e1700, (_e1700 > _e146));
-                                            let _e1737 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1655 & 1023u))) - 8388608f) * _e1702));
-                                            let _e1742 = (bitcast<i32>((_e1655 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1745 = bitcast<f32>((_e1737 & bitcast<u32>(_e1742)));
-                                            let _e1746 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1664 & 1023u))) - 8388608f) * _e1704));
-                                            let _e1751 = (bitcast<i32>((_e1664 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1754 = bitcast<f32>((_e1746 & bitcast<u32>(_e1751)));
-                                            let _e1755 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1673 & 1023u))) - 8388608f) * _e1706));
-                                            let _e1760 = (bitcast<i32>((_e1673 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1763 = bitcast<f32>((_e1755 & bitcast<u32>(_e1760)));
-                                            let _e1767 = bitcast<f32>((_e1737 & bitcast<u32>(~(_e1742))));
-                                            let _e1771 = bitcast<f32>((_e1746 & bitcast<u32>(~(_e1751))));
-                                            let _e1775 = bitcast<f32>((_e1755 & bitcast<u32>(~(_e1760))));
-                                            let _e1776 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1657 & 1023u))) - 8388608f) * _e1702));
-                                            let _e1781 = (bitcast<i32>((_e1657 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1784 = bitcast<f32>((_e1776 & bitcast<u32>(_e1781)));
-                                            let _e1785 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1666 & 1023u))) - 8388608f) * _e1704));
-                                            let _e1790 = (bitcast<i32>((_e1666 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1793 = bitcast<f32>((_e1785 & bitcast<u32>(_e1790)));
-                                            let _e1794 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1675 & 1023u))) - 8388608f) * _e1706));
-                                            let _e1799 = (bitcast<i32>((_e1675 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1802 = bitcast<f32>((_e1794 & bitcast<u32>(_e1799)));
-                                            let _e1806 = bitcast<f32>((_e1776 & bitcast<u32>(~(_e1781))));
-                                            let _e1810 = bitcast<f32>((_e1785 & bitcast<u32>(~(_e1790))));
-                                            let _e1814 = bitcast<f32>((_e1794 & bitcast<u32>(~(_e1799))));
-                                            let _e1815 = (_e695.member.member.x + _e1745);
-                                            let _e1816 = (_e695.member.member.y + _e1754);
-                                            let _e1817 = (_e695.member.member.z + _e1763);
-                                            let _e1820 = (_e695.member.member_1.x - _e1784);
-                                            let _e1821 = (_e695.member.member_1.y - _e1793);
-                                            let _e1822 = (_e695.member.member_1.z - _e1802);
-                                            let _e1841 = (_e1820 - _e1815);
-                                            let _e1842 = (_e1821 - _e1816);
-                                            let _e1843 = (_e1822 - _e1817);
-                                            let _e1845 = select(_e1842, _e1841, (_e1841 > _e1842));
-                                            let _e1847 = select(_e1843, _e1845, (_e1845 > _e1843));
-                                            if (_e1847 < (1024f * _e146)) {
-                                                phi_3341_ = 0u;
+                                            let _e731 = global_3.member[_e693.member_1][_e726];
+                                            let _e733 = (_e731 >> bitcast<u32>(11u));
+                                            let _e756 = (bitcast<f32>((bitcast<u32>((_e693.member.member_1.x - _e693.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e757 = (bitcast<f32>((bitcast<u32>((_e693.member.member_1.y - _e693.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e758 = (bitcast<f32>((bitcast<u32>((_e693.member.member_1.z - _e693.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e760 = select(_e146, _e756, (_e756 > _e146));
+                                            let _e762 = select(_e146, _e757, (_e757 > _e146));
+                                            let _e764 = select(_e146, _e758, (_e758 > _e146));
+                                            let _e795 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e713 & 1023u))) - 8388608f) * _e760));
+                                            let _e800 = (bitcast<i32>((_e713 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e803 = bitcast<f32>((_e795 & bitcast<u32>(_e800)));
+                                            let _e804 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e722 & 1023u))) - 8388608f) * _e762));
+                                            let _e809 = (bitcast<i32>((_e722 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e812 = bitcast<f32>((_e804 & bitcast<u32>(_e809)));
+                                            let _e813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e731 & 1023u))) - 8388608f) * _e764));
+                                            let _e818 = (bitcast<i32>((_e731 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e821 = bitcast<f32>((_e813 & bitcast<u32>(_e818)));
+                                            let _e825 = bitcast<f32>((_e795 & bitcast<u32>(~(_e800))));
+                                            let _e829 = bitcast<f32>((_e804 & bitcast<u32>(~(_e809))));
+                                            let _e833 = bitcast<f32>((_e813 & bitcast<u32>(~(_e818))));
+                                            let _e834 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e715 & 1023u))) - 8388608f) * _e760));
+                                            let _e839 = (bitcast<i32>((_e715 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e842 = bitcast<f32>((_e834 & bitcast<u32>(_e839)));
+                                            let _e843 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e724 & 1023u))) - 8388608f) * _e762));
+                                            let _e848 = (bitcast<i32>((_e724 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e851 = bitcast<f32>((_e843 & bitcast<u32>(_e848)));
+                                            let _e852 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 1023u))) - 8388608f) * _e764));
+                                            let _e857 = (bitcast<i32>((_e733 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e860 = bitcast<f32>((_e852 & bitcast<u32>(_e857)));
+                                            let _e864 = bitcast<f32>((_e834 & bitcast<u32>(~(_e839))));
+                                            let _e868 = bitcast<f32>((_e843 & bitcast<u32>(~(_e848))));
+                                            let _e872 = bitcast<f32>((_e852 & bitcast<u32>(~(_e857))));
+                                            let _e873 = (_e693.member.member.x + _e803);
+                                            let _e874 = (_e693.member.member.y + _e812);
+                                            let _e875 = (_e693.member.member.z + _e821);
+                                            let _e878 = (_e693.member.member_1.x - _e842);
+                                            let _e879 = (_e693.member.member_1.y - _e851);
+                                            let _e880 = (_e693.member.member_1.z - _e860);
+                                            let _e899 = (_e878 - _e873);
+                                            let _e900 = (_e879 - _e874);
+                                            let _e901 = (_e880 - _e875);
+                                            let _e903 = select(_e900, _e899, (_e899 > _e900));
+                                            let _e905 = select(_e901, _e903, (_e903 > _e901));
+                                            if (_e905 < (1024f * _e146)) {
+                                                phi_3318_ = 0u;
                                             } else {
-                                                phi_3341_ = select(2u, 1u, (_e1847 < (2097152f * _e146)));
+                                                phi_3318_ = select(2u, 1u, (_e905 < (2097152f * _e146)));
                                             }
-                                            let _e1854 = phi_3341_;
-                                            switch bitcast<i32>(_e1854) {
+                                            let _e912 = phi_3318_;
+                                            switch bitcast<i32>(_e912) {
                                                 case 0: {
-                                                    phi_3347_ = 1u;
+                                                    phi_3324_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3347_ = 2u;
+                                                    phi_3324_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3347_ = 3u;
+                                                    phi_3324_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3347_ = u32();
+                                                    phi_3324_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1857 = phi_3347_;
-                                            let _e1863 = global_3.member[_e695.member_1][0u];
-                                            let _e1867 = global_3.member[_e695.member_1][1u];
-                                            let _e1871 = global_3.member[_e695.member_1][2u];
-                                            let _e1875 = global_3.member[_e695.member_1][3u];
-                                            let _e1887 = (((_e1867 >> bitcast<u32>(22i)) | ((_e1871 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1875 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1888 = (_e1863 & 268435455u);
-                                            let _e1889 = (_e1887 & 268435455u);
-                                            let _e1892 = ((_e1863 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1900 = ((_e1863 >> bitcast<u32>(31i)) | (((_e1887 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1901 = (_e1892 != 0u);
-                                            if (_e1892 == 0u) {
-                                                phi_3602_ = _e1888;
+                                            let _e915 = phi_3324_;
+                                            let _e921 = global_3.member[_e693.member_1][0u];
+                                            let _e925 = global_3.member[_e693.member_1][1u];
+                                            let _e929 = global_3.member[_e693.member_1][2u];
+                                            let _e933 = global_3.member[_e693.member_1][3u];
+                                            let _e945 = (((_e925 >> bitcast<u32>(22i)) | ((_e929 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e933 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e946 = (_e921 & 268435455u);
+                                            let _e947 = (_e945 & 268435455u);
+                                            let _e950 = ((_e921 >> bitcast<u32>(28u)) & 7u);
+                                            let _e958 = ((_e921 >> bitcast<u32>(31i)) | (((_e945 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e959 = (_e950 != 0u);
+                                            if (_e950 == 0u) {
+                                                phi_3579_ = _e946;
                                             } else {
-                                                if (_e1892 == 7u) {
-                                                    phi_3601_ = 2147483648u;
+                                                if (_e950 == 7u) {
+                                                    phi_3578_ = 2147483648u;
                                                 } else {
-                                                    phi_3601_ = ((2147483648u | (_e1892 << bitcast<u32>(28u))) | (_e1889 & 268435455u));
+                                                    phi_3578_ = ((2147483648u | (_e950 << bitcast<u32>(28u))) | (_e947 & 268435455u));
                                                 }
-                                                let _e1910 = phi_3601_;
-                                                phi_3602_ = _e1910;
+                                                let _e968 = phi_3578_;
+                                                phi_3579_ = _e968;
                                             }
-                                            let _e1912 = phi_3602_;
-                                            if _e1901 {
-                                                let _e1913 = (_e1892 != 7u);
-                                                if _e1913 {
-                                                    phi_3612_ = (_e1889 + (_e1892 * ((3u * _e1857) + 1u)));
+                                            let _e970 = phi_3579_;
+                                            if _e959 {
+                                                let _e971 = (_e950 != 7u);
+                                                if _e971 {
+                                                    phi_3589_ = (_e947 + (_e950 * ((3u * _e915) + 1u)));
                                                 } else {
-                                                    phi_3612_ = u32();
+                                                    phi_3589_ = u32();
                                                 }
-                                                let _e1917 = phi_3612_;
-                                                phi_3614_ = _e1917;
-                                                phi_3615_ = select(true, false, _e1913);
+                                                let _e975 = phi_3589_;
+                                                phi_3591_ = _e975;
+                                                phi_3592_ = select(true, false, _e971);
                                             } else {
-                                                phi_3614_ = u32();
-                                                phi_3615_ = true;
+                                                phi_3591_ = u32();
+                                                phi_3592_ = true;
                                             }
-                                            let _e1920 = phi_3614_;
-                                            let _e1922 = phi_3615_;
-                                            if (_e1900 == 0u) {
-                                                phi_3636_ = (_e1888 + select(0u, 1u, !(_e1901)));
+                                            let _e978 = phi_3591_;
+                                            let _e980 = phi_3592_;
+                                            if (_e958 == 0u) {
+                                                phi_3613_ = (_e946 + select(0u, 1u, !(_e959)));
                                             } else {
-                                                if (_e1900 == 7u) {
-                                                    phi_3635_ = 2147483648u;
+                                                if (_e958 == 7u) {
+                                                    phi_3612_ = 2147483648u;
                                                 } else {
-                                                    phi_3635_ = ((2147483648u | (_e1900 << bitcast<u32>(28u))) | (select(_e1920, _e1889, _e1922) & 268435455u));
+                                                    phi_3612_ = ((2147483648u | (_e958 << bitcast<u32>(28u))) | (select(_e978, _e947, _e980) & 268435455u));
                                                 }
-                                                let _e1935 = phi_3635_;
-                                                phi_3636_ = _e1935;
+                                                let _e993 = phi_3612_;
+                                                phi_3613_ = _e993;
                                             }
-                                            let _e1937 = phi_3636_;
-                                            phi_3640_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e1815, (_e695.member.member.x + _e1767), _e1820, (_e695.member.member_1.x - _e1806)), vec4<f32>(_e1816, (_e695.member.member.y + _e1771), _e1821, (_e695.member.member_1.y - _e1810)), vec4<f32>(_e1817, (_e695.member.member.z + _e1775), _e1822, (_e695.member.member_1.z - _e1814))), type_51(type_32((_e695.member.member + vec4<f32>(_e1745, _e1754, _e1763, 0f)), (_e695.member.member_1 - vec4<f32>(_e1784, _e1793, _e1802, 0f))), _e1912), type_51(type_32((_e695.member.member + vec4<f32>(_e1767, _e1771, _e1775, 0f)), (_e695.member.member_1 - vec4<f32>(_e1806, _e1810, _e1814, 0f))), _e1937));
+                                            let _e995 = phi_3613_;
+                                            phi_3617_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e873, (_e693.member.member.x + _e825), _e878, (_e693.member.member_1.x - _e864)), vec4<f32>(_e874, (_e693.member.member.y + _e829), _e879, (_e693.member.member_1.y - _e868)), vec4<f32>(_e875, (_e693.member.member.z + _e833), _e880, (_e693.member.member_1.z - _e872))), type_51(type_32((_e693.member.member + vec4<f32>(_e803, _e812, _e821, 0f)), (_e693.member.member_1 - vec4<f32>(_e842, _e851, _e860, 0f))), _e970), type_51(type_32((_e693.member.member + vec4<f32>(_e825, _e829, _e833, 0f)), (_e693.member.member_1 - vec4<f32>(_e864, _e868, _e872, 0f))), _e995));
                                         }
-                                        let _e1942 = phi_3640_;
-                                        let _e1961 = ((_e1942.member[0].x - _e368) * _e371);
-                                        let _e1962 = ((_e1942.member[0].y - _e368) * _e371);
-                                        let _e1963 = ((_e1942.member[0].z - _e369) * _e371);
-                                        let _e1964 = ((_e1942.member[0].w - _e369) * _e371);
-                                        let _e1974 = ((_e1942.member[1].x - _e434) * _e437);
-                                        let _e1975 = ((_e1942.member[1].y - _e434) * _e437);
-                                        let _e1976 = ((_e1942.member[1].z - _e435) * _e437);
-                                        let _e1977 = ((_e1942.member[1].w - _e435) * _e437);
-                                        let _e1987 = ((_e1942.member[2].x - _e500) * _e503);
-                                        let _e1988 = ((_e1942.member[2].y - _e500) * _e503);
-                                        let _e1989 = ((_e1942.member[2].z - _e501) * _e503);
-                                        let _e1990 = ((_e1942.member[2].w - _e501) * _e503);
-                                        let _e1992 = select(_e1989, _e1987, (_e1987 < _e1989));
-                                        let _e1994 = select(_e1990, _e1988, (_e1988 < _e1990));
-                                        let _e1996 = select(_e1989, _e1987, (_e1987 > _e1989));
-                                        let _e1998 = select(_e1990, _e1988, (_e1988 > _e1990));
-                                        let _e2000 = select(_e1963, _e1961, (_e1961 < _e1963));
-                                        let _e2002 = select(_e1964, _e1962, (_e1962 < _e1964));
-                                        let _e2004 = select(_e1976, _e1974, (_e1974 < _e1976));
-                                        let _e2006 = select(_e1977, _e1975, (_e1975 < _e1977));
-                                        let _e2008 = select(_e2004, _e2000, (_e2000 > _e2004));
-                                        let _e2010 = select(_e2006, _e2002, (_e2002 > _e2006));
-                                        let _e2012 = select(_e1992, _e2008, (_e2008 > _e1992));
-                                        let _e2014 = select(_e1994, _e2010, (_e2010 > _e1994));
-                                        let _e2016 = select(_e1963, _e1961, (_e1961 > _e1963));
-                                        let _e2018 = select(_e1964, _e1962, (_e1962 > _e1964));
-                                        let _e2020 = select(_e1976, _e1974, (_e1974 > _e1976));
-                                        let _e2022 = select(_e1977, _e1975, (_e1975 > _e1977));
-                                        let _e2024 = select(_e2020, _e2016, (_e2016 < _e2020));
-                                        let _e2026 = select(_e2022, _e2018, (_e2018 < _e2022));
-                                        let _e2031 = -(_e1992);
-                                        let _e2032 = -(_e1994);
-                                        let _e2039 = (select(_e1996, _e2024, (_e2024 < _e1996)) + (select(_e2031, _e1996, (_e1996 > _e2031)) * 0.0000019073523f));
-                                        let _e2040 = (select(_e1998, _e2026, (_e2026 < _e1998)) + (select(_e2032, _e1998, (_e1998 > _e2032)) * 0.0000019073523f));
-                                        let _e2042 = select(_e606, _e2012, (_e2012 > _e606));
-                                        let _e2044 = select(_e606, _e2014, (_e2014 > _e606));
-                                        let _e2049 = (_e2042 <= select(_e1646.member.member_1, _e2039, (_e2039 < _e1646.member.member_1)));
-                                        let _e2050 = (_e2044 <= select(_e1646.member.member_1, _e2040, (_e2040 < _e1646.member.member_1)));
-                                        let _e2051 = (_e2042 <= _e2044);
-                                        if _e2049 {
-                                            if _e2050 {
-                                                if _e2051 {
-                                                    phi_4005_ = _e1942.member_2;
+                                        let _e1000 = phi_3617_;
+                                        let _e1019 = ((_e1000.member[0].x - _e368) * _e371);
+                                        let _e1020 = ((_e1000.member[0].y - _e368) * _e371);
+                                        let _e1021 = ((_e1000.member[0].z - _e369) * _e371);
+                                        let _e1022 = ((_e1000.member[0].w - _e369) * _e371);
+                                        let _e1032 = ((_e1000.member[1].x - _e434) * _e437);
+                                        let _e1033 = ((_e1000.member[1].y - _e434) * _e437);
+                                        let _e1034 = ((_e1000.member[1].z - _e435) * _e437);
+                                        let _e1035 = ((_e1000.member[1].w - _e435) * _e437);
+                                        let _e1045 = ((_e1000.member[2].x - _e500) * _e503);
+                                        let _e1046 = ((_e1000.member[2].y - _e500) * _e503);
+                                        let _e1047 = ((_e1000.member[2].z - _e501) * _e503);
+                                        let _e1048 = ((_e1000.member[2].w - _e501) * _e503);
+                                        let _e1050 = select(_e1047, _e1045, (_e1045 < _e1047));
+                                        let _e1052 = select(_e1048, _e1046, (_e1046 < _e1048));
+                                        let _e1054 = select(_e1047, _e1045, (_e1045 > _e1047));
+                                        let _e1056 = select(_e1048, _e1046, (_e1046 > _e1048));
+                                        let _e1058 = select(_e1021, _e1019, (_e1019 < _e1021));
+                                        let _e1060 = select(_e1022, _e1020, (_e1020 < _e1022));
+                                        let _e1062 = select(_e1034, _e1032, (_e1032 < _e1034));
+                                        let _e1064 = select(_e1035, _e1033, (_e1033 < _e1035));
+                                        let _e1066 = select(_e1062, _e1058, (_e1058 > _e1062));
+                                        let _e1068 = select(_e1064, _e1060, (_e1060 > _e1064));
+                                        let _e1070 = select(_e1050, _e1066, (_e1066 > _e1050));
+                                        let _e1072 = select(_e1052, _e1068, (_e1068 > _e1052));
+                                        let _e1074 = select(_e1021, _e1019, (_e1019 > _e1021));
+                                        let _e1076 = select(_e1022, _e1020, (_e1020 > _e1022));
+                                        let _e1078 = select(_e1034, _e1032, (_e1032 > _e1034));
+                                        let _e1080 = select(_e1035, _e1033, (_e1033 > _e1035));
+                                        let _e1082 = select(_e1078, _e1074, (_e1074 < _e1078));
+                                        let _e1084 = select(_e1080, _e1076, (_e1076 < _e1080));
+                                        let _e1089 = -(_e1050);
+                                        let _e1090 = -(_e1052);
+                                        let _e1097 = (select(_e1054, _e1082, (_e1082 < _e1054)) + (select(_e1089, _e1054, (_e1054 > _e1089)) * 0.0000019073523f));
+                                        let _e1098 = (select(_e1056, _e1084, (_e1084 < _e1056)) + (select(_e1090, _e1056, (_e1056 > _e1090)) * 0.0000019073523f));
+                                        let _e1100 = select(_e606, _e1070, (_e1070 > _e606));
+                                        let _e1102 = select(_e606, _e1072, (_e1072 > _e606));
+                                        let _e1107 = (_e1100 <= select(_e651.member.member_1, _e1097, (_e1097 < _e651.member.member_1)));
+                                        let _e1108 = (_e1102 <= select(_e651.member.member_1, _e1098, (_e1098 < _e651.member.member_1)));
+                                        let _e1109 = (_e1100 <= _e1102);
+                                        if _e1107 {
+                                            if _e1108 {
+                                                if _e1109 {
+                                                    phi_3982_ = _e1000.member_2;
                                                 } else {
-                                                    phi_4005_ = _e1942.member_1;
+                                                    phi_3982_ = _e1000.member_1;
                                                 }
-                                                let _e2055 = phi_4005_;
-                                                let _e2076 = (_e693 % 128u);
-                                                let _e2077 = (_e2076 < 128u);
-                                                if _e2077 {
+                                                let _e1113 = phi_3982_;
+                                                let _e1134 = (_e695 % 128u);
+                                                let _e1135 = (_e1134 < 128u);
+                                                if _e1135 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_8[_e2076] = _e2055.member_1;
-                                                if _e2077 {
+                                                local_8[_e1134] = _e1113.member_1;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_7[_e2076] = _e2055.member.member.x;
-                                                if _e2077 {
+                                                local_7[_e1134] = _e1113.member.member.x;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_6[_e2076] = _e2055.member.member.y;
-                                                if _e2077 {
+                                                local_6[_e1134] = _e1113.member.member.y;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_5[_e2076] = _e2055.member.member.z;
-                                                if _e2077 {
+                                                local_5[_e1134] = _e1113.member.member.z;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_4[_e2076] = _e2055.member.member_1.x;
-                                                if _e2077 {
+                                                local_4[_e1134] = _e1113.member.member_1.x;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_3[_e2076] = _e2055.member.member_1.y;
-                                                if _e2077 {
+                                                local_3[_e1134] = _e1113.member.member_1.y;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2076] = _e2055.member.member_1.z;
-                                                if _e2077 {
+                                                local_2[_e1134] = _e1113.member.member_1.z;
+                                                if _e1135 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_9[_e2076] = select(_e2042, _e2044, _e2051);
-                                                if _e2051 {
-                                                    phi_4081_ = _e1942.member_1;
+                                                local_9[_e1134] = select(_e1100, _e1102, _e1109);
+                                                if _e1109 {
+                                                    phi_4058_ = _e1000.member_1;
                                                 } else {
-                                                    phi_4081_ = _e1942.member_2;
+                                                    phi_4058_ = _e1000.member_2;
                                                 }
-                                                let _e2090 = phi_4081_;
-                                                phi_4082_ = (_e693 + 1u);
-                                                phi_4083_ = _e2090;
+                                                let _e1148 = phi_4058_;
+                                                phi_4059_ = _e1148;
+                                                phi_4060_ = (_e695 + 1u);
                                             } else {
-                                                phi_4082_ = u32();
-                                                phi_4083_ = type_51();
+                                                phi_4059_ = type_51();
+                                                phi_4060_ = u32();
                                             }
-                                            let _e2092 = phi_4082_;
-                                            let _e2094 = phi_4083_;
-                                            phi_4085_ = _e2092;
-                                            phi_4086_ = _e2094;
-                                            phi_4087_ = select(true, false, _e2050);
+                                            let _e1150 = phi_4059_;
+                                            let _e1152 = phi_4060_;
+                                            phi_4062_ = _e1150;
+                                            phi_4063_ = _e1152;
+                                            phi_4064_ = select(true, false, _e1108);
                                         } else {
-                                            phi_4085_ = u32();
-                                            phi_4086_ = type_51();
-                                            phi_4087_ = true;
+                                            phi_4062_ = type_51();
+                                            phi_4063_ = u32();
+                                            phi_4064_ = true;
                                         }
-                                        let _e2097 = phi_4085_;
-                                        let _e2099 = phi_4086_;
-                                        let _e2101 = phi_4087_;
-                                        if _e2101 {
-                                            if _e2049 {
-                                                phi_4096_ = _e1942.member_1;
+                                        let _e1155 = phi_4062_;
+                                        let _e1157 = phi_4063_;
+                                        let _e1159 = phi_4064_;
+                                        if _e1159 {
+                                            if _e1107 {
+                                                phi_4073_ = _e1000.member_1;
                                             } else {
-                                                phi_4096_ = _e1942.member_2;
+                                                phi_4073_ = _e1000.member_2;
                                             }
-                                            let _e2105 = phi_4096_;
-                                            phi_4101_ = select(_e2050, true, _e2049);
-                                            phi_4103_ = _e2105;
+                                            let _e1163 = phi_4073_;
+                                            phi_4078_ = select(_e1108, true, _e1107);
+                                            phi_4079_ = _e1163;
                                         } else {
-                                            phi_4101_ = _e691;
-                                            phi_4103_ = _e2099;
+                                            phi_4078_ = _e691;
+                                            phi_4079_ = _e1155;
                                         }
-                                        let _e2108 = phi_4101_;
-                                        let _e2110 = phi_4103_;
-                                        phi_4108_ = type_44(_e1646.member, (_e1646.member_1 + 1u), _e1646.member_2);
-                                        phi_4109_ = _e2108;
-                                        phi_4110_ = select(_e2097, _e693, _e2101);
-                                        phi_4111_ = _e2110;
+                                        let _e1166 = phi_4078_;
+                                        let _e1168 = phi_4079_;
+                                        phi_4657_ = _e649;
+                                        phi_4081_ = type_44(_e651.member, (_e651.member_1 + 1u), _e651.member_2);
+                                        phi_4082_ = _e1166;
+                                        phi_4083_ = _e1168;
+                                        phi_4084_ = select(_e1157, _e695, _e1159);
                                     }
-                                    let _e2113 = phi_4108_;
-                                    let _e2115 = phi_4109_;
-                                    let _e2117 = phi_4110_;
-                                    let _e2119 = phi_4111_;
-                                    if _e699 {
-                                        phi_4119_ = _e1646;
-                                        phi_4122_ = _e695;
-                                    } else {
-                                        phi_4119_ = _e2113;
-                                        phi_4122_ = _e2119;
-                                    }
-                                    let _e2121 = phi_4119_;
-                                    let _e2123 = phi_4122_;
-                                    phi_4742_ = _e1644;
-                                    phi_4123_ = _e2121;
-                                    phi_4124_ = (_e653 - 1u);
-                                    phi_4125_ = select(_e2115, false, _e699);
-                                    phi_4126_ = select(_e2117, _e693, _e699);
-                                    phi_4127_ = _e2123;
+                                    let _e2115 = phi_4657_;
+                                    let _e2117 = phi_4081_;
+                                    let _e2119 = phi_4082_;
+                                    let _e2121 = phi_4083_;
+                                    let _e2123 = phi_4084_;
+                                    phi_4656_ = _e2115;
+                                    phi_4085_ = _e2117;
+                                    phi_4086_ = _e2119;
+                                    phi_4087_ = _e2121;
+                                    phi_4088_ = _e2123;
+                                    phi_4089_ = (_e659 - 1u);
                                 } else {
-                                    phi_4742_ = _e649;
-                                    phi_4123_ = _e651;
-                                    phi_4124_ = _e653;
-                                    phi_4125_ = _e691;
-                                    phi_4126_ = _e693;
-                                    phi_4127_ = _e695;
+                                    phi_4656_ = _e649;
+                                    phi_4085_ = _e651;
+                                    phi_4086_ = _e691;
+                                    phi_4087_ = _e693;
+                                    phi_4088_ = _e695;
+                                    phi_4089_ = _e659;
                                 }
-                                let _e2127 = phi_4742_;
-                                let _e2129 = phi_4123_;
-                                let _e2131 = phi_4124_;
-                                let _e2133 = phi_4125_;
-                                let _e2135 = phi_4126_;
-                                let _e2137 = phi_4127_;
-                                phi_4741_ = _e2127;
-                                phi_4128_ = _e2129;
-                                phi_4129_ = _e2131;
-                                phi_4130_ = _e2133;
-                                phi_4131_ = _e2135;
-                                phi_4132_ = _e2137;
+                                let _e2125 = phi_4656_;
+                                let _e2127 = phi_4085_;
+                                let _e2129 = phi_4086_;
+                                let _e2131 = phi_4087_;
+                                let _e2133 = phi_4088_;
+                                let _e2135 = phi_4089_;
+                                phi_4655_ = _e2125;
+                                phi_4090_ = _e2127;
+                                phi_4091_ = _e2129;
+                                phi_4092_ = _e2131;
+                                phi_4093_ = _e2133;
+                                phi_4094_ = _e2135;
                             } else {
-                                phi_4741_ = _e649;
-                                phi_4128_ = type_44();
-                                phi_4129_ = u32();
-                                phi_4130_ = bool();
-                                phi_4131_ = u32();
-                                phi_4132_ = type_51();
+                                phi_4655_ = _e649;
+                                phi_4090_ = type_44();
+                                phi_4091_ = bool();
+                                phi_4092_ = type_51();
+                                phi_4093_ = u32();
+                                phi_4094_ = u32();
                             }
-                            let _e2139 = phi_4741_;
-                            let _e2141 = phi_4128_;
-                            let _e2143 = phi_4129_;
-                            let _e2145 = phi_4130_;
-                            let _e2147 = phi_4131_;
-                            let _e2149 = phi_4132_;
-                            phi_4740_ = _e2139;
-                            phi_1114_ = _e2141;
-                            phi_1117_ = _e2143;
-                            phi_1119_ = _e2145;
-                            phi_1121_ = _e2147;
-                            phi_1123_ = _e2149;
-                            phi_4133_ = _e663;
+                            let _e2137 = phi_4655_;
+                            let _e2139 = phi_4090_;
+                            let _e2141 = phi_4091_;
+                            let _e2143 = phi_4092_;
+                            let _e2145 = phi_4093_;
+                            let _e2147 = phi_4094_;
+                            phi_4654_ = _e2137;
+                            phi_1121_ = _e2139;
+                            phi_1124_ = _e2141;
+                            phi_1126_ = _e2143;
+                            phi_1128_ = _e2145;
+                            phi_1130_ = _e2147;
+                            phi_4095_ = _e663;
                         } else {
-                            phi_4740_ = _e649;
-                            phi_1114_ = type_44();
-                            phi_1117_ = u32();
-                            phi_1119_ = bool();
-                            phi_1121_ = u32();
-                            phi_1123_ = type_51();
-                            phi_4133_ = false;
+                            phi_4654_ = _e649;
+                            phi_1121_ = type_44();
+                            phi_1124_ = bool();
+                            phi_1126_ = type_51();
+                            phi_1128_ = u32();
+                            phi_1130_ = u32();
+                            phi_4095_ = false;
                         }
-                        let _e2151 = phi_4740_;
-                        let _e2153 = phi_1114_;
-                        let _e2155 = phi_1117_;
-                        let _e2157 = phi_1119_;
-                        let _e2159 = phi_1121_;
-                        let _e2161 = phi_1123_;
-                        let _e2163 = phi_4133_;
+                        let _e2149 = phi_4654_;
+                        let _e2151 = phi_1121_;
+                        let _e2153 = phi_1124_;
+                        let _e2155 = phi_1126_;
+                        let _e2157 = phi_1128_;
+                        let _e2159 = phi_1130_;
+                        let _e2161 = phi_4095_;
                         continue;
                         continuing {
-                            phi_4533_ = _e2151;
-                            phi_1113_ = _e2153;
-                            phi_1116_ = _e2155;
-                            phi_1118_ = _e2157;
-                            phi_1120_ = _e2159;
-                            phi_1122_ = _e2161;
-                            phi_4739_ = _e2151;
-                            break if !(_e2163);
+                            phi_4459_ = _e2149;
+                            phi_1120_ = _e2151;
+                            phi_1123_ = _e2153;
+                            phi_1125_ = _e2155;
+                            phi_1127_ = _e2157;
+                            phi_1129_ = _e2159;
+                            phi_4653_ = _e2149;
+                            break if !(_e2161);
                         }
                     }
-                    let _e2166 = phi_4739_;
-                    if _e2166 {
+                    let _e2164 = phi_4653_;
+                    if _e2164 {
                         break;
                     }
-                    let _e2168 = local_10;
-                    let _e2171 = local_11;
+                    let _e2166 = local_11;
+                    let _e2169 = local_12;
                     if _e154 {
                     } else {
                         break;
                     }
-                    global_6.member[_e152][0u] = _e2168.member_1;
-                    global_6.member[_e152][1u] = _e2171.member_2;
+                    global_6.member[_e152][0u] = _e2166.member_1;
+                    global_6.member[_e152][1u] = _e2169.member_2;
                 }
             }
             break;

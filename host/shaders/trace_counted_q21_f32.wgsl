@@ -105,135 +105,121 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_410_: i32;
-    var phi_411_: i32;
-    var phi_421_: bool;
-    var phi_431_: u32;
-    var phi_432_: u32;
-    var phi_434_: bool;
+    var phi_417_: i32;
+    var phi_418_: i32;
+    var phi_428_: bool;
+    var phi_438_: u32;
     var phi_439_: u32;
-    var phi_452_: i32;
-    var phi_472_: i32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_536_: f32;
-    var phi_542_: f32;
-    var phi_615_: f32;
-    var phi_621_: f32;
-    var phi_661_: f32;
-    var phi_667_: f32;
-    var phi_740_: f32;
-    var phi_746_: f32;
-    var phi_786_: f32;
-    var phi_792_: f32;
-    var phi_911_: i32;
-    var phi_933_: u32;
-    var phi_934_: u32;
-    var phi_971_: i32;
-    var phi_993_: u32;
-    var phi_994_: u32;
-    var phi_1002_: f32;
-    var phi_1003_: f32;
-    var phi_3859_: bool;
-    var phi_1100_: type_41;
-    var phi_1103_: u32;
-    var phi_1105_: bool;
-    var phi_1107_: u32;
-    var phi_1109_: type_52;
-    var phi_1120_: bool;
-    var phi_1206_: bool;
-    var phi_1207_: u32;
-    var phi_1208_: type_52;
-    var phi_1226_: type_41;
-    var phi_1229_: type_4;
-    var phi_1230_: type_4;
-    var phi_1252_: type_4;
-    var phi_1276_: u32;
-    var phi_1368_: array<array<f32, 3>, 3>;
-    var phi_3494_: bool;
-    var phi_3509_: bool;
-    var phi_3524_: bool;
-    var phi_3539_: bool;
-    var phi_3554_: bool;
-    var phi_3569_: bool;
-    var phi_1910_: f32;
-    var phi_1911_: f32;
-    var phi_1912_: f32;
-    var phi_1913_: f32;
-    var phi_1914_: vec3<f32>;
-    var phi_1915_: vec3<f32>;
-    var phi_1916_: vec3<f32>;
-    var phi_1917_: vec3<f32>;
-    var phi_3584_: bool;
-    var phi_3599_: bool;
-    var phi_3614_: bool;
-    var phi_3629_: bool;
-    var phi_3644_: bool;
-    var phi_3659_: bool;
-    var phi_2125_: f32;
-    var phi_2145_: type_37;
-    var phi_2146_: type_37;
-    var phi_2149_: type_37;
-    var phi_2150_: type_37;
-    var phi_2151_: bool;
-    var phi_2155_: type_37;
-    var phi_2164_: type_25;
-    var phi_2189_: bool;
-    var phi_2190_: bool;
-    var phi_2197_: type_41;
-    var phi_2198_: type_41;
-    var phi_2199_: type_41;
-    var phi_1227_: type_41;
-    var phi_3853_: bool;
-    var phi_4104_: bool;
-    var phi_2200_: type_41;
-    var phi_2927_: u32;
-    var phi_2928_: u32;
+    var phi_441_: bool;
+    var phi_446_: u32;
+    var phi_459_: i32;
+    var phi_479_: i32;
+    var phi_497_: f32;
+    var phi_503_: f32;
+    var phi_543_: f32;
+    var phi_549_: f32;
+    var phi_622_: f32;
+    var phi_628_: f32;
+    var phi_668_: f32;
+    var phi_674_: f32;
+    var phi_747_: f32;
+    var phi_753_: f32;
+    var phi_793_: f32;
+    var phi_799_: f32;
+    var phi_918_: i32;
+    var phi_940_: u32;
+    var phi_941_: u32;
+    var phi_978_: i32;
+    var phi_1000_: u32;
+    var phi_1001_: u32;
+    var phi_1009_: f32;
+    var phi_1010_: f32;
+    var phi_3785_: bool;
+    var phi_1107_: type_41;
+    var phi_1110_: bool;
+    var phi_1112_: type_52;
+    var phi_1114_: u32;
+    var phi_1116_: u32;
+    var phi_1127_: bool;
+    var phi_1213_: bool;
+    var phi_1214_: type_52;
+    var phi_1215_: u32;
+    var phi_2904_: u32;
+    var phi_2905_: u32;
+    var phi_2915_: u32;
+    var phi_2917_: u32;
+    var phi_2918_: bool;
     var phi_2938_: u32;
-    var phi_2940_: u32;
-    var phi_2941_: bool;
-    var phi_2961_: u32;
-    var phi_2962_: u32;
-    var phi_2966_: type_53;
-    var phi_3331_: type_52;
-    var phi_3407_: type_52;
-    var phi_3408_: u32;
-    var phi_3409_: type_52;
-    var phi_3411_: u32;
-    var phi_3412_: type_52;
-    var phi_3413_: bool;
-    var phi_3422_: type_52;
-    var phi_3427_: bool;
-    var phi_3429_: type_52;
-    var phi_3434_: type_41;
-    var phi_3435_: bool;
-    var phi_3436_: u32;
-    var phi_3437_: type_52;
-    var phi_3445_: type_41;
-    var phi_3448_: type_52;
-    var phi_4021_: bool;
-    var phi_3449_: type_41;
-    var phi_3450_: u32;
-    var phi_3451_: bool;
-    var phi_3452_: u32;
-    var phi_3453_: type_52;
-    var phi_4020_: bool;
-    var phi_3454_: type_41;
-    var phi_3455_: u32;
-    var phi_3456_: bool;
-    var phi_3457_: u32;
-    var phi_3458_: type_52;
-    var phi_4019_: bool;
-    var phi_1101_: type_41;
-    var phi_1104_: u32;
-    var phi_1106_: bool;
-    var phi_1108_: u32;
-    var phi_1110_: type_52;
-    var phi_3459_: bool;
-    var phi_4018_: bool;
+    var phi_2939_: u32;
+    var phi_2943_: type_53;
+    var phi_3308_: type_52;
+    var phi_3384_: type_52;
+    var phi_3385_: type_52;
+    var phi_3386_: u32;
+    var phi_3388_: type_52;
+    var phi_3389_: u32;
+    var phi_3390_: bool;
+    var phi_3399_: type_52;
+    var phi_3404_: bool;
+    var phi_3405_: type_52;
+    var phi_1233_: type_41;
+    var phi_1236_: type_4;
+    var phi_1237_: type_4;
+    var phi_1259_: type_4;
+    var phi_1283_: u32;
+    var phi_1375_: array<array<f32, 3>, 3>;
+    var phi_1905_: f32;
+    var phi_1906_: f32;
+    var phi_1907_: f32;
+    var phi_1908_: f32;
+    var phi_1909_: vec3<f32>;
+    var phi_1910_: vec3<f32>;
+    var phi_1911_: vec3<f32>;
+    var phi_1912_: vec3<f32>;
+    var phi_2103_: f32;
+    var phi_2123_: type_37;
+    var phi_2124_: type_37;
+    var phi_2127_: type_37;
+    var phi_2128_: type_37;
+    var phi_2129_: bool;
+    var phi_2133_: type_37;
+    var phi_2142_: type_25;
+    var phi_2167_: bool;
+    var phi_2168_: bool;
+    var phi_2175_: type_41;
+    var phi_2176_: type_41;
+    var phi_2177_: type_41;
+    var phi_1234_: type_41;
+    var phi_3779_: bool;
     var local_10: type_41;
+    var phi_3936_: bool;
+    var phi_3407_: type_41;
+    var phi_3408_: bool;
+    var phi_3409_: type_52;
+    var phi_3410_: u32;
+    var phi_3935_: bool;
+    var phi_3411_: type_41;
+    var phi_3412_: bool;
+    var phi_3413_: type_52;
+    var phi_3414_: u32;
+    var phi_3415_: u32;
+    var phi_3934_: bool;
+    var phi_3416_: type_41;
+    var phi_3417_: bool;
+    var phi_3418_: type_52;
+    var phi_3419_: u32;
+    var phi_3420_: u32;
+    var phi_3933_: bool;
+    var phi_1108_: type_41;
+    var phi_1111_: bool;
+    var phi_1113_: type_52;
+    var phi_1115_: u32;
+    var phi_1117_: u32;
+    var phi_3421_: bool;
+    var phi_3932_: bool;
     var local_11: type_41;
     var local_12: type_41;
+    var local_13: type_41;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -288,93 +274,93 @@ fn function_() {
                     if _e219 {
                         let _e222 = (bitcast<u32>(bitcast<f32>(_e194)) & 2147483647u);
                         if (_e222 >= 8388608u) {
-                            phi_410_ = (bitcast<i32>((_e222 >> bitcast<u32>(23i))) - 127i);
+                            phi_417_ = (bitcast<i32>((_e222 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_410_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e222)), 32u, (_e222 == 0u))));
+                            phi_417_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e222)), 32u, (_e222 == 0u))));
                         }
-                        let _e236 = phi_410_;
-                        phi_411_ = _e236;
+                        let _e236 = phi_417_;
+                        phi_418_ = _e236;
                     } else {
-                        phi_411_ = 0i;
+                        phi_418_ = 0i;
                     }
-                    let _e238 = phi_411_;
+                    let _e238 = phi_418_;
                     let _e239 = (_e155 == _e194);
                     if _e239 {
-                        phi_421_ = true;
+                        phi_428_ = true;
                     } else {
-                        phi_421_ = (_e162 == _e194);
+                        phi_428_ = (_e162 == _e194);
                     }
-                    let _e242 = phi_421_;
+                    let _e242 = phi_428_;
                     let _e243 = select(1u, 0u, _e239);
                     if _e242 {
                         let _e244 = (_e243 + 1u);
-                        phi_431_ = _e244;
-                        phi_432_ = _e244;
-                        phi_434_ = select(true, false, (_e244 == 2u));
+                        phi_438_ = _e244;
+                        phi_439_ = _e244;
+                        phi_441_ = select(true, false, (_e244 == 2u));
                     } else {
-                        phi_431_ = u32();
-                        phi_432_ = 0u;
-                        phi_434_ = true;
-                    }
-                    let _e248 = phi_431_;
-                    let _e250 = phi_432_;
-                    let _e252 = phi_434_;
-                    if _e252 {
-                        phi_439_ = (_e250 + 1u);
-                    } else {
+                        phi_438_ = u32();
                         phi_439_ = 0u;
+                        phi_441_ = true;
                     }
-                    let _e256 = phi_439_;
+                    let _e248 = phi_438_;
+                    let _e250 = phi_439_;
+                    let _e252 = phi_441_;
+                    if _e252 {
+                        phi_446_ = (_e250 + 1u);
+                    } else {
+                        phi_446_ = 0u;
+                    }
+                    let _e256 = phi_446_;
                     let _e257 = select(_e248, _e250, _e252);
                     let _e258 = select(_e243, select(2u, _e243, _e242), _e252);
                     if (_e125 < -126i) {
-                        phi_452_ = -126i;
+                        phi_459_ = -126i;
                     } else {
-                        phi_452_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_459_ = select(_e125, 127i, (_e125 > 127i));
                     }
-                    let _e263 = phi_452_;
+                    let _e263 = phi_459_;
                     let _e268 = bitcast<f32>((bitcast<u32>((_e263 + 127i)) << bitcast<u32>(23i)));
                     let _e274 = bitcast<f32>((bitcast<u32>(((_e125 - _e263) + 127i)) << bitcast<u32>(23i)));
                     let _e275 = -(_e238);
                     if (_e275 < -126i) {
-                        phi_472_ = -126i;
+                        phi_479_ = -126i;
                     } else {
-                        phi_472_ = select(_e275, 127i, (_e275 > 127i));
+                        phi_479_ = select(_e275, 127i, (_e275 > 127i));
                     }
-                    let _e280 = phi_472_;
+                    let _e280 = phi_479_;
                     let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
                     let _e291 = bitcast<f32>((bitcast<u32>(((_e275 - _e280) + 127i)) << bitcast<u32>(23i)));
                     let _e295 = global_4.member[_e143].member;
                     let _e296 = (_e257 == 0u);
                     if _e296 {
-                        phi_490_ = _e295[0];
+                        phi_497_ = _e295[0];
                     } else {
-                        phi_490_ = _e295[1];
+                        phi_497_ = _e295[1];
                     }
-                    let _e300 = phi_490_;
+                    let _e300 = phi_497_;
                     let _e301 = (_e257 == 2u);
                     if _e301 {
-                        phi_496_ = _e295[2];
+                        phi_503_ = _e295[2];
                     } else {
-                        phi_496_ = _e300;
+                        phi_503_ = _e300;
                     }
-                    let _e304 = phi_496_;
+                    let _e304 = phi_503_;
                     let _e305 = bitcast<u32>(_e304);
                     let _e307 = ((_e305 & 2139095040u) != 0u);
                     let _e321 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e305 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e305 & 2147483648u))), _e304, _e307) * _e268) * select(0.00000011920929f, 1f, _e307)) * _e274);
                     let _e322 = global_4.member[_e143].member_2;
                     if _e296 {
-                        phi_536_ = _e322[0];
+                        phi_543_ = _e322[0];
                     } else {
-                        phi_536_ = _e322[1];
+                        phi_543_ = _e322[1];
                     }
-                    let _e326 = phi_536_;
+                    let _e326 = phi_543_;
                     if _e301 {
-                        phi_542_ = _e322[2];
+                        phi_549_ = _e322[2];
                     } else {
-                        phi_542_ = _e326;
+                        phi_549_ = _e326;
                     }
-                    let _e329 = phi_542_;
+                    let _e329 = phi_549_;
                     let _e330 = bitcast<u32>(_e329);
                     let _e332 = ((_e330 & 2139095040u) != 0u);
                     let _e346 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e330 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e330 & 2147483648u))), _e329, _e332) * _e285) * select(0.00000011920929f, 1f, _e332)) * _e291);
@@ -388,33 +374,33 @@ fn function_() {
                     let _e362 = select(38685626000000000000000000f, (1f / _e346), _e350);
                     let _e363 = (_e256 == 0u);
                     if _e363 {
-                        phi_615_ = _e295[0];
+                        phi_622_ = _e295[0];
                     } else {
-                        phi_615_ = _e295[1];
+                        phi_622_ = _e295[1];
                     }
-                    let _e367 = phi_615_;
+                    let _e367 = phi_622_;
                     let _e368 = (_e256 == 2u);
                     if _e368 {
-                        phi_621_ = _e295[2];
+                        phi_628_ = _e295[2];
                     } else {
-                        phi_621_ = _e367;
+                        phi_628_ = _e367;
                     }
-                    let _e371 = phi_621_;
+                    let _e371 = phi_628_;
                     let _e372 = bitcast<u32>(_e371);
                     let _e374 = ((_e372 & 2139095040u) != 0u);
                     let _e388 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e372 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e372 & 2147483648u))), _e371, _e374) * _e268) * select(0.00000011920929f, 1f, _e374)) * _e274);
                     if _e363 {
-                        phi_661_ = _e322[0];
+                        phi_668_ = _e322[0];
                     } else {
-                        phi_661_ = _e322[1];
+                        phi_668_ = _e322[1];
                     }
-                    let _e392 = phi_661_;
+                    let _e392 = phi_668_;
                     if _e368 {
-                        phi_667_ = _e322[2];
+                        phi_674_ = _e322[2];
                     } else {
-                        phi_667_ = _e392;
+                        phi_674_ = _e392;
                     }
-                    let _e395 = phi_667_;
+                    let _e395 = phi_674_;
                     let _e396 = bitcast<u32>(_e395);
                     let _e398 = ((_e396 & 2139095040u) != 0u);
                     let _e412 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e396 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e396 & 2147483648u))), _e395, _e398) * _e285) * select(0.00000011920929f, 1f, _e398)) * _e291);
@@ -428,33 +414,33 @@ fn function_() {
                     let _e428 = select(38685626000000000000000000f, (1f / _e412), _e416);
                     let _e429 = (_e258 == 0u);
                     if _e429 {
-                        phi_740_ = _e295[0];
+                        phi_747_ = _e295[0];
                     } else {
-                        phi_740_ = _e295[1];
+                        phi_747_ = _e295[1];
                     }
-                    let _e433 = phi_740_;
+                    let _e433 = phi_747_;
                     let _e434 = (_e258 == 2u);
                     if _e434 {
-                        phi_746_ = _e295[2];
+                        phi_753_ = _e295[2];
                     } else {
-                        phi_746_ = _e433;
+                        phi_753_ = _e433;
                     }
-                    let _e437 = phi_746_;
+                    let _e437 = phi_753_;
                     let _e438 = bitcast<u32>(_e437);
                     let _e440 = ((_e438 & 2139095040u) != 0u);
                     let _e454 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e438 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e438 & 2147483648u))), _e437, _e440) * _e268) * select(0.00000011920929f, 1f, _e440)) * _e274);
                     if _e429 {
-                        phi_786_ = _e322[0];
+                        phi_793_ = _e322[0];
                     } else {
-                        phi_786_ = _e322[1];
+                        phi_793_ = _e322[1];
                     }
-                    let _e458 = phi_786_;
+                    let _e458 = phi_793_;
                     if _e434 {
-                        phi_792_ = _e322[2];
+                        phi_799_ = _e322[2];
                     } else {
-                        phi_792_ = _e458;
+                        phi_799_ = _e458;
                     }
-                    let _e461 = phi_792_;
+                    let _e461 = phi_799_;
                     let _e462 = bitcast<u32>(_e461);
                     let _e464 = ((_e462 & 2139095040u) != 0u);
                     let _e478 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e462 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e462 & 2147483648u))), _e461, _e464) * _e285) * select(0.00000011920929f, 1f, _e464)) * _e291);
@@ -474,55 +460,55 @@ fn function_() {
                         let _e516 = (_e509 == 0u);
                         let _e519 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e509)), 32u, _e516)) - 8i);
                         if (_e512 == 255i) {
-                            phi_911_ = 255i;
+                            phi_918_ = 255i;
                         } else {
-                            phi_911_ = (((_e512 + select(0i, 1i, (_e512 == 0i))) - _e519) + _e499);
+                            phi_918_ = (((_e512 + select(0i, 1i, (_e512 == 0i))) - _e519) + _e499);
                         }
-                        let _e527 = phi_911_;
+                        let _e527 = phi_918_;
                         let _e537 = (_e527 <= 0i);
                         if _e537 {
-                            phi_934_ = u32();
+                            phi_941_ = u32();
                         } else {
                             if _e516 {
-                                phi_933_ = u32();
+                                phi_940_ = u32();
                             } else {
-                                phi_933_ = select(((bitcast<u32>(_e527) << bitcast<u32>(23i)) | ((_e509 << bitcast<u32>(((_e519 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e527 >= 255i));
+                                phi_940_ = select(((bitcast<u32>(_e527) << bitcast<u32>(23i)) | ((_e509 << bitcast<u32>(((_e519 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e527 >= 255i));
                             }
-                            let _e541 = phi_933_;
-                            phi_934_ = _e541;
+                            let _e541 = phi_940_;
+                            phi_941_ = _e541;
                         }
-                        let _e543 = phi_934_;
+                        let _e543 = phi_941_;
                         let _e555 = ((_e215 & 8388607u) | (select(0u, 1u, ((_e215 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e558 = bitcast<i32>((_e215 >> bitcast<u32>(23i)));
                         let _e562 = (_e555 == 0u);
                         let _e565 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e555)), 32u, _e562)) - 8i);
                         if (_e558 == 255i) {
-                            phi_971_ = 255i;
+                            phi_978_ = 255i;
                         } else {
-                            phi_971_ = (((_e558 + select(0i, 1i, (_e558 == 0i))) - _e565) + _e499);
+                            phi_978_ = (((_e558 + select(0i, 1i, (_e558 == 0i))) - _e565) + _e499);
                         }
-                        let _e573 = phi_971_;
+                        let _e573 = phi_978_;
                         let _e583 = (_e573 <= 0i);
                         if _e583 {
-                            phi_994_ = u32();
+                            phi_1001_ = u32();
                         } else {
                             if _e562 {
-                                phi_993_ = u32();
+                                phi_1000_ = u32();
                             } else {
-                                phi_993_ = select(((bitcast<u32>(_e573) << bitcast<u32>(23i)) | ((_e555 << bitcast<u32>(((_e565 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e573 >= 255i));
+                                phi_1000_ = select(((bitcast<u32>(_e573) << bitcast<u32>(23i)) | ((_e555 << bitcast<u32>(((_e565 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e573 >= 255i));
                             }
-                            let _e587 = phi_993_;
-                            phi_994_ = _e587;
+                            let _e587 = phi_1000_;
+                            phi_1001_ = _e587;
                         }
-                        let _e589 = phi_994_;
-                        phi_1002_ = bitcast<f32>(((_e214 & 2147483648u) | select(_e589, 0u, select(_e562, true, _e583))));
-                        phi_1003_ = bitcast<f32>(((_e205 & 2147483648u) | select(_e543, 0u, select(_e516, true, _e537))));
+                        let _e589 = phi_1001_;
+                        phi_1009_ = bitcast<f32>(((_e214 & 2147483648u) | select(_e589, 0u, select(_e562, true, _e583))));
+                        phi_1010_ = bitcast<f32>(((_e205 & 2147483648u) | select(_e543, 0u, select(_e516, true, _e537))));
                     } else {
-                        phi_1002_ = 0f;
-                        phi_1003_ = 1f;
+                        phi_1009_ = 0f;
+                        phi_1010_ = 1f;
                     }
-                    let _e595 = phi_1002_;
-                    let _e597 = phi_1003_;
+                    let _e595 = phi_1009_;
+                    let _e597 = phi_1010_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -531,939 +517,853 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e602 = (_e257 % 3u);
-                    let _e603 = (_e602 < 3u);
-                    if _e603 {
+                    let _e604 = (_e257 % 3u);
+                    let _e605 = (_e604 < 3u);
+                    if _e605 {
                     } else {
                         break;
                     }
-                    let _e605 = local_1[_e602];
-                    let _e608 = (_e256 % 3u);
-                    let _e609 = (_e608 < 3u);
-                    if _e609 {
+                    let _e607 = local_1[_e604];
+                    let _e610 = (_e256 % 3u);
+                    let _e611 = (_e610 < 3u);
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e611 = local_1[_e608];
-                    let _e614 = (_e258 % 3u);
-                    let _e615 = (_e614 < 3u);
-                    if _e615 {
+                    let _e613 = local_1[_e610];
+                    let _e616 = (_e258 % 3u);
+                    let _e617 = (_e616 < 3u);
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e617 = local_1[_e614];
-                    if _e603 {
+                    let _e619 = local_1[_e616];
+                    if _e605 {
                     } else {
                         break;
                     }
-                    let _e622 = local[_e602];
-                    if _e609 {
+                    let _e624 = local[_e604];
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e626 = local[_e608];
-                    if _e615 {
+                    let _e628 = local[_e610];
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e630 = local[_e614];
-                    phi_3859_ = false;
-                    phi_1100_ = type_41(type_34(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e595), 0u, 0u);
-                    phi_1103_ = ((3u * _e87) + 1u);
-                    phi_1105_ = (_e597 <= _e595);
-                    phi_1107_ = 0u;
-                    phi_1109_ = type_52(type_29(vec4<f32>((f32(_e605) * _e137), (f32(_e611) * _e137), (f32(_e617) * _e137), 0f), vec4<f32>((f32(_e622) * _e137), (f32(_e626) * _e137), (f32(_e630) * _e137), 0f)), select(0u, 2147483648u, (_e87 == 0u)));
+                    let _e632 = local[_e616];
+                    phi_3785_ = false;
+                    phi_1107_ = type_41(type_34(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e595), 0u, 0u);
+                    phi_1110_ = (_e597 <= _e595);
+                    phi_1112_ = type_52(type_29(vec4<f32>((f32(_e607) * _e137), (f32(_e613) * _e137), (f32(_e619) * _e137), 0f), vec4<f32>((f32(_e624) * _e137), (f32(_e628) * _e137), (f32(_e632) * _e137), 0f)), select(0u, 2147483648u, (_e87 == 0u)));
+                    phi_1114_ = 0u;
+                    phi_1116_ = ((3u * _e87) + 1u);
                     loop {
-                        let _e640 = phi_3859_;
-                        let _e642 = phi_1100_;
-                        let _e644 = phi_1103_;
-                        let _e646 = phi_1105_;
-                        let _e648 = phi_1107_;
-                        let _e650 = phi_1109_;
-                        local_10 = _e642;
+                        let _e640 = phi_3785_;
+                        let _e642 = phi_1107_;
+                        let _e644 = phi_1110_;
+                        let _e646 = phi_1112_;
+                        let _e648 = phi_1114_;
+                        let _e650 = phi_1116_;
                         local_11 = _e642;
-                        if _e646 {
-                            phi_1120_ = true;
+                        local_12 = _e642;
+                        if _e644 {
+                            phi_1127_ = true;
                         } else {
-                            phi_1120_ = (_e648 > 0u);
+                            phi_1127_ = (_e648 > 0u);
                         }
-                        let _e653 = phi_1120_;
+                        let _e653 = phi_1127_;
                         if _e653 {
-                            let _e654 = (_e644 > 0u);
+                            let _e654 = (_e650 > 0u);
                             if _e654 {
-                                if _e646 {
-                                    phi_1206_ = _e646;
-                                    phi_1207_ = _e648;
-                                    phi_1208_ = _e650;
+                                if _e644 {
+                                    phi_1213_ = _e644;
+                                    phi_1214_ = _e646;
+                                    phi_1215_ = _e648;
                                 } else {
                                     let _e655 = (_e648 - 1u);
                                     let _e656 = (_e655 % 128u);
                                     let _e657 = (_e656 < 128u);
                                     if _e657 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e659 = local_7[_e656];
                                     if _e657 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e661 = local_6[_e656];
                                     if _e657 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e663 = local_5[_e656];
                                     if _e657 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e665 = local_4[_e656];
                                     if _e657 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e667 = local_3[_e656];
                                     if _e657 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e669 = local_2[_e656];
                                     if _e657 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e674 = local_8[_e656];
                                     if _e657 {
                                     } else {
-                                        phi_4018_ = true;
+                                        phi_3932_ = true;
                                         break;
                                     }
                                     let _e677 = local_9[_e656];
-                                    phi_1206_ = (_e677 <= _e642.member.member_1);
-                                    phi_1207_ = _e655;
-                                    phi_1208_ = type_52(type_29(vec4<f32>(_e659, _e661, _e663, 0f), vec4<f32>(_e665, _e667, _e669, 0f)), _e674);
+                                    phi_1213_ = (_e677 <= _e642.member.member_1);
+                                    phi_1214_ = type_52(type_29(vec4<f32>(_e659, _e661, _e663, 0f), vec4<f32>(_e665, _e667, _e669, 0f)), _e674);
+                                    phi_1215_ = _e655;
                                 }
-                                let _e682 = phi_1206_;
-                                let _e684 = phi_1207_;
-                                let _e686 = phi_1208_;
+                                let _e682 = phi_1213_;
+                                let _e684 = phi_1214_;
+                                let _e686 = phi_1215_;
                                 if _e682 {
-                                    let _e690 = ((_e686.member_1 & 2147483648u) != 0u);
-                                    if _e690 {
-                                        phi_1226_ = _e642;
-                                        phi_1229_ = type_4(0u, ((_e686.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e684.member_1 & 2147483648u) != 0u) {
+                                        phi_1233_ = _e642;
+                                        phi_1236_ = type_4(0u, ((_e684.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e697 = phi_1226_;
-                                            let _e699 = phi_1229_;
-                                            local_12 = _e697;
-                                            if (_e699.member < _e699.member_1) {
-                                                phi_1230_ = type_4((_e699.member + 1u), _e699.member_1);
-                                                phi_1252_ = type_4(1u, _e699.member);
+                                            let _e1160 = phi_1233_;
+                                            let _e1162 = phi_1236_;
+                                            local_10 = _e1160;
+                                            local_13 = _e1160;
+                                            if (_e1162.member < _e1162.member_1) {
+                                                phi_1237_ = type_4((_e1162.member + 1u), _e1162.member_1);
+                                                phi_1259_ = type_4(1u, _e1162.member);
                                             } else {
-                                                phi_1230_ = _e699;
-                                                phi_1252_ = type_4(0u, type_4().member_1);
+                                                phi_1237_ = _e1162;
+                                                phi_1259_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e712 = phi_1230_;
-                                            let _e714 = phi_1252_;
-                                            let _e718 = (bitcast<i32>(_e714.member) != 0i);
-                                            if _e718 {
-                                                let _e724 = type_41(_e697.member, _e697.member_1, (_e697.member_2 + 1u));
-                                                let _e725 = ((_e686.member_1 & 268435455u) + _e714.member_1);
-                                                let _e726 = (_e725 < _e89);
-                                                if _e726 {
-                                                    if _e726 {
+                                            let _e1175 = phi_1237_;
+                                            let _e1177 = phi_1259_;
+                                            let _e1181 = (bitcast<i32>(_e1177.member) != 0i);
+                                            if _e1181 {
+                                                let _e1187 = type_41(_e1160.member, _e1160.member_1, (_e1160.member_2 + 1u));
+                                                let _e1188 = ((_e684.member_1 & 268435455u) + _e1177.member_1);
+                                                let _e1189 = (_e1188 < _e89);
+                                                if _e1189 {
+                                                    if _e1189 {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e730 = global_2.member[_e725].member_1;
-                                                    phi_1276_ = _e730;
+                                                    let _e1193 = global_2.member[_e1188].member_1;
+                                                    phi_1283_ = _e1193;
                                                 } else {
-                                                    phi_1276_ = 4294967295u;
+                                                    phi_1283_ = 4294967295u;
                                                 }
-                                                let _e732 = phi_1276_;
-                                                if (_e725 >= _e89) {
-                                                    phi_1368_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1195 = phi_1283_;
+                                                if (_e1188 >= _e89) {
+                                                    phi_1375_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e726 {
+                                                    if _e1189 {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    if (_e602 < 9u) {
+                                                    if (_e604 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e739 = global_2.member[_e725].member[_e602];
-                                                    if (_e608 < 9u) {
+                                                    let _e1202 = global_2.member[_e1188].member[_e604];
+                                                    if (_e610 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e745 = global_2.member[_e725].member[_e608];
-                                                    if (_e614 < 9u) {
+                                                    let _e1208 = global_2.member[_e1188].member[_e610];
+                                                    if (_e616 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e751 = global_2.member[_e725].member[_e614];
-                                                    let _e753 = (3u + _e602);
-                                                    if (_e753 < 9u) {
+                                                    let _e1214 = global_2.member[_e1188].member[_e616];
+                                                    let _e1216 = (3u + _e604);
+                                                    if (_e1216 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e759 = global_2.member[_e725].member[_e753];
-                                                    let _e760 = (3u + _e608);
-                                                    if (_e760 < 9u) {
+                                                    let _e1222 = global_2.member[_e1188].member[_e1216];
+                                                    let _e1223 = (3u + _e610);
+                                                    if (_e1223 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e766 = global_2.member[_e725].member[_e760];
-                                                    let _e767 = (3u + _e614);
-                                                    if (_e767 < 9u) {
+                                                    let _e1229 = global_2.member[_e1188].member[_e1223];
+                                                    let _e1230 = (3u + _e616);
+                                                    if (_e1230 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e773 = global_2.member[_e725].member[_e767];
-                                                    let _e775 = (6u + _e602);
-                                                    if (_e775 < 9u) {
+                                                    let _e1236 = global_2.member[_e1188].member[_e1230];
+                                                    let _e1238 = (6u + _e604);
+                                                    if (_e1238 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e781 = global_2.member[_e725].member[_e775];
-                                                    let _e782 = (6u + _e608);
-                                                    if (_e782 < 9u) {
+                                                    let _e1244 = global_2.member[_e1188].member[_e1238];
+                                                    let _e1245 = (6u + _e610);
+                                                    if (_e1245 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e788 = global_2.member[_e725].member[_e782];
-                                                    let _e789 = (6u + _e614);
-                                                    if (_e789 < 9u) {
+                                                    let _e1251 = global_2.member[_e1188].member[_e1245];
+                                                    let _e1252 = (6u + _e616);
+                                                    if (_e1252 < 9u) {
                                                     } else {
-                                                        phi_3853_ = true;
+                                                        phi_3779_ = true;
                                                         break;
                                                     }
-                                                    let _e795 = global_2.member[_e725].member[_e789];
-                                                    phi_1368_ = array<array<f32, 3>, 3>(array<f32, 3>(_e739, _e745, _e751), array<f32, 3>(_e759, _e766, _e773), array<f32, 3>(_e781, _e788, _e795));
+                                                    let _e1258 = global_2.member[_e1188].member[_e1252];
+                                                    phi_1375_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1202, _e1208, _e1214), array<f32, 3>(_e1222, _e1229, _e1236), array<f32, 3>(_e1244, _e1251, _e1258));
                                                 }
-                                                let _e799 = phi_1368_;
-                                                let _e816 = (_e799[0][2] - _e454);
-                                                let _e819 = (((_e799[0][0] - _e321) * _e490) - (_e816 * _e358));
-                                                let _e822 = (((_e799[0][1] - _e388) * _e490) - (_e816 * _e424));
-                                                let _e825 = (_e799[1][2] - _e454);
-                                                let _e828 = (((_e799[1][0] - _e321) * _e490) - (_e825 * _e358));
-                                                let _e831 = (((_e799[1][1] - _e388) * _e490) - (_e825 * _e424));
-                                                let _e834 = (_e799[2][2] - _e454);
-                                                let _e837 = (((_e799[2][0] - _e321) * _e490) - (_e834 * _e358));
-                                                let _e840 = (((_e799[2][1] - _e388) * _e490) - (_e834 * _e424));
-                                                let _e841 = (_e837 * _e831);
-                                                let _e842 = (_e840 * _e828);
-                                                let _e843 = (_e819 * _e840);
-                                                let _e844 = (_e822 * _e837);
-                                                let _e845 = (_e828 * _e822);
-                                                let _e846 = (_e831 * _e819);
-                                                let _e851 = (((_e841 >= _e842) && (_e843 >= _e844)) && (_e845 >= _e846));
-                                                let _e857 = (_e851 || (((_e841 <= _e842) && (_e843 <= _e844)) && (_e845 <= _e846)));
-                                                if _e857 {
-                                                    let _e859 = select(-1f, 1f, _e851);
-                                                    let _e861 = ((_e841 - _e842) * _e859);
-                                                    let _e863 = select(0f, _e861, (_e861 > 0f));
-                                                    let _e865 = ((_e843 - _e844) * _e859);
-                                                    let _e867 = select(0f, _e865, (_e865 > 0f));
-                                                    let _e869 = ((_e845 - _e846) * _e859);
-                                                    let _e871 = select(0f, _e869, (_e869 > 0f));
-                                                    let _e873 = ((_e863 + _e867) + _e871);
-                                                    let _e875 = select(_e799[1][0], _e799[0][0], (_e799[0][0] < _e799[1][0]));
-                                                    let _e879 = select(_e799[1][0], _e799[0][0], (_e799[0][0] > _e799[1][0]));
-                                                    let _e883 = select(_e799[1][1], _e799[0][1], (_e799[0][1] < _e799[1][1]));
-                                                    let _e887 = select(_e799[1][1], _e799[0][1], (_e799[0][1] > _e799[1][1]));
-                                                    let _e891 = select(_e799[1][2], _e799[0][2], (_e799[0][2] < _e799[1][2]));
-                                                    let _e895 = select(_e799[1][2], _e799[0][2], (_e799[0][2] > _e799[1][2]));
-                                                    let _e900 = ((select(_e799[2][0], _e875, (_e875 < _e799[2][0])) - _e359) * _e362);
-                                                    let _e901 = ((select(_e799[2][0], _e879, (_e879 > _e799[2][0])) - _e360) * _e362);
-                                                    let _e904 = ((select(_e799[2][1], _e883, (_e883 < _e799[2][1])) - _e425) * _e428);
-                                                    let _e905 = ((select(_e799[2][1], _e887, (_e887 > _e799[2][1])) - _e426) * _e428);
-                                                    let _e908 = ((select(_e799[2][2], _e891, (_e891 < _e799[2][2])) - _e491) * _e494);
-                                                    let _e909 = ((select(_e799[2][2], _e895, (_e895 > _e799[2][2])) - _e492) * _e494);
-                                                    let _e911 = select(_e909, _e908, (_e908 < _e909));
-                                                    let _e913 = select(_e909, _e908, (_e908 > _e909));
-                                                    let _e915 = select(_e901, _e900, (_e900 < _e901));
-                                                    let _e917 = select(_e905, _e904, (_e904 < _e905));
-                                                    let _e919 = select(_e917, _e915, (_e915 > _e917));
-                                                    let _e921 = select(_e911, _e919, (_e919 > _e911));
-                                                    let _e923 = select(_e901, _e900, (_e900 > _e901));
-                                                    let _e925 = select(_e905, _e904, (_e904 > _e905));
-                                                    let _e927 = select(_e925, _e923, (_e923 < _e925));
-                                                    let _e929 = select(_e913, _e927, (_e927 < _e913));
-                                                    let _e930 = -(_e911);
-                                                    let _e936 = select(_e597, _e921, (_e921 > _e597));
-                                                    let _e940 = select(_e828, _e819, (_e819 < _e828));
-                                                    let _e945 = select(_e828, _e819, (_e819 > _e828));
-                                                    let _e952 = select(_e831, _e822, (_e822 < _e831));
-                                                    let _e957 = select(_e831, _e822, (_e822 > _e831));
-                                                    let _e966 = (((((_e857 && (_e873 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e837, _e940, (_e940 < _e837)) <= 0f) && (select(_e837, _e945, (_e945 > _e837)) >= 0f))) && ((select(_e840, _e952, (_e952 < _e840)) <= 0f) && (select(_e840, _e957, (_e957 > _e840)) >= 0f))) && (_e936 <= (_e929 + (select(_e930, _e913, (_e913 > _e930)) * 0.0000019073523f)))) && (_e936 <= _e697.member.member_1));
-                                                    if _e966 {
-                                                        let _e971 = (_e799[1][0] - _e799[0][0]);
-                                                        let _e972 = (_e799[1][1] - _e799[0][1]);
-                                                        let _e973 = (_e799[1][2] - _e799[0][2]);
-                                                        let _e974 = vec3<f32>(_e971, _e972, _e973);
-                                                        let _e975 = (_e799[2][0] - _e799[1][0]);
-                                                        let _e976 = (_e799[2][1] - _e799[1][1]);
-                                                        let _e977 = (_e799[2][2] - _e799[1][2]);
-                                                        let _e978 = vec3<f32>(_e975, _e976, _e977);
-                                                        let _e979 = (_e799[0][0] - _e799[2][0]);
-                                                        let _e980 = (_e799[0][1] - _e799[2][1]);
-                                                        let _e981 = (_e799[0][2] - _e799[2][2]);
-                                                        let _e982 = vec3<f32>(_e979, _e980, _e981);
-                                                        let _e983 = abs(_e971);
-                                                        let _e984 = abs(_e972);
-                                                        if (_e983 != _e983) {
-                                                            phi_3494_ = true;
+                                                let _e1262 = phi_1375_;
+                                                let _e1279 = (_e1262[0][2] - _e454);
+                                                let _e1282 = (((_e1262[0][0] - _e321) * _e490) - (_e1279 * _e358));
+                                                let _e1285 = (((_e1262[0][1] - _e388) * _e490) - (_e1279 * _e424));
+                                                let _e1288 = (_e1262[1][2] - _e454);
+                                                let _e1291 = (((_e1262[1][0] - _e321) * _e490) - (_e1288 * _e358));
+                                                let _e1294 = (((_e1262[1][1] - _e388) * _e490) - (_e1288 * _e424));
+                                                let _e1297 = (_e1262[2][2] - _e454);
+                                                let _e1300 = (((_e1262[2][0] - _e321) * _e490) - (_e1297 * _e358));
+                                                let _e1303 = (((_e1262[2][1] - _e388) * _e490) - (_e1297 * _e424));
+                                                let _e1304 = (_e1300 * _e1294);
+                                                let _e1305 = (_e1303 * _e1291);
+                                                let _e1306 = (_e1282 * _e1303);
+                                                let _e1307 = (_e1285 * _e1300);
+                                                let _e1308 = (_e1291 * _e1285);
+                                                let _e1309 = (_e1294 * _e1282);
+                                                let _e1314 = (((_e1304 >= _e1305) && (_e1306 >= _e1307)) && (_e1308 >= _e1309));
+                                                let _e1320 = (_e1314 || (((_e1304 <= _e1305) && (_e1306 <= _e1307)) && (_e1308 <= _e1309)));
+                                                if _e1320 {
+                                                    let _e1322 = select(-1f, 1f, _e1314);
+                                                    let _e1324 = ((_e1304 - _e1305) * _e1322);
+                                                    let _e1326 = select(0f, _e1324, (_e1324 > 0f));
+                                                    let _e1328 = ((_e1306 - _e1307) * _e1322);
+                                                    let _e1330 = select(0f, _e1328, (_e1328 > 0f));
+                                                    let _e1332 = ((_e1308 - _e1309) * _e1322);
+                                                    let _e1334 = select(0f, _e1332, (_e1332 > 0f));
+                                                    let _e1336 = ((_e1326 + _e1330) + _e1334);
+                                                    let _e1338 = select(_e1262[1][0], _e1262[0][0], (_e1262[0][0] < _e1262[1][0]));
+                                                    let _e1342 = select(_e1262[1][0], _e1262[0][0], (_e1262[0][0] > _e1262[1][0]));
+                                                    let _e1346 = select(_e1262[1][1], _e1262[0][1], (_e1262[0][1] < _e1262[1][1]));
+                                                    let _e1350 = select(_e1262[1][1], _e1262[0][1], (_e1262[0][1] > _e1262[1][1]));
+                                                    let _e1354 = select(_e1262[1][2], _e1262[0][2], (_e1262[0][2] < _e1262[1][2]));
+                                                    let _e1358 = select(_e1262[1][2], _e1262[0][2], (_e1262[0][2] > _e1262[1][2]));
+                                                    let _e1363 = ((select(_e1262[2][0], _e1338, (_e1338 < _e1262[2][0])) - _e359) * _e362);
+                                                    let _e1364 = ((select(_e1262[2][0], _e1342, (_e1342 > _e1262[2][0])) - _e360) * _e362);
+                                                    let _e1367 = ((select(_e1262[2][1], _e1346, (_e1346 < _e1262[2][1])) - _e425) * _e428);
+                                                    let _e1368 = ((select(_e1262[2][1], _e1350, (_e1350 > _e1262[2][1])) - _e426) * _e428);
+                                                    let _e1371 = ((select(_e1262[2][2], _e1354, (_e1354 < _e1262[2][2])) - _e491) * _e494);
+                                                    let _e1372 = ((select(_e1262[2][2], _e1358, (_e1358 > _e1262[2][2])) - _e492) * _e494);
+                                                    let _e1374 = select(_e1372, _e1371, (_e1371 < _e1372));
+                                                    let _e1376 = select(_e1372, _e1371, (_e1371 > _e1372));
+                                                    let _e1378 = select(_e1364, _e1363, (_e1363 < _e1364));
+                                                    let _e1380 = select(_e1368, _e1367, (_e1367 < _e1368));
+                                                    let _e1382 = select(_e1380, _e1378, (_e1378 > _e1380));
+                                                    let _e1384 = select(_e1374, _e1382, (_e1382 > _e1374));
+                                                    let _e1386 = select(_e1364, _e1363, (_e1363 > _e1364));
+                                                    let _e1388 = select(_e1368, _e1367, (_e1367 > _e1368));
+                                                    let _e1390 = select(_e1388, _e1386, (_e1386 < _e1388));
+                                                    let _e1392 = select(_e1376, _e1390, (_e1390 < _e1376));
+                                                    let _e1393 = -(_e1374);
+                                                    let _e1399 = select(_e597, _e1384, (_e1384 > _e597));
+                                                    let _e1403 = select(_e1291, _e1282, (_e1282 < _e1291));
+                                                    let _e1408 = select(_e1291, _e1282, (_e1282 > _e1291));
+                                                    let _e1415 = select(_e1294, _e1285, (_e1285 < _e1294));
+                                                    let _e1420 = select(_e1294, _e1285, (_e1285 > _e1294));
+                                                    let _e1429 = (((((_e1320 && (_e1336 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1300, _e1403, (_e1403 < _e1300)) <= 0f) && (select(_e1300, _e1408, (_e1408 > _e1300)) >= 0f))) && ((select(_e1303, _e1415, (_e1415 < _e1303)) <= 0f) && (select(_e1303, _e1420, (_e1420 > _e1303)) >= 0f))) && (_e1399 <= (_e1392 + (select(_e1393, _e1376, (_e1376 > _e1393)) * 0.0000019073523f)))) && (_e1399 <= _e1160.member.member_1));
+                                                    if _e1429 {
+                                                        let _e1434 = (_e1262[1][0] - _e1262[0][0]);
+                                                        let _e1435 = (_e1262[1][1] - _e1262[0][1]);
+                                                        let _e1436 = (_e1262[1][2] - _e1262[0][2]);
+                                                        let _e1437 = vec3<f32>(_e1434, _e1435, _e1436);
+                                                        let _e1438 = (_e1262[2][0] - _e1262[1][0]);
+                                                        let _e1439 = (_e1262[2][1] - _e1262[1][1]);
+                                                        let _e1440 = (_e1262[2][2] - _e1262[1][2]);
+                                                        let _e1441 = vec3<f32>(_e1438, _e1439, _e1440);
+                                                        let _e1442 = (_e1262[0][0] - _e1262[2][0]);
+                                                        let _e1443 = (_e1262[0][1] - _e1262[2][1]);
+                                                        let _e1444 = (_e1262[0][2] - _e1262[2][2]);
+                                                        let _e1445 = vec3<f32>(_e1442, _e1443, _e1444);
+                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
+                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                        let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
+                                                        let _e1456 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                        let _e1458 = select(_e1456, _e1453, (_e1453 > _e1456));
+                                                        let _e1461 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
+                                                        let _e1464 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
+                                                        let _e1466 = select(_e1464, _e1461, (_e1461 > _e1464));
+                                                        let _e1469 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
+                                                        let _e1471 = select(_e1469, _e1466, (_e1466 > _e1469));
+                                                        let _e1474 = bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u));
+                                                        let _e1477 = bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u));
+                                                        let _e1479 = select(_e1477, _e1474, (_e1474 > _e1477));
+                                                        let _e1482 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
+                                                        let _e1484 = select(_e1482, _e1479, (_e1479 > _e1482));
+                                                        let _e1486 = select(_e1471, _e1458, (_e1458 > _e1471));
+                                                        let _e1488 = select(_e1484, _e1486, (_e1486 > _e1484));
+                                                        if (_e1458 == _e1488) {
+                                                            phi_1905_ = _e1294;
+                                                            phi_1906_ = _e1291;
+                                                            phi_1907_ = _e1285;
+                                                            phi_1908_ = _e1282;
+                                                            phi_1909_ = vec3<f32>(_e1262[0][0], _e1262[0][1], _e1262[0][2]);
+                                                            phi_1910_ = _e1445;
+                                                            phi_1911_ = _e1441;
+                                                            phi_1912_ = _e1437;
                                                         } else {
-                                                            phi_3494_ = (_e984 >= _e983);
+                                                            let _e1490 = (_e1471 == _e1488);
+                                                            let _e1495 = vec3(_e1490);
+                                                            phi_1905_ = select(_e1285, _e1303, _e1490);
+                                                            phi_1906_ = select(_e1282, _e1300, _e1490);
+                                                            phi_1907_ = select(_e1303, _e1294, _e1490);
+                                                            phi_1908_ = select(_e1300, _e1291, _e1490);
+                                                            phi_1909_ = select(vec3<f32>(_e1262[2][0], _e1262[2][1], _e1262[2][2]), vec3<f32>(_e1262[1][0], _e1262[1][1], _e1262[1][2]), _e1495);
+                                                            phi_1910_ = select(_e1441, _e1437, _e1495);
+                                                            phi_1911_ = select(_e1437, _e1445, _e1495);
+                                                            phi_1912_ = select(_e1445, _e1441, _e1495);
                                                         }
-                                                        let _e988 = phi_3494_;
-                                                        let _e989 = select(_e983, _e984, _e988);
-                                                        let _e990 = abs(_e973);
-                                                        if (_e989 != _e989) {
-                                                            phi_3509_ = true;
+                                                        let _e1501 = phi_1905_;
+                                                        let _e1503 = phi_1906_;
+                                                        let _e1505 = phi_1907_;
+                                                        let _e1507 = phi_1908_;
+                                                        let _e1509 = phi_1909_;
+                                                        let _e1511 = phi_1910_;
+                                                        let _e1513 = phi_1911_;
+                                                        let _e1515 = phi_1912_;
+                                                        let _e1522 = ((_e1513.y * _e1511.z) - (_e1511.y * _e1513.z));
+                                                        let _e1527 = ((_e1513.z * _e1511.x) - (_e1511.z * _e1513.x));
+                                                        let _e1530 = ((_e1513.x * _e1511.y) - (_e1511.x * _e1513.y));
+                                                        let _e1533 = ((_e1326 >= _e1330) && (_e1326 >= _e1334));
+                                                        let _e1534 = (_e1330 >= _e1334);
+                                                        let _e1548 = (((_e1522 * (select(select(_e1262[2][0], _e1262[1][0], _e1534), _e1262[0][0], _e1533) - _e321)) + (_e1527 * (select(select(_e1262[2][1], _e1262[1][1], _e1534), _e1262[0][1], _e1533) - _e388))) + (_e1530 * (select(select(_e1262[2][2], _e1262[1][2], _e1534), _e1262[0][2], _e1533) - _e454)));
+                                                        let _e1553 = (((_e1522 * _e358) + (_e1527 * _e424)) + (_e1530 * _e490));
+                                                        let _e1554 = (_e1503 - _e1507);
+                                                        let _e1555 = (_e1501 - _e1505);
+                                                        let _e1558 = ((_e1554 * _e1554) + (_e1555 * _e1555));
+                                                        let _e1565 = (-(((_e1507 * _e1554) + (_e1505 * _e1555))) / select(0.000000000000000000000000000000000000011754944f, _e1558, (_e1558 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1567 = select(1f, _e1565, (_e1565 < 1f));
+                                                        let _e1569 = select(0f, _e1567, (_e1567 > 0f));
+                                                        let _e1578 = ((_e1509.x + (_e1515.x * _e1569)) - _e321);
+                                                        let _e1581 = ((_e1509.y + (_e1515.y * _e1569)) - _e388);
+                                                        let _e1584 = ((_e1509.z + (_e1515.z * _e1569)) - _e454);
+                                                        let _e1587 = bitcast<f32>((bitcast<u32>(_e1578) & 2147483647u));
+                                                        let _e1590 = bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u));
+                                                        let _e1592 = select(_e1590, _e1587, (_e1587 > _e1590));
+                                                        let _e1595 = bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u));
+                                                        let _e1597 = select(_e1595, _e1592, (_e1592 > _e1595));
+                                                        let _e1603 = bitcast<f32>((bitcast<u32>(_e1522) & 2147483647u));
+                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1527) & 2147483647u));
+                                                        let _e1608 = select(_e1606, _e1603, (_e1603 > _e1606));
+                                                        let _e1611 = bitcast<f32>((bitcast<u32>(_e1530) & 2147483647u));
+                                                        let _e1630 = bitcast<f32>((bitcast<u32>(_e1513.x) & 2147483647u));
+                                                        let _e1633 = bitcast<f32>((bitcast<u32>(_e1513.y) & 2147483647u));
+                                                        let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
+                                                        let _e1638 = bitcast<f32>((bitcast<u32>(_e1513.z) & 2147483647u));
+                                                        let _e1644 = bitcast<f32>((bitcast<u32>(_e1511.x) & 2147483647u));
+                                                        let _e1647 = bitcast<f32>((bitcast<u32>(_e1511.y) & 2147483647u));
+                                                        let _e1649 = select(_e1647, _e1644, (_e1644 > _e1647));
+                                                        let _e1652 = bitcast<f32>((bitcast<u32>(_e1511.z) & 2147483647u));
+                                                        let _e1658 = ((bitcast<f32>((bitcast<u32>(((((_e1522 * _e1578) + (_e1527 * _e1581)) + (_e1530 * _e1584)) - _e1548)) & 2147483647u)) <= ((0.0000009536743f * select(_e1488, _e1597, (_e1597 > _e1488))) * select(_e1611, _e1608, (_e1608 > _e1611)))) && !((bitcast<f32>((bitcast<u32>(_e1553) & 2147483647u)) <= ((0.0000038146973f * select(_e1638, _e1635, (_e1635 > _e1638))) * select(_e1652, _e1649, (_e1649 > _e1652))))));
+                                                        let _e1659 = (_e1548 / _e1553);
+                                                        if (_e1429 && !(_e1658)) {
+                                                            let _e1662 = (_e1584 / _e490);
+                                                            let _e1670 = (((_e1522 * (_e1578 - (_e358 * _e1662))) + (_e1527 * (_e1581 - (_e424 * _e1662)))) / _e1553);
+                                                            phi_2103_ = select(select(_e1662, (_e1662 + _e1670), (bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u)) <= _e1488)), _e1659, _e1658);
                                                         } else {
-                                                            phi_3509_ = (_e990 >= _e989);
+                                                            phi_2103_ = _e1659;
                                                         }
-                                                        let _e994 = phi_3509_;
-                                                        let _e995 = select(_e989, _e990, _e994);
-                                                        let _e996 = abs(_e975);
-                                                        let _e997 = abs(_e976);
-                                                        if (_e996 != _e996) {
-                                                            phi_3524_ = true;
-                                                        } else {
-                                                            phi_3524_ = (_e997 >= _e996);
-                                                        }
-                                                        let _e1001 = phi_3524_;
-                                                        let _e1002 = select(_e996, _e997, _e1001);
-                                                        let _e1003 = abs(_e977);
-                                                        if (_e1002 != _e1002) {
-                                                            phi_3539_ = true;
-                                                        } else {
-                                                            phi_3539_ = (_e1003 >= _e1002);
-                                                        }
-                                                        let _e1007 = phi_3539_;
-                                                        let _e1008 = select(_e1002, _e1003, _e1007);
-                                                        let _e1009 = abs(_e979);
-                                                        let _e1010 = abs(_e980);
-                                                        if (_e1009 != _e1009) {
-                                                            phi_3554_ = true;
-                                                        } else {
-                                                            phi_3554_ = (_e1010 >= _e1009);
-                                                        }
-                                                        let _e1014 = phi_3554_;
-                                                        let _e1015 = select(_e1009, _e1010, _e1014);
-                                                        let _e1016 = abs(_e981);
-                                                        if (_e1015 != _e1015) {
-                                                            phi_3569_ = true;
-                                                        } else {
-                                                            phi_3569_ = (_e1016 >= _e1015);
-                                                        }
-                                                        let _e1020 = phi_3569_;
-                                                        let _e1021 = select(_e1015, _e1016, _e1020);
-                                                        let _e1023 = select(_e1008, _e995, (_e995 > _e1008));
-                                                        let _e1025 = select(_e1021, _e1023, (_e1023 > _e1021));
-                                                        if (_e995 == _e1025) {
-                                                            phi_1910_ = _e831;
-                                                            phi_1911_ = _e828;
-                                                            phi_1912_ = _e822;
-                                                            phi_1913_ = _e819;
-                                                            phi_1914_ = vec3<f32>(_e799[0][0], _e799[0][1], _e799[0][2]);
-                                                            phi_1915_ = _e982;
-                                                            phi_1916_ = _e978;
-                                                            phi_1917_ = _e974;
-                                                        } else {
-                                                            let _e1027 = (_e1008 == _e1025);
-                                                            let _e1032 = vec3(_e1027);
-                                                            phi_1910_ = select(_e822, _e840, _e1027);
-                                                            phi_1911_ = select(_e819, _e837, _e1027);
-                                                            phi_1912_ = select(_e840, _e831, _e1027);
-                                                            phi_1913_ = select(_e837, _e828, _e1027);
-                                                            phi_1914_ = select(vec3<f32>(_e799[2][0], _e799[2][1], _e799[2][2]), vec3<f32>(_e799[1][0], _e799[1][1], _e799[1][2]), _e1032);
-                                                            phi_1915_ = select(_e978, _e974, _e1032);
-                                                            phi_1916_ = select(_e974, _e982, _e1032);
-                                                            phi_1917_ = select(_e982, _e978, _e1032);
-                                                        }
-                                                        let _e1038 = phi_1910_;
-                                                        let _e1040 = phi_1911_;
-                                                        let _e1042 = phi_1912_;
-                                                        let _e1044 = phi_1913_;
-                                                        let _e1046 = phi_1914_;
-                                                        let _e1048 = phi_1915_;
-                                                        let _e1050 = phi_1916_;
-                                                        let _e1052 = phi_1917_;
-                                                        let _e1059 = ((_e1050.y * _e1048.z) - (_e1048.y * _e1050.z));
-                                                        let _e1064 = ((_e1050.z * _e1048.x) - (_e1048.z * _e1050.x));
-                                                        let _e1067 = ((_e1050.x * _e1048.y) - (_e1048.x * _e1050.y));
-                                                        let _e1070 = ((_e863 >= _e867) && (_e863 >= _e871));
-                                                        let _e1071 = (_e867 >= _e871);
-                                                        let _e1085 = (((_e1059 * (select(select(_e799[2][0], _e799[1][0], _e1071), _e799[0][0], _e1070) - _e321)) + (_e1064 * (select(select(_e799[2][1], _e799[1][1], _e1071), _e799[0][1], _e1070) - _e388))) + (_e1067 * (select(select(_e799[2][2], _e799[1][2], _e1071), _e799[0][2], _e1070) - _e454)));
-                                                        let _e1090 = (((_e1059 * _e358) + (_e1064 * _e424)) + (_e1067 * _e490));
-                                                        let _e1091 = (_e1040 - _e1044);
-                                                        let _e1092 = (_e1038 - _e1042);
-                                                        let _e1095 = ((_e1091 * _e1091) + (_e1092 * _e1092));
-                                                        let _e1102 = (-(((_e1044 * _e1091) + (_e1042 * _e1092))) / select(0.000000000000000000000000000000000000011754944f, _e1095, (_e1095 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1104 = select(1f, _e1102, (_e1102 < 1f));
-                                                        let _e1106 = select(0f, _e1104, (_e1104 > 0f));
-                                                        let _e1115 = ((_e1046.x + (_e1052.x * _e1106)) - _e321);
-                                                        let _e1118 = ((_e1046.y + (_e1052.y * _e1106)) - _e388);
-                                                        let _e1121 = ((_e1046.z + (_e1052.z * _e1106)) - _e454);
-                                                        let _e1124 = bitcast<f32>((bitcast<u32>(_e1115) & 2147483647u));
-                                                        let _e1127 = bitcast<f32>((bitcast<u32>(_e1118) & 2147483647u));
-                                                        let _e1129 = select(_e1127, _e1124, (_e1124 > _e1127));
-                                                        let _e1132 = bitcast<f32>((bitcast<u32>(_e1121) & 2147483647u));
-                                                        let _e1134 = select(_e1132, _e1129, (_e1129 > _e1132));
-                                                        let _e1138 = abs(_e1059);
-                                                        let _e1139 = abs(_e1064);
-                                                        if (_e1138 != _e1138) {
-                                                            phi_3584_ = true;
-                                                        } else {
-                                                            phi_3584_ = (_e1139 >= _e1138);
-                                                        }
-                                                        let _e1143 = phi_3584_;
-                                                        let _e1144 = select(_e1138, _e1139, _e1143);
-                                                        let _e1145 = abs(_e1067);
-                                                        if (_e1144 != _e1144) {
-                                                            phi_3599_ = true;
-                                                        } else {
-                                                            phi_3599_ = (_e1145 >= _e1144);
-                                                        }
-                                                        let _e1149 = phi_3599_;
-                                                        let _e1165 = abs(_e1050.x);
-                                                        let _e1166 = abs(_e1050.y);
-                                                        if (_e1165 != _e1165) {
-                                                            phi_3614_ = true;
-                                                        } else {
-                                                            phi_3614_ = (_e1166 >= _e1165);
-                                                        }
-                                                        let _e1170 = phi_3614_;
-                                                        let _e1171 = select(_e1165, _e1166, _e1170);
-                                                        let _e1172 = abs(_e1050.z);
-                                                        if (_e1171 != _e1171) {
-                                                            phi_3629_ = true;
-                                                        } else {
-                                                            phi_3629_ = (_e1172 >= _e1171);
-                                                        }
-                                                        let _e1176 = phi_3629_;
-                                                        let _e1179 = abs(_e1048.x);
-                                                        let _e1180 = abs(_e1048.y);
-                                                        if (_e1179 != _e1179) {
-                                                            phi_3644_ = true;
-                                                        } else {
-                                                            phi_3644_ = (_e1180 >= _e1179);
-                                                        }
-                                                        let _e1184 = phi_3644_;
-                                                        let _e1185 = select(_e1179, _e1180, _e1184);
-                                                        let _e1186 = abs(_e1048.z);
-                                                        if (_e1185 != _e1185) {
-                                                            phi_3659_ = true;
-                                                        } else {
-                                                            phi_3659_ = (_e1186 >= _e1185);
-                                                        }
-                                                        let _e1190 = phi_3659_;
-                                                        let _e1195 = ((bitcast<f32>((bitcast<u32>(((((_e1059 * _e1115) + (_e1064 * _e1118)) + (_e1067 * _e1121)) - _e1085)) & 2147483647u)) <= ((0.0000009536743f * select(_e1025, _e1134, (_e1134 > _e1025))) * select(_e1144, _e1145, _e1149))) && !((bitcast<f32>((bitcast<u32>(_e1090) & 2147483647u)) <= ((0.0000038146973f * select(_e1171, _e1172, _e1176)) * select(_e1185, _e1186, _e1190)))));
-                                                        let _e1196 = (_e1085 / _e1090);
-                                                        if (_e966 && !(_e1195)) {
-                                                            let _e1199 = (_e1121 / _e490);
-                                                            let _e1207 = (((_e1059 * (_e1115 - (_e358 * _e1199))) + (_e1064 * (_e1118 - (_e424 * _e1199)))) / _e1090);
-                                                            phi_2125_ = select(select(_e1199, (_e1199 + _e1207), (bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u)) <= _e1025)), _e1196, _e1195);
-                                                        } else {
-                                                            phi_2125_ = _e1196;
-                                                        }
-                                                        let _e1216 = phi_2125_;
-                                                        let _e1218 = select(_e929, _e1216, (_e1216 < _e929));
-                                                        let _e1220 = select(_e921, _e1218, (_e1218 > _e921));
-                                                        let _e1221 = (1f / _e873);
-                                                        phi_2145_ = type_37(_e1220, (_e867 * _e1221), (_e871 * _e1221), ((_e966 && (_e1220 >= _e597)) && (_e1220 <= _e697.member.member_1)));
-                                                        phi_2146_ = type_37();
+                                                        let _e1679 = phi_2103_;
+                                                        let _e1681 = select(_e1392, _e1679, (_e1679 < _e1392));
+                                                        let _e1683 = select(_e1384, _e1681, (_e1681 > _e1384));
+                                                        let _e1684 = (1f / _e1336);
+                                                        phi_2123_ = type_37(_e1683, (_e1330 * _e1684), (_e1334 * _e1684), ((_e1429 && (_e1683 >= _e597)) && (_e1683 <= _e1160.member.member_1)));
+                                                        phi_2124_ = type_37();
                                                     } else {
-                                                        phi_2145_ = type_37();
-                                                        phi_2146_ = type_37(0f, 0f, 0f, _e966);
+                                                        phi_2123_ = type_37();
+                                                        phi_2124_ = type_37(0f, 0f, 0f, _e1429);
                                                     }
-                                                    let _e1230 = phi_2145_;
-                                                    let _e1232 = phi_2146_;
-                                                    phi_2149_ = _e1230;
-                                                    phi_2150_ = _e1232;
-                                                    phi_2151_ = select(true, false, _e966);
+                                                    let _e1693 = phi_2123_;
+                                                    let _e1695 = phi_2124_;
+                                                    phi_2127_ = _e1693;
+                                                    phi_2128_ = _e1695;
+                                                    phi_2129_ = select(true, false, _e1429);
                                                 } else {
-                                                    phi_2149_ = type_37();
-                                                    phi_2150_ = type_37(0f, 0f, 0f, _e857);
-                                                    phi_2151_ = true;
+                                                    phi_2127_ = type_37();
+                                                    phi_2128_ = type_37(0f, 0f, 0f, _e1320);
+                                                    phi_2129_ = true;
                                                 }
-                                                let _e1235 = phi_2149_;
-                                                let _e1237 = phi_2150_;
-                                                let _e1239 = phi_2151_;
-                                                if _e1239 {
-                                                    phi_2155_ = _e1237;
+                                                let _e1698 = phi_2127_;
+                                                let _e1700 = phi_2128_;
+                                                let _e1702 = phi_2129_;
+                                                if _e1702 {
+                                                    phi_2133_ = _e1700;
                                                 } else {
-                                                    phi_2155_ = _e1235;
+                                                    phi_2133_ = _e1698;
                                                 }
-                                                let _e1241 = phi_2155_;
-                                                if _e1241.member_3 {
-                                                    phi_2164_ = type_25(_e1241.member, _e1241.member_1, _e1241.member_2, _e732);
+                                                let _e1704 = phi_2133_;
+                                                if _e1704.member_3 {
+                                                    phi_2142_ = type_25(_e1704.member, _e1704.member_1, _e1704.member_2, _e1195);
                                                 } else {
-                                                    phi_2164_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2142_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1248 = phi_2164_;
-                                                if (_e1248.member_3 != 4294967295u) {
-                                                    if (_e732 != 4294967295u) {
-                                                        if (_e1248.member < _e697.member.member.member) {
-                                                            phi_2190_ = true;
+                                                let _e1711 = phi_2142_;
+                                                if (_e1711.member_3 != 4294967295u) {
+                                                    if (_e1195 != 4294967295u) {
+                                                        if (_e1711.member < _e1160.member.member.member) {
+                                                            phi_2168_ = true;
                                                         } else {
-                                                            if (_e1248.member == _e697.member.member.member) {
-                                                                phi_2189_ = (_e1248.member_3 < _e697.member.member.member_3);
+                                                            if (_e1711.member == _e1160.member.member.member) {
+                                                                phi_2167_ = (_e1711.member_3 < _e1160.member.member.member_3);
                                                             } else {
-                                                                phi_2189_ = false;
+                                                                phi_2167_ = false;
                                                             }
-                                                            let _e1263 = phi_2189_;
-                                                            phi_2190_ = _e1263;
+                                                            let _e1726 = phi_2167_;
+                                                            phi_2168_ = _e1726;
                                                         }
-                                                        let _e1265 = phi_2190_;
-                                                        if _e1265 {
-                                                            phi_2197_ = type_41(type_34(_e1248, _e1248.member), _e724.member_1, _e724.member_2);
+                                                        let _e1728 = phi_2168_;
+                                                        if _e1728 {
+                                                            phi_2175_ = type_41(type_34(_e1711, _e1711.member), _e1187.member_1, _e1187.member_2);
                                                         } else {
-                                                            phi_2197_ = _e724;
+                                                            phi_2175_ = _e1187;
                                                         }
-                                                        let _e1272 = phi_2197_;
-                                                        phi_2198_ = _e1272;
+                                                        let _e1735 = phi_2175_;
+                                                        phi_2176_ = _e1735;
                                                     } else {
-                                                        phi_2198_ = _e724;
+                                                        phi_2176_ = _e1187;
                                                     }
-                                                    let _e1274 = phi_2198_;
-                                                    phi_2199_ = _e1274;
+                                                    let _e1737 = phi_2176_;
+                                                    phi_2177_ = _e1737;
                                                 } else {
-                                                    phi_2199_ = _e724;
+                                                    phi_2177_ = _e1187;
                                                 }
-                                                let _e1276 = phi_2199_;
-                                                phi_1227_ = _e1276;
+                                                let _e1739 = phi_2177_;
+                                                phi_1234_ = _e1739;
                                             } else {
-                                                phi_1227_ = type_41();
+                                                phi_1234_ = type_41();
                                             }
-                                            let _e1278 = phi_1227_;
+                                            let _e1741 = phi_1234_;
                                             continue;
                                             continuing {
-                                                phi_1226_ = _e1278;
-                                                phi_1229_ = _e712;
-                                                phi_3853_ = _e640;
-                                                break if !(_e718);
+                                                phi_1233_ = _e1741;
+                                                phi_1236_ = _e1175;
+                                                phi_3779_ = _e640;
+                                                break if !(_e1181);
                                             }
                                         }
-                                        let _e1281 = phi_3853_;
-                                        phi_4018_ = _e1281;
-                                        if _e1281 {
+                                        let _e1744 = phi_3779_;
+                                        phi_3932_ = _e1744;
+                                        if _e1744 {
                                             break;
                                         }
-                                        phi_4104_ = _e1281;
-                                        let _e1899 = local_12;
-                                        phi_2200_ = _e1899;
+                                        let _e1746 = local_10;
+                                        phi_3936_ = _e1744;
+                                        let _e1904 = local_13;
+                                        phi_3407_ = _e1904;
+                                        phi_3408_ = false;
+                                        phi_3409_ = _e684;
+                                        phi_3410_ = select(_e686, 0u, (_e597 > _e1746.member.member_1));
                                     } else {
-                                        phi_4104_ = _e640;
-                                        phi_2200_ = _e642;
-                                    }
-                                    let _e1283 = phi_4104_;
-                                    let _e1285 = phi_2200_;
-                                    if _e690 {
-                                        phi_3434_ = type_41();
-                                        phi_3435_ = bool();
-                                        phi_3436_ = u32();
-                                        phi_3437_ = type_52();
-                                    } else {
-                                        if (_e686.member_1 >= _e87) {
-                                            phi_2966_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e684.member_1 >= _e87) {
+                                            phi_2943_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e686.member_1 < _e87) {
+                                            if (_e684.member_1 < _e87) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1288 = (_e257 * 2u);
-                                            let _e1290 = ((1u + _e1288) % 7u);
-                                            if (_e1290 < 7u) {
+                                            let _e697 = (_e257 * 2u);
+                                            let _e699 = ((1u + _e697) % 7u);
+                                            if (_e699 < 7u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1295 = global_5.member[_e686.member_1][_e1290];
-                                            let _e1297 = ((_e1288 + 2u) % 7u);
-                                            if (_e1297 < 7u) {
+                                            let _e704 = global_5.member[_e684.member_1][_e699];
+                                            let _e706 = ((_e697 + 2u) % 7u);
+                                            if (_e706 < 7u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1302 = global_5.member[_e686.member_1][_e1297];
-                                            let _e1303 = (_e256 * 2u);
-                                            let _e1305 = ((1u + _e1303) % 7u);
-                                            if (_e1305 < 7u) {
+                                            let _e711 = global_5.member[_e684.member_1][_e706];
+                                            let _e712 = (_e256 * 2u);
+                                            let _e714 = ((1u + _e712) % 7u);
+                                            if (_e714 < 7u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1310 = global_5.member[_e686.member_1][_e1305];
-                                            let _e1312 = ((_e1303 + 2u) % 7u);
-                                            if (_e1312 < 7u) {
+                                            let _e719 = global_5.member[_e684.member_1][_e714];
+                                            let _e721 = ((_e712 + 2u) % 7u);
+                                            if (_e721 < 7u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1317 = global_5.member[_e686.member_1][_e1312];
-                                            let _e1318 = (_e258 * 2u);
-                                            let _e1320 = ((1u + _e1318) % 7u);
-                                            if (_e1320 < 7u) {
+                                            let _e726 = global_5.member[_e684.member_1][_e721];
+                                            let _e727 = (_e258 * 2u);
+                                            let _e729 = ((1u + _e727) % 7u);
+                                            if (_e729 < 7u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1325 = global_5.member[_e686.member_1][_e1320];
-                                            let _e1327 = ((_e1318 + 2u) % 7u);
-                                            if (_e1327 < 7u) {
+                                            let _e734 = global_5.member[_e684.member_1][_e729];
+                                            let _e736 = ((_e727 + 2u) % 7u);
+                                            if (_e736 < 7u) {
                                             } else {
-                                                phi_4018_ = true;
+                                                phi_3932_ = true;
                                                 break;
                                             }
-                                            let _e1332 = global_5.member[_e686.member_1][_e1327];
-                                            let _e1355 = (bitcast<f32>((bitcast<u32>((_e686.member.member_1.x - _e686.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1356 = (bitcast<f32>((bitcast<u32>((_e686.member.member_1.y - _e686.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1357 = (bitcast<f32>((bitcast<u32>((_e686.member.member_1.z - _e686.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1359 = select(_e137, _e1355, (_e1355 > _e137));
-                                            let _e1361 = select(_e137, _e1356, (_e1356 > _e137));
-                                            let _e1363 = select(_e137, _e1357, (_e1357 > _e137));
-                                            let _e1394 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1295 & 2097151u))) - 8388608f) * _e1359));
-                                            let _e1399 = (bitcast<i32>((_e1295 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1402 = bitcast<f32>((_e1394 & bitcast<u32>(_e1399)));
-                                            let _e1403 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1310 & 2097151u))) - 8388608f) * _e1361));
-                                            let _e1408 = (bitcast<i32>((_e1310 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1411 = bitcast<f32>((_e1403 & bitcast<u32>(_e1408)));
-                                            let _e1412 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1325 & 2097151u))) - 8388608f) * _e1363));
-                                            let _e1417 = (bitcast<i32>((_e1325 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1420 = bitcast<f32>((_e1412 & bitcast<u32>(_e1417)));
-                                            let _e1424 = bitcast<f32>((_e1394 & bitcast<u32>(~(_e1399))));
-                                            let _e1428 = bitcast<f32>((_e1403 & bitcast<u32>(~(_e1408))));
-                                            let _e1432 = bitcast<f32>((_e1412 & bitcast<u32>(~(_e1417))));
-                                            let _e1433 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1302 & 2097151u))) - 8388608f) * _e1359));
-                                            let _e1438 = (bitcast<i32>((_e1302 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1441 = bitcast<f32>((_e1433 & bitcast<u32>(_e1438)));
-                                            let _e1442 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1317 & 2097151u))) - 8388608f) * _e1361));
-                                            let _e1447 = (bitcast<i32>((_e1317 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1450 = bitcast<f32>((_e1442 & bitcast<u32>(_e1447)));
-                                            let _e1451 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1332 & 2097151u))) - 8388608f) * _e1363));
-                                            let _e1456 = (bitcast<i32>((_e1332 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1459 = bitcast<f32>((_e1451 & bitcast<u32>(_e1456)));
-                                            let _e1463 = bitcast<f32>((_e1433 & bitcast<u32>(~(_e1438))));
-                                            let _e1467 = bitcast<f32>((_e1442 & bitcast<u32>(~(_e1447))));
-                                            let _e1471 = bitcast<f32>((_e1451 & bitcast<u32>(~(_e1456))));
-                                            let _e1501 = global_5.member[_e686.member_1][0u];
-                                            let _e1505 = global_5.member[_e686.member_1][2u];
-                                            let _e1509 = global_5.member[_e686.member_1][4u];
-                                            let _e1513 = global_5.member[_e686.member_1][6u];
-                                            let _e1525 = (((_e1505 >> bitcast<u32>(22i)) | ((_e1509 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1513 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1526 = (_e1501 & 268435455u);
-                                            let _e1527 = (_e1525 & 268435455u);
-                                            let _e1530 = ((_e1501 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1538 = ((_e1501 >> bitcast<u32>(31i)) | (((_e1525 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1539 = (_e1530 != 0u);
-                                            if (_e1530 == 0u) {
-                                                phi_2928_ = _e1526;
+                                            let _e741 = global_5.member[_e684.member_1][_e736];
+                                            let _e764 = (bitcast<f32>((bitcast<u32>((_e684.member.member_1.x - _e684.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e765 = (bitcast<f32>((bitcast<u32>((_e684.member.member_1.y - _e684.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e766 = (bitcast<f32>((bitcast<u32>((_e684.member.member_1.z - _e684.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e768 = select(_e137, _e764, (_e764 > _e137));
+                                            let _e770 = select(_e137, _e765, (_e765 > _e137));
+                                            let _e772 = select(_e137, _e766, (_e766 > _e137));
+                                            let _e803 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e704 & 2097151u))) - 8388608f) * _e768));
+                                            let _e808 = (bitcast<i32>((_e704 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e811 = bitcast<f32>((_e803 & bitcast<u32>(_e808)));
+                                            let _e812 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e719 & 2097151u))) - 8388608f) * _e770));
+                                            let _e817 = (bitcast<i32>((_e719 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e820 = bitcast<f32>((_e812 & bitcast<u32>(_e817)));
+                                            let _e821 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e734 & 2097151u))) - 8388608f) * _e772));
+                                            let _e826 = (bitcast<i32>((_e734 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e829 = bitcast<f32>((_e821 & bitcast<u32>(_e826)));
+                                            let _e833 = bitcast<f32>((_e803 & bitcast<u32>(~(_e808))));
+                                            let _e837 = bitcast<f32>((_e812 & bitcast<u32>(~(_e817))));
+                                            let _e841 = bitcast<f32>((_e821 & bitcast<u32>(~(_e826))));
+                                            let _e842 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e711 & 2097151u))) - 8388608f) * _e768));
+                                            let _e847 = (bitcast<i32>((_e711 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e850 = bitcast<f32>((_e842 & bitcast<u32>(_e847)));
+                                            let _e851 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e726 & 2097151u))) - 8388608f) * _e770));
+                                            let _e856 = (bitcast<i32>((_e726 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e859 = bitcast<f32>((_e851 & bitcast<u32>(_e856)));
+                                            let _e860 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 2097151u))) - 8388608f) * _e772));
+                                            let _e865 = (bitcast<i32>((_e741 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e868 = bitcast<f32>((_e860 & bitcast<u32>(_e865)));
+                                            let _e872 = bitcast<f32>((_e842 & bitcast<u32>(~(_e847))));
+                                            let _e876 = bitcast<f32>((_e851 & bitcast<u32>(~(_e856))));
+                                            let _e880 = bitcast<f32>((_e860 & bitcast<u32>(~(_e865))));
+                                            let _e910 = global_5.member[_e684.member_1][0u];
+                                            let _e914 = global_5.member[_e684.member_1][2u];
+                                            let _e918 = global_5.member[_e684.member_1][4u];
+                                            let _e922 = global_5.member[_e684.member_1][6u];
+                                            let _e934 = (((_e914 >> bitcast<u32>(22i)) | ((_e918 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e922 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e935 = (_e910 & 268435455u);
+                                            let _e936 = (_e934 & 268435455u);
+                                            let _e939 = ((_e910 >> bitcast<u32>(28u)) & 7u);
+                                            let _e947 = ((_e910 >> bitcast<u32>(31i)) | (((_e934 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e948 = (_e939 != 0u);
+                                            if (_e939 == 0u) {
+                                                phi_2905_ = _e935;
                                             } else {
-                                                if (_e1530 == 7u) {
-                                                    phi_2927_ = 2147483648u;
+                                                if (_e939 == 7u) {
+                                                    phi_2904_ = 2147483648u;
                                                 } else {
-                                                    phi_2927_ = ((2147483648u | (_e1530 << bitcast<u32>(28u))) | (_e1527 & 268435455u));
+                                                    phi_2904_ = ((2147483648u | (_e939 << bitcast<u32>(28u))) | (_e936 & 268435455u));
                                                 }
-                                                let _e1548 = phi_2927_;
-                                                phi_2928_ = _e1548;
+                                                let _e957 = phi_2904_;
+                                                phi_2905_ = _e957;
                                             }
-                                            let _e1550 = phi_2928_;
-                                            if _e1539 {
-                                                let _e1551 = (_e1530 != 7u);
-                                                if _e1551 {
-                                                    phi_2938_ = (_e1527 + _e1530);
+                                            let _e959 = phi_2905_;
+                                            if _e948 {
+                                                let _e960 = (_e939 != 7u);
+                                                if _e960 {
+                                                    phi_2915_ = (_e936 + _e939);
                                                 } else {
-                                                    phi_2938_ = u32();
+                                                    phi_2915_ = u32();
                                                 }
-                                                let _e1554 = phi_2938_;
-                                                phi_2940_ = _e1554;
-                                                phi_2941_ = select(true, false, _e1551);
+                                                let _e963 = phi_2915_;
+                                                phi_2917_ = _e963;
+                                                phi_2918_ = select(true, false, _e960);
                                             } else {
-                                                phi_2940_ = u32();
-                                                phi_2941_ = true;
+                                                phi_2917_ = u32();
+                                                phi_2918_ = true;
                                             }
-                                            let _e1557 = phi_2940_;
-                                            let _e1559 = phi_2941_;
-                                            if (_e1538 == 0u) {
-                                                phi_2962_ = (_e1526 + select(0u, 1u, !(_e1539)));
+                                            let _e966 = phi_2917_;
+                                            let _e968 = phi_2918_;
+                                            if (_e947 == 0u) {
+                                                phi_2939_ = (_e935 + select(0u, 1u, !(_e948)));
                                             } else {
-                                                if (_e1538 == 7u) {
-                                                    phi_2961_ = 2147483648u;
+                                                if (_e947 == 7u) {
+                                                    phi_2938_ = 2147483648u;
                                                 } else {
-                                                    phi_2961_ = ((2147483648u | (_e1538 << bitcast<u32>(28u))) | (select(_e1557, _e1527, _e1559) & 268435455u));
+                                                    phi_2938_ = ((2147483648u | (_e947 << bitcast<u32>(28u))) | (select(_e966, _e936, _e968) & 268435455u));
                                                 }
-                                                let _e1572 = phi_2961_;
-                                                phi_2962_ = _e1572;
+                                                let _e981 = phi_2938_;
+                                                phi_2939_ = _e981;
                                             }
-                                            let _e1574 = phi_2962_;
-                                            phi_2966_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e686.member.member.x + _e1402), (_e686.member.member.x + _e1424), (_e686.member.member_1.x - _e1441), (_e686.member.member_1.x - _e1463)), vec4<f32>((_e686.member.member.y + _e1411), (_e686.member.member.y + _e1428), (_e686.member.member_1.y - _e1450), (_e686.member.member_1.y - _e1467)), vec4<f32>((_e686.member.member.z + _e1420), (_e686.member.member.z + _e1432), (_e686.member.member_1.z - _e1459), (_e686.member.member_1.z - _e1471))), type_52(type_29((_e686.member.member + vec4<f32>(_e1402, _e1411, _e1420, 0f)), (_e686.member.member_1 - vec4<f32>(_e1441, _e1450, _e1459, 0f))), _e1550), type_52(type_29((_e686.member.member + vec4<f32>(_e1424, _e1428, _e1432, 0f)), (_e686.member.member_1 - vec4<f32>(_e1463, _e1467, _e1471, 0f))), _e1574));
+                                            let _e983 = phi_2939_;
+                                            phi_2943_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e684.member.member.x + _e811), (_e684.member.member.x + _e833), (_e684.member.member_1.x - _e850), (_e684.member.member_1.x - _e872)), vec4<f32>((_e684.member.member.y + _e820), (_e684.member.member.y + _e837), (_e684.member.member_1.y - _e859), (_e684.member.member_1.y - _e876)), vec4<f32>((_e684.member.member.z + _e829), (_e684.member.member.z + _e841), (_e684.member.member_1.z - _e868), (_e684.member.member_1.z - _e880))), type_52(type_29((_e684.member.member + vec4<f32>(_e811, _e820, _e829, 0f)), (_e684.member.member_1 - vec4<f32>(_e850, _e859, _e868, 0f))), _e959), type_52(type_29((_e684.member.member + vec4<f32>(_e833, _e837, _e841, 0f)), (_e684.member.member_1 - vec4<f32>(_e872, _e876, _e880, 0f))), _e983));
                                         }
-                                        let _e1579 = phi_2966_;
-                                        let _e1598 = ((_e1579.member[0].x - _e359) * _e362);
-                                        let _e1599 = ((_e1579.member[0].y - _e359) * _e362);
-                                        let _e1600 = ((_e1579.member[0].z - _e360) * _e362);
-                                        let _e1601 = ((_e1579.member[0].w - _e360) * _e362);
-                                        let _e1611 = ((_e1579.member[1].x - _e425) * _e428);
-                                        let _e1612 = ((_e1579.member[1].y - _e425) * _e428);
-                                        let _e1613 = ((_e1579.member[1].z - _e426) * _e428);
-                                        let _e1614 = ((_e1579.member[1].w - _e426) * _e428);
-                                        let _e1624 = ((_e1579.member[2].x - _e491) * _e494);
-                                        let _e1625 = ((_e1579.member[2].y - _e491) * _e494);
-                                        let _e1626 = ((_e1579.member[2].z - _e492) * _e494);
-                                        let _e1627 = ((_e1579.member[2].w - _e492) * _e494);
-                                        let _e1629 = select(_e1626, _e1624, (_e1624 < _e1626));
-                                        let _e1631 = select(_e1627, _e1625, (_e1625 < _e1627));
-                                        let _e1633 = select(_e1626, _e1624, (_e1624 > _e1626));
-                                        let _e1635 = select(_e1627, _e1625, (_e1625 > _e1627));
-                                        let _e1637 = select(_e1600, _e1598, (_e1598 < _e1600));
-                                        let _e1639 = select(_e1601, _e1599, (_e1599 < _e1601));
-                                        let _e1641 = select(_e1613, _e1611, (_e1611 < _e1613));
-                                        let _e1643 = select(_e1614, _e1612, (_e1612 < _e1614));
-                                        let _e1645 = select(_e1641, _e1637, (_e1637 > _e1641));
-                                        let _e1647 = select(_e1643, _e1639, (_e1639 > _e1643));
-                                        let _e1649 = select(_e1629, _e1645, (_e1645 > _e1629));
-                                        let _e1651 = select(_e1631, _e1647, (_e1647 > _e1631));
-                                        let _e1653 = select(_e1600, _e1598, (_e1598 > _e1600));
-                                        let _e1655 = select(_e1601, _e1599, (_e1599 > _e1601));
-                                        let _e1657 = select(_e1613, _e1611, (_e1611 > _e1613));
-                                        let _e1659 = select(_e1614, _e1612, (_e1612 > _e1614));
-                                        let _e1661 = select(_e1657, _e1653, (_e1653 < _e1657));
-                                        let _e1663 = select(_e1659, _e1655, (_e1655 < _e1659));
-                                        let _e1668 = -(_e1629);
-                                        let _e1669 = -(_e1631);
-                                        let _e1676 = (select(_e1633, _e1661, (_e1661 < _e1633)) + (select(_e1668, _e1633, (_e1633 > _e1668)) * 0.0000019073523f));
-                                        let _e1677 = (select(_e1635, _e1663, (_e1663 < _e1635)) + (select(_e1669, _e1635, (_e1635 > _e1669)) * 0.0000019073523f));
-                                        let _e1679 = select(_e597, _e1649, (_e1649 > _e597));
-                                        let _e1681 = select(_e597, _e1651, (_e1651 > _e597));
-                                        let _e1686 = (_e1679 <= select(_e1285.member.member_1, _e1676, (_e1676 < _e1285.member.member_1)));
-                                        let _e1687 = (_e1681 <= select(_e1285.member.member_1, _e1677, (_e1677 < _e1285.member.member_1)));
-                                        let _e1688 = (_e1679 <= _e1681);
-                                        if _e1686 {
-                                            if _e1687 {
-                                                if _e1688 {
-                                                    phi_3331_ = _e1579.member_2;
+                                        let _e988 = phi_2943_;
+                                        let _e1007 = ((_e988.member[0].x - _e359) * _e362);
+                                        let _e1008 = ((_e988.member[0].y - _e359) * _e362);
+                                        let _e1009 = ((_e988.member[0].z - _e360) * _e362);
+                                        let _e1010 = ((_e988.member[0].w - _e360) * _e362);
+                                        let _e1020 = ((_e988.member[1].x - _e425) * _e428);
+                                        let _e1021 = ((_e988.member[1].y - _e425) * _e428);
+                                        let _e1022 = ((_e988.member[1].z - _e426) * _e428);
+                                        let _e1023 = ((_e988.member[1].w - _e426) * _e428);
+                                        let _e1033 = ((_e988.member[2].x - _e491) * _e494);
+                                        let _e1034 = ((_e988.member[2].y - _e491) * _e494);
+                                        let _e1035 = ((_e988.member[2].z - _e492) * _e494);
+                                        let _e1036 = ((_e988.member[2].w - _e492) * _e494);
+                                        let _e1038 = select(_e1035, _e1033, (_e1033 < _e1035));
+                                        let _e1040 = select(_e1036, _e1034, (_e1034 < _e1036));
+                                        let _e1042 = select(_e1035, _e1033, (_e1033 > _e1035));
+                                        let _e1044 = select(_e1036, _e1034, (_e1034 > _e1036));
+                                        let _e1046 = select(_e1009, _e1007, (_e1007 < _e1009));
+                                        let _e1048 = select(_e1010, _e1008, (_e1008 < _e1010));
+                                        let _e1050 = select(_e1022, _e1020, (_e1020 < _e1022));
+                                        let _e1052 = select(_e1023, _e1021, (_e1021 < _e1023));
+                                        let _e1054 = select(_e1050, _e1046, (_e1046 > _e1050));
+                                        let _e1056 = select(_e1052, _e1048, (_e1048 > _e1052));
+                                        let _e1058 = select(_e1038, _e1054, (_e1054 > _e1038));
+                                        let _e1060 = select(_e1040, _e1056, (_e1056 > _e1040));
+                                        let _e1062 = select(_e1009, _e1007, (_e1007 > _e1009));
+                                        let _e1064 = select(_e1010, _e1008, (_e1008 > _e1010));
+                                        let _e1066 = select(_e1022, _e1020, (_e1020 > _e1022));
+                                        let _e1068 = select(_e1023, _e1021, (_e1021 > _e1023));
+                                        let _e1070 = select(_e1066, _e1062, (_e1062 < _e1066));
+                                        let _e1072 = select(_e1068, _e1064, (_e1064 < _e1068));
+                                        let _e1077 = -(_e1038);
+                                        let _e1078 = -(_e1040);
+                                        let _e1085 = (select(_e1042, _e1070, (_e1070 < _e1042)) + (select(_e1077, _e1042, (_e1042 > _e1077)) * 0.0000019073523f));
+                                        let _e1086 = (select(_e1044, _e1072, (_e1072 < _e1044)) + (select(_e1078, _e1044, (_e1044 > _e1078)) * 0.0000019073523f));
+                                        let _e1088 = select(_e597, _e1058, (_e1058 > _e597));
+                                        let _e1090 = select(_e597, _e1060, (_e1060 > _e597));
+                                        let _e1095 = (_e1088 <= select(_e642.member.member_1, _e1085, (_e1085 < _e642.member.member_1)));
+                                        let _e1096 = (_e1090 <= select(_e642.member.member_1, _e1086, (_e1086 < _e642.member.member_1)));
+                                        let _e1097 = (_e1088 <= _e1090);
+                                        if _e1095 {
+                                            if _e1096 {
+                                                if _e1097 {
+                                                    phi_3308_ = _e988.member_2;
                                                 } else {
-                                                    phi_3331_ = _e1579.member_1;
+                                                    phi_3308_ = _e988.member_1;
                                                 }
-                                                let _e1692 = phi_3331_;
-                                                let _e1713 = (_e684 % 128u);
-                                                let _e1714 = (_e1713 < 128u);
-                                                if _e1714 {
+                                                let _e1101 = phi_3308_;
+                                                let _e1122 = (_e686 % 128u);
+                                                let _e1123 = (_e1122 < 128u);
+                                                if _e1123 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1713] = _e1692.member_1;
-                                                if _e1714 {
+                                                local_8[_e1122] = _e1101.member_1;
+                                                if _e1123 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1713] = _e1692.member.member.x;
-                                                if _e1714 {
+                                                local_7[_e1122] = _e1101.member.member.x;
+                                                if _e1123 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1713] = _e1692.member.member.y;
-                                                if _e1714 {
+                                                local_6[_e1122] = _e1101.member.member.y;
+                                                if _e1123 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1713] = _e1692.member.member.z;
-                                                if _e1714 {
+                                                local_5[_e1122] = _e1101.member.member.z;
+                                                if _e1123 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1713] = _e1692.member.member_1.x;
-                                                if _e1714 {
+                                                local_4[_e1122] = _e1101.member.member_1.x;
+                                                if _e1123 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1713] = _e1692.member.member_1.y;
-                                                if _e1714 {
+                                                local_3[_e1122] = _e1101.member.member_1.y;
+                                                if _e1123 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1713] = _e1692.member.member_1.z;
-                                                if _e1714 {
+                                                local_2[_e1122] = _e1101.member.member_1.z;
+                                                if _e1123 {
                                                 } else {
-                                                    phi_4018_ = true;
+                                                    phi_3932_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1713] = select(_e1679, _e1681, _e1688);
-                                                if _e1688 {
-                                                    phi_3407_ = _e1579.member_1;
+                                                local_9[_e1122] = select(_e1088, _e1090, _e1097);
+                                                if _e1097 {
+                                                    phi_3384_ = _e988.member_1;
                                                 } else {
-                                                    phi_3407_ = _e1579.member_2;
+                                                    phi_3384_ = _e988.member_2;
                                                 }
-                                                let _e1727 = phi_3407_;
-                                                phi_3408_ = (_e684 + 1u);
-                                                phi_3409_ = _e1727;
+                                                let _e1136 = phi_3384_;
+                                                phi_3385_ = _e1136;
+                                                phi_3386_ = (_e686 + 1u);
                                             } else {
-                                                phi_3408_ = u32();
-                                                phi_3409_ = type_52();
+                                                phi_3385_ = type_52();
+                                                phi_3386_ = u32();
                                             }
-                                            let _e1729 = phi_3408_;
-                                            let _e1731 = phi_3409_;
-                                            phi_3411_ = _e1729;
-                                            phi_3412_ = _e1731;
-                                            phi_3413_ = select(true, false, _e1687);
+                                            let _e1138 = phi_3385_;
+                                            let _e1140 = phi_3386_;
+                                            phi_3388_ = _e1138;
+                                            phi_3389_ = _e1140;
+                                            phi_3390_ = select(true, false, _e1096);
                                         } else {
-                                            phi_3411_ = u32();
-                                            phi_3412_ = type_52();
-                                            phi_3413_ = true;
+                                            phi_3388_ = type_52();
+                                            phi_3389_ = u32();
+                                            phi_3390_ = true;
                                         }
-                                        let _e1734 = phi_3411_;
-                                        let _e1736 = phi_3412_;
-                                        let _e1738 = phi_3413_;
-                                        if _e1738 {
-                                            if _e1686 {
-                                                phi_3422_ = _e1579.member_1;
+                                        let _e1143 = phi_3388_;
+                                        let _e1145 = phi_3389_;
+                                        let _e1147 = phi_3390_;
+                                        if _e1147 {
+                                            if _e1095 {
+                                                phi_3399_ = _e988.member_1;
                                             } else {
-                                                phi_3422_ = _e1579.member_2;
+                                                phi_3399_ = _e988.member_2;
                                             }
-                                            let _e1742 = phi_3422_;
-                                            phi_3427_ = select(_e1687, true, _e1686);
-                                            phi_3429_ = _e1742;
+                                            let _e1151 = phi_3399_;
+                                            phi_3404_ = select(_e1096, true, _e1095);
+                                            phi_3405_ = _e1151;
                                         } else {
-                                            phi_3427_ = _e682;
-                                            phi_3429_ = _e1736;
+                                            phi_3404_ = _e682;
+                                            phi_3405_ = _e1143;
                                         }
-                                        let _e1745 = phi_3427_;
-                                        let _e1747 = phi_3429_;
-                                        phi_3434_ = type_41(_e1285.member, (_e1285.member_1 + 1u), _e1285.member_2);
-                                        phi_3435_ = _e1745;
-                                        phi_3436_ = select(_e1734, _e684, _e1738);
-                                        phi_3437_ = _e1747;
+                                        let _e1154 = phi_3404_;
+                                        let _e1156 = phi_3405_;
+                                        phi_3936_ = _e640;
+                                        phi_3407_ = type_41(_e642.member, (_e642.member_1 + 1u), _e642.member_2);
+                                        phi_3408_ = _e1154;
+                                        phi_3409_ = _e1156;
+                                        phi_3410_ = select(_e1145, _e686, _e1147);
                                     }
-                                    let _e1750 = phi_3434_;
-                                    let _e1752 = phi_3435_;
-                                    let _e1754 = phi_3436_;
-                                    let _e1756 = phi_3437_;
-                                    if _e690 {
-                                        phi_3445_ = _e1285;
-                                        phi_3448_ = _e686;
-                                    } else {
-                                        phi_3445_ = _e1750;
-                                        phi_3448_ = _e1756;
-                                    }
-                                    let _e1758 = phi_3445_;
-                                    let _e1760 = phi_3448_;
-                                    phi_4021_ = _e1283;
-                                    phi_3449_ = _e1758;
-                                    phi_3450_ = (_e644 - 1u);
-                                    phi_3451_ = select(_e1752, false, _e690);
-                                    phi_3452_ = select(_e1754, _e684, _e690);
-                                    phi_3453_ = _e1760;
+                                    let _e1752 = phi_3936_;
+                                    let _e1754 = phi_3407_;
+                                    let _e1756 = phi_3408_;
+                                    let _e1758 = phi_3409_;
+                                    let _e1760 = phi_3410_;
+                                    phi_3935_ = _e1752;
+                                    phi_3411_ = _e1754;
+                                    phi_3412_ = _e1756;
+                                    phi_3413_ = _e1758;
+                                    phi_3414_ = _e1760;
+                                    phi_3415_ = (_e650 - 1u);
                                 } else {
-                                    phi_4021_ = _e640;
-                                    phi_3449_ = _e642;
-                                    phi_3450_ = _e644;
-                                    phi_3451_ = _e682;
-                                    phi_3452_ = _e684;
-                                    phi_3453_ = _e686;
+                                    phi_3935_ = _e640;
+                                    phi_3411_ = _e642;
+                                    phi_3412_ = _e682;
+                                    phi_3413_ = _e684;
+                                    phi_3414_ = _e686;
+                                    phi_3415_ = _e650;
                                 }
-                                let _e1764 = phi_4021_;
-                                let _e1766 = phi_3449_;
-                                let _e1768 = phi_3450_;
-                                let _e1770 = phi_3451_;
-                                let _e1772 = phi_3452_;
-                                let _e1774 = phi_3453_;
-                                phi_4020_ = _e1764;
-                                phi_3454_ = _e1766;
-                                phi_3455_ = _e1768;
-                                phi_3456_ = _e1770;
-                                phi_3457_ = _e1772;
-                                phi_3458_ = _e1774;
+                                let _e1762 = phi_3935_;
+                                let _e1764 = phi_3411_;
+                                let _e1766 = phi_3412_;
+                                let _e1768 = phi_3413_;
+                                let _e1770 = phi_3414_;
+                                let _e1772 = phi_3415_;
+                                phi_3934_ = _e1762;
+                                phi_3416_ = _e1764;
+                                phi_3417_ = _e1766;
+                                phi_3418_ = _e1768;
+                                phi_3419_ = _e1770;
+                                phi_3420_ = _e1772;
                             } else {
-                                phi_4020_ = _e640;
-                                phi_3454_ = type_41();
-                                phi_3455_ = u32();
-                                phi_3456_ = bool();
-                                phi_3457_ = u32();
-                                phi_3458_ = type_52();
+                                phi_3934_ = _e640;
+                                phi_3416_ = type_41();
+                                phi_3417_ = bool();
+                                phi_3418_ = type_52();
+                                phi_3419_ = u32();
+                                phi_3420_ = u32();
                             }
-                            let _e1776 = phi_4020_;
-                            let _e1778 = phi_3454_;
-                            let _e1780 = phi_3455_;
-                            let _e1782 = phi_3456_;
-                            let _e1784 = phi_3457_;
-                            let _e1786 = phi_3458_;
-                            phi_4019_ = _e1776;
-                            phi_1101_ = _e1778;
-                            phi_1104_ = _e1780;
-                            phi_1106_ = _e1782;
-                            phi_1108_ = _e1784;
-                            phi_1110_ = _e1786;
-                            phi_3459_ = _e654;
+                            let _e1774 = phi_3934_;
+                            let _e1776 = phi_3416_;
+                            let _e1778 = phi_3417_;
+                            let _e1780 = phi_3418_;
+                            let _e1782 = phi_3419_;
+                            let _e1784 = phi_3420_;
+                            phi_3933_ = _e1774;
+                            phi_1108_ = _e1776;
+                            phi_1111_ = _e1778;
+                            phi_1113_ = _e1780;
+                            phi_1115_ = _e1782;
+                            phi_1117_ = _e1784;
+                            phi_3421_ = _e654;
                         } else {
-                            phi_4019_ = _e640;
-                            phi_1101_ = type_41();
-                            phi_1104_ = u32();
-                            phi_1106_ = bool();
-                            phi_1108_ = u32();
-                            phi_1110_ = type_52();
-                            phi_3459_ = false;
+                            phi_3933_ = _e640;
+                            phi_1108_ = type_41();
+                            phi_1111_ = bool();
+                            phi_1113_ = type_52();
+                            phi_1115_ = u32();
+                            phi_1117_ = u32();
+                            phi_3421_ = false;
                         }
-                        let _e1788 = phi_4019_;
-                        let _e1790 = phi_1101_;
-                        let _e1792 = phi_1104_;
-                        let _e1794 = phi_1106_;
-                        let _e1796 = phi_1108_;
-                        let _e1798 = phi_1110_;
-                        let _e1800 = phi_3459_;
+                        let _e1786 = phi_3933_;
+                        let _e1788 = phi_1108_;
+                        let _e1790 = phi_1111_;
+                        let _e1792 = phi_1113_;
+                        let _e1794 = phi_1115_;
+                        let _e1796 = phi_1117_;
+                        let _e1798 = phi_3421_;
                         continue;
                         continuing {
-                            phi_3859_ = _e1788;
-                            phi_1100_ = _e1790;
-                            phi_1103_ = _e1792;
-                            phi_1105_ = _e1794;
-                            phi_1107_ = _e1796;
-                            phi_1109_ = _e1798;
-                            phi_4018_ = _e1788;
-                            break if !(_e1800);
+                            phi_3785_ = _e1786;
+                            phi_1107_ = _e1788;
+                            phi_1110_ = _e1790;
+                            phi_1112_ = _e1792;
+                            phi_1114_ = _e1794;
+                            phi_1116_ = _e1796;
+                            phi_3932_ = _e1786;
+                            break if !(_e1798);
                         }
                     }
-                    let _e1803 = phi_4018_;
-                    if _e1803 {
+                    let _e1801 = phi_3932_;
+                    if _e1801 {
                         break;
                     }
-                    let _e1805 = local_10;
-                    let _e1808 = local_11;
+                    let _e1803 = local_11;
+                    let _e1806 = local_12;
                     if _e145 {
                     } else {
                         break;
                     }
-                    global_6.member[_e143][0u] = _e1805.member_1;
-                    global_6.member[_e143][1u] = _e1808.member_2;
+                    global_6.member[_e143][0u] = _e1803.member_1;
+                    global_6.member[_e143][1u] = _e1806.member_2;
                 }
             }
             break;

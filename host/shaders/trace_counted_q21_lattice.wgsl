@@ -100,169 +100,155 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_423_: i32;
-    var phi_424_: i32;
-    var phi_434_: bool;
-    var phi_444_: u32;
-    var phi_445_: u32;
-    var phi_447_: bool;
+    var phi_430_: i32;
+    var phi_431_: i32;
+    var phi_441_: bool;
+    var phi_451_: u32;
     var phi_452_: u32;
-    var phi_465_: i32;
-    var phi_485_: i32;
-    var phi_503_: f32;
-    var phi_509_: f32;
-    var phi_549_: f32;
-    var phi_555_: f32;
-    var phi_628_: f32;
-    var phi_634_: f32;
-    var phi_674_: f32;
-    var phi_680_: f32;
-    var phi_753_: f32;
-    var phi_759_: f32;
-    var phi_799_: f32;
-    var phi_805_: f32;
-    var phi_924_: i32;
-    var phi_946_: u32;
-    var phi_947_: u32;
-    var phi_984_: i32;
-    var phi_1006_: u32;
-    var phi_1007_: u32;
-    var phi_1015_: f32;
-    var phi_1016_: f32;
-    var phi_4533_: bool;
-    var phi_1113_: type_40;
-    var phi_1116_: u32;
-    var phi_1118_: bool;
-    var phi_1120_: u32;
-    var phi_1122_: type_51;
-    var phi_1133_: bool;
-    var phi_1219_: bool;
-    var phi_1220_: u32;
-    var phi_1221_: type_51;
-    var phi_1240_: type_40;
-    var phi_1243_: type_8;
-    var phi_1244_: type_8;
-    var phi_1266_: type_8;
-    var phi_1310_: u32;
-    var phi_1316_: u32;
-    var phi_1326_: u32;
-    var phi_1342_: u32;
-    var phi_1375_: u32;
-    var phi_1381_: u32;
-    var phi_1847_: u32;
-    var phi_1865_: u32;
-    var phi_1883_: u32;
-    var phi_1906_: u32;
-    var phi_1924_: u32;
-    var phi_1942_: u32;
-    var phi_1965_: u32;
-    var phi_1983_: u32;
-    var phi_2001_: u32;
-    var phi_1555_: u32;
-    var phi_1570_: u32;
-    var phi_1580_: u32;
-    var phi_1601_: u32;
-    var phi_1622_: u32;
-    var phi_1652_: u32;
-    var phi_1667_: u32;
-    var phi_1677_: u32;
-    var phi_1698_: u32;
-    var phi_1719_: u32;
-    var phi_1749_: u32;
-    var phi_1764_: u32;
-    var phi_1774_: u32;
-    var phi_1795_: u32;
-    var phi_1816_: u32;
-    var phi_1408_: u32;
-    var phi_1457_: u32;
-    var phi_1506_: u32;
-    var phi_2007_: array<array<f32, 3>, 3>;
-    var phi_4168_: bool;
-    var phi_4183_: bool;
-    var phi_4198_: bool;
-    var phi_4213_: bool;
-    var phi_4228_: bool;
-    var phi_4243_: bool;
-    var phi_2549_: f32;
-    var phi_2550_: f32;
-    var phi_2551_: f32;
-    var phi_2552_: f32;
-    var phi_2553_: vec3<f32>;
-    var phi_2554_: vec3<f32>;
-    var phi_2555_: vec3<f32>;
-    var phi_2556_: vec3<f32>;
-    var phi_4258_: bool;
-    var phi_4273_: bool;
-    var phi_4288_: bool;
-    var phi_4303_: bool;
-    var phi_4318_: bool;
-    var phi_4333_: bool;
-    var phi_2764_: f32;
-    var phi_2784_: type_36;
-    var phi_2785_: type_36;
-    var phi_2788_: type_36;
-    var phi_2789_: type_36;
-    var phi_2790_: bool;
-    var phi_2794_: type_36;
-    var phi_2803_: type_24;
-    var phi_2828_: bool;
-    var phi_2829_: bool;
-    var phi_2836_: type_40;
-    var phi_2837_: type_40;
-    var phi_2838_: type_40;
-    var phi_1241_: type_40;
-    var phi_4527_: bool;
-    var phi_4830_: bool;
-    var phi_2839_: type_40;
-    var phi_3341_: u32;
-    var phi_3347_: u32;
-    var phi_3601_: u32;
-    var phi_3602_: u32;
+    var phi_454_: bool;
+    var phi_459_: u32;
+    var phi_472_: i32;
+    var phi_492_: i32;
+    var phi_510_: f32;
+    var phi_516_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_635_: f32;
+    var phi_641_: f32;
+    var phi_681_: f32;
+    var phi_687_: f32;
+    var phi_760_: f32;
+    var phi_766_: f32;
+    var phi_806_: f32;
+    var phi_812_: f32;
+    var phi_931_: i32;
+    var phi_953_: u32;
+    var phi_954_: u32;
+    var phi_991_: i32;
+    var phi_1013_: u32;
+    var phi_1014_: u32;
+    var phi_1022_: f32;
+    var phi_1023_: f32;
+    var phi_4459_: bool;
+    var phi_1120_: type_40;
+    var phi_1123_: bool;
+    var phi_1125_: type_51;
+    var phi_1127_: u32;
+    var phi_1129_: u32;
+    var phi_1140_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: type_51;
+    var phi_1228_: u32;
+    var phi_3318_: u32;
+    var phi_3324_: u32;
+    var phi_3578_: u32;
+    var phi_3579_: u32;
+    var phi_3589_: u32;
+    var phi_3591_: u32;
+    var phi_3592_: bool;
     var phi_3612_: u32;
-    var phi_3614_: u32;
-    var phi_3615_: bool;
-    var phi_3635_: u32;
-    var phi_3636_: u32;
-    var phi_3640_: type_52;
-    var phi_4005_: type_51;
-    var phi_4081_: type_51;
-    var phi_4082_: u32;
-    var phi_4083_: type_51;
-    var phi_4085_: u32;
-    var phi_4086_: type_51;
-    var phi_4087_: bool;
-    var phi_4096_: type_51;
-    var phi_4101_: bool;
-    var phi_4103_: type_51;
-    var phi_4108_: type_40;
-    var phi_4109_: bool;
-    var phi_4110_: u32;
-    var phi_4111_: type_51;
-    var phi_4119_: type_40;
-    var phi_4122_: type_51;
-    var phi_4742_: bool;
-    var phi_4123_: type_40;
-    var phi_4124_: u32;
-    var phi_4125_: bool;
-    var phi_4126_: u32;
-    var phi_4127_: type_51;
-    var phi_4741_: bool;
-    var phi_4128_: type_40;
-    var phi_4129_: u32;
-    var phi_4130_: bool;
-    var phi_4131_: u32;
-    var phi_4132_: type_51;
-    var phi_4740_: bool;
-    var phi_1114_: type_40;
-    var phi_1117_: u32;
-    var phi_1119_: bool;
-    var phi_1121_: u32;
-    var phi_1123_: type_51;
-    var phi_4133_: bool;
-    var phi_4739_: bool;
+    var phi_3613_: u32;
+    var phi_3617_: type_52;
+    var phi_3982_: type_51;
+    var phi_4058_: type_51;
+    var phi_4059_: type_51;
+    var phi_4060_: u32;
+    var phi_4062_: type_51;
+    var phi_4063_: u32;
+    var phi_4064_: bool;
+    var phi_4073_: type_51;
+    var phi_4078_: bool;
+    var phi_4079_: type_51;
+    var phi_1247_: type_40;
+    var phi_1250_: type_8;
+    var phi_1251_: type_8;
+    var phi_1273_: type_8;
+    var phi_1317_: u32;
+    var phi_1323_: u32;
+    var phi_1333_: u32;
+    var phi_1349_: u32;
+    var phi_1382_: u32;
+    var phi_1388_: u32;
+    var phi_1854_: u32;
+    var phi_1872_: u32;
+    var phi_1890_: u32;
+    var phi_1913_: u32;
+    var phi_1931_: u32;
+    var phi_1949_: u32;
+    var phi_1972_: u32;
+    var phi_1990_: u32;
+    var phi_2008_: u32;
+    var phi_1562_: u32;
+    var phi_1577_: u32;
+    var phi_1587_: u32;
+    var phi_1608_: u32;
+    var phi_1629_: u32;
+    var phi_1659_: u32;
+    var phi_1674_: u32;
+    var phi_1684_: u32;
+    var phi_1705_: u32;
+    var phi_1726_: u32;
+    var phi_1756_: u32;
+    var phi_1771_: u32;
+    var phi_1781_: u32;
+    var phi_1802_: u32;
+    var phi_1823_: u32;
+    var phi_1415_: u32;
+    var phi_1464_: u32;
+    var phi_1513_: u32;
+    var phi_2014_: array<array<f32, 3>, 3>;
+    var phi_2544_: f32;
+    var phi_2545_: f32;
+    var phi_2546_: f32;
+    var phi_2547_: f32;
+    var phi_2548_: vec3<f32>;
+    var phi_2549_: vec3<f32>;
+    var phi_2550_: vec3<f32>;
+    var phi_2551_: vec3<f32>;
+    var phi_2742_: f32;
+    var phi_2762_: type_36;
+    var phi_2763_: type_36;
+    var phi_2766_: type_36;
+    var phi_2767_: type_36;
+    var phi_2768_: bool;
+    var phi_2772_: type_36;
+    var phi_2781_: type_24;
+    var phi_2806_: bool;
+    var phi_2807_: bool;
+    var phi_2814_: type_40;
+    var phi_2815_: type_40;
+    var phi_2816_: type_40;
+    var phi_1248_: type_40;
+    var phi_4453_: bool;
     var local_10: type_40;
+    var phi_4657_: bool;
+    var phi_4081_: type_40;
+    var phi_4082_: bool;
+    var phi_4083_: type_51;
+    var phi_4084_: u32;
+    var phi_4656_: bool;
+    var phi_4085_: type_40;
+    var phi_4086_: bool;
+    var phi_4087_: type_51;
+    var phi_4088_: u32;
+    var phi_4089_: u32;
+    var phi_4655_: bool;
+    var phi_4090_: type_40;
+    var phi_4091_: bool;
+    var phi_4092_: type_51;
+    var phi_4093_: u32;
+    var phi_4094_: u32;
+    var phi_4654_: bool;
+    var phi_1121_: type_40;
+    var phi_1124_: bool;
+    var phi_1126_: type_51;
+    var phi_1128_: u32;
+    var phi_1130_: u32;
+    var phi_4095_: bool;
+    var phi_4653_: bool;
     var local_11: type_40;
     var local_12: type_40;
+    var local_13: type_40;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -317,93 +303,93 @@ fn function_() {
                     if _e225 {
                         let _e228 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
                         if (_e228 >= 8388608u) {
-                            phi_423_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
+                            phi_430_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_423_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
+                            phi_430_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
                         }
-                        let _e242 = phi_423_;
-                        phi_424_ = _e242;
+                        let _e242 = phi_430_;
+                        phi_431_ = _e242;
                     } else {
-                        phi_424_ = 0i;
+                        phi_431_ = 0i;
                     }
-                    let _e244 = phi_424_;
+                    let _e244 = phi_431_;
                     let _e245 = (_e161 == _e200);
                     if _e245 {
-                        phi_434_ = true;
+                        phi_441_ = true;
                     } else {
-                        phi_434_ = (_e168 == _e200);
+                        phi_441_ = (_e168 == _e200);
                     }
-                    let _e248 = phi_434_;
+                    let _e248 = phi_441_;
                     let _e249 = select(1u, 0u, _e245);
                     if _e248 {
                         let _e250 = (_e249 + 1u);
-                        phi_444_ = _e250;
-                        phi_445_ = _e250;
-                        phi_447_ = select(true, false, (_e250 == 2u));
+                        phi_451_ = _e250;
+                        phi_452_ = _e250;
+                        phi_454_ = select(true, false, (_e250 == 2u));
                     } else {
-                        phi_444_ = u32();
-                        phi_445_ = 0u;
-                        phi_447_ = true;
-                    }
-                    let _e254 = phi_444_;
-                    let _e256 = phi_445_;
-                    let _e258 = phi_447_;
-                    if _e258 {
-                        phi_452_ = (_e256 + 1u);
-                    } else {
+                        phi_451_ = u32();
                         phi_452_ = 0u;
+                        phi_454_ = true;
                     }
-                    let _e262 = phi_452_;
+                    let _e254 = phi_451_;
+                    let _e256 = phi_452_;
+                    let _e258 = phi_454_;
+                    if _e258 {
+                        phi_459_ = (_e256 + 1u);
+                    } else {
+                        phi_459_ = 0u;
+                    }
+                    let _e262 = phi_459_;
                     let _e263 = select(_e254, _e256, _e258);
                     let _e264 = select(_e249, select(2u, _e249, _e248), _e258);
                     if (_e131 < -126i) {
-                        phi_465_ = -126i;
+                        phi_472_ = -126i;
                     } else {
-                        phi_465_ = select(_e131, 127i, (_e131 > 127i));
+                        phi_472_ = select(_e131, 127i, (_e131 > 127i));
                     }
-                    let _e269 = phi_465_;
+                    let _e269 = phi_472_;
                     let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
                     let _e280 = bitcast<f32>((bitcast<u32>(((_e131 - _e269) + 127i)) << bitcast<u32>(23i)));
                     let _e281 = -(_e244);
                     if (_e281 < -126i) {
-                        phi_485_ = -126i;
+                        phi_492_ = -126i;
                     } else {
-                        phi_485_ = select(_e281, 127i, (_e281 > 127i));
+                        phi_492_ = select(_e281, 127i, (_e281 > 127i));
                     }
-                    let _e286 = phi_485_;
+                    let _e286 = phi_492_;
                     let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
                     let _e297 = bitcast<f32>((bitcast<u32>(((_e281 - _e286) + 127i)) << bitcast<u32>(23i)));
                     let _e301 = global_3.member[_e149].member;
                     let _e302 = (_e263 == 0u);
                     if _e302 {
-                        phi_503_ = _e301[0];
+                        phi_510_ = _e301[0];
                     } else {
-                        phi_503_ = _e301[1];
+                        phi_510_ = _e301[1];
                     }
-                    let _e306 = phi_503_;
+                    let _e306 = phi_510_;
                     let _e307 = (_e263 == 2u);
                     if _e307 {
-                        phi_509_ = _e301[2];
+                        phi_516_ = _e301[2];
                     } else {
-                        phi_509_ = _e306;
+                        phi_516_ = _e306;
                     }
-                    let _e310 = phi_509_;
+                    let _e310 = phi_516_;
                     let _e311 = bitcast<u32>(_e310);
                     let _e313 = ((_e311 & 2139095040u) != 0u);
                     let _e327 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e311 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e311 & 2147483648u))), _e310, _e313) * _e274) * select(0.00000011920929f, 1f, _e313)) * _e280);
                     let _e328 = global_3.member[_e149].member_2;
                     if _e302 {
-                        phi_549_ = _e328[0];
+                        phi_556_ = _e328[0];
                     } else {
-                        phi_549_ = _e328[1];
+                        phi_556_ = _e328[1];
                     }
-                    let _e332 = phi_549_;
+                    let _e332 = phi_556_;
                     if _e307 {
-                        phi_555_ = _e328[2];
+                        phi_562_ = _e328[2];
                     } else {
-                        phi_555_ = _e332;
+                        phi_562_ = _e332;
                     }
-                    let _e335 = phi_555_;
+                    let _e335 = phi_562_;
                     let _e336 = bitcast<u32>(_e335);
                     let _e338 = ((_e336 & 2139095040u) != 0u);
                     let _e352 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e336 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e336 & 2147483648u))), _e335, _e338) * _e291) * select(0.00000011920929f, 1f, _e338)) * _e297);
@@ -417,33 +403,33 @@ fn function_() {
                     let _e368 = select(38685626000000000000000000f, (1f / _e352), _e356);
                     let _e369 = (_e262 == 0u);
                     if _e369 {
-                        phi_628_ = _e301[0];
+                        phi_635_ = _e301[0];
                     } else {
-                        phi_628_ = _e301[1];
+                        phi_635_ = _e301[1];
                     }
-                    let _e373 = phi_628_;
+                    let _e373 = phi_635_;
                     let _e374 = (_e262 == 2u);
                     if _e374 {
-                        phi_634_ = _e301[2];
+                        phi_641_ = _e301[2];
                     } else {
-                        phi_634_ = _e373;
+                        phi_641_ = _e373;
                     }
-                    let _e377 = phi_634_;
+                    let _e377 = phi_641_;
                     let _e378 = bitcast<u32>(_e377);
                     let _e380 = ((_e378 & 2139095040u) != 0u);
                     let _e394 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e377, _e380) * _e274) * select(0.00000011920929f, 1f, _e380)) * _e280);
                     if _e369 {
-                        phi_674_ = _e328[0];
+                        phi_681_ = _e328[0];
                     } else {
-                        phi_674_ = _e328[1];
+                        phi_681_ = _e328[1];
                     }
-                    let _e398 = phi_674_;
+                    let _e398 = phi_681_;
                     if _e374 {
-                        phi_680_ = _e328[2];
+                        phi_687_ = _e328[2];
                     } else {
-                        phi_680_ = _e398;
+                        phi_687_ = _e398;
                     }
-                    let _e401 = phi_680_;
+                    let _e401 = phi_687_;
                     let _e402 = bitcast<u32>(_e401);
                     let _e404 = ((_e402 & 2139095040u) != 0u);
                     let _e418 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e402 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e402 & 2147483648u))), _e401, _e404) * _e291) * select(0.00000011920929f, 1f, _e404)) * _e297);
@@ -457,33 +443,33 @@ fn function_() {
                     let _e434 = select(38685626000000000000000000f, (1f / _e418), _e422);
                     let _e435 = (_e264 == 0u);
                     if _e435 {
-                        phi_753_ = _e301[0];
+                        phi_760_ = _e301[0];
                     } else {
-                        phi_753_ = _e301[1];
+                        phi_760_ = _e301[1];
                     }
-                    let _e439 = phi_753_;
+                    let _e439 = phi_760_;
                     let _e440 = (_e264 == 2u);
                     if _e440 {
-                        phi_759_ = _e301[2];
+                        phi_766_ = _e301[2];
                     } else {
-                        phi_759_ = _e439;
+                        phi_766_ = _e439;
                     }
-                    let _e443 = phi_759_;
+                    let _e443 = phi_766_;
                     let _e444 = bitcast<u32>(_e443);
                     let _e446 = ((_e444 & 2139095040u) != 0u);
                     let _e460 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e444 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e444 & 2147483648u))), _e443, _e446) * _e274) * select(0.00000011920929f, 1f, _e446)) * _e280);
                     if _e435 {
-                        phi_799_ = _e328[0];
+                        phi_806_ = _e328[0];
                     } else {
-                        phi_799_ = _e328[1];
+                        phi_806_ = _e328[1];
                     }
-                    let _e464 = phi_799_;
+                    let _e464 = phi_806_;
                     if _e440 {
-                        phi_805_ = _e328[2];
+                        phi_812_ = _e328[2];
                     } else {
-                        phi_805_ = _e464;
+                        phi_812_ = _e464;
                     }
-                    let _e467 = phi_805_;
+                    let _e467 = phi_812_;
                     let _e468 = bitcast<u32>(_e467);
                     let _e470 = ((_e468 & 2139095040u) != 0u);
                     let _e484 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e468 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e468 & 2147483648u))), _e467, _e470) * _e291) * select(0.00000011920929f, 1f, _e470)) * _e297);
@@ -503,55 +489,55 @@ fn function_() {
                         let _e522 = (_e515 == 0u);
                         let _e525 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e515)), 32u, _e522)) - 8i);
                         if (_e518 == 255i) {
-                            phi_924_ = 255i;
+                            phi_931_ = 255i;
                         } else {
-                            phi_924_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e505);
+                            phi_931_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e505);
                         }
-                        let _e533 = phi_924_;
+                        let _e533 = phi_931_;
                         let _e543 = (_e533 <= 0i);
                         if _e543 {
-                            phi_947_ = u32();
+                            phi_954_ = u32();
                         } else {
                             if _e522 {
-                                phi_946_ = u32();
+                                phi_953_ = u32();
                             } else {
-                                phi_946_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
+                                phi_953_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
                             }
-                            let _e547 = phi_946_;
-                            phi_947_ = _e547;
+                            let _e547 = phi_953_;
+                            phi_954_ = _e547;
                         }
-                        let _e549 = phi_947_;
+                        let _e549 = phi_954_;
                         let _e561 = ((_e221 & 8388607u) | (select(0u, 1u, ((_e221 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e564 = bitcast<i32>((_e221 >> bitcast<u32>(23i)));
                         let _e568 = (_e561 == 0u);
                         let _e571 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e561)), 32u, _e568)) - 8i);
                         if (_e564 == 255i) {
-                            phi_984_ = 255i;
+                            phi_991_ = 255i;
                         } else {
-                            phi_984_ = (((_e564 + select(0i, 1i, (_e564 == 0i))) - _e571) + _e505);
+                            phi_991_ = (((_e564 + select(0i, 1i, (_e564 == 0i))) - _e571) + _e505);
                         }
-                        let _e579 = phi_984_;
+                        let _e579 = phi_991_;
                         let _e589 = (_e579 <= 0i);
                         if _e589 {
-                            phi_1007_ = u32();
+                            phi_1014_ = u32();
                         } else {
                             if _e568 {
-                                phi_1006_ = u32();
+                                phi_1013_ = u32();
                             } else {
-                                phi_1006_ = select(((bitcast<u32>(_e579) << bitcast<u32>(23i)) | ((_e561 << bitcast<u32>(((_e571 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e579 >= 255i));
+                                phi_1013_ = select(((bitcast<u32>(_e579) << bitcast<u32>(23i)) | ((_e561 << bitcast<u32>(((_e571 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e579 >= 255i));
                             }
-                            let _e593 = phi_1006_;
-                            phi_1007_ = _e593;
+                            let _e593 = phi_1013_;
+                            phi_1014_ = _e593;
                         }
-                        let _e595 = phi_1007_;
-                        phi_1015_ = bitcast<f32>(((_e220 & 2147483648u) | select(_e595, 0u, select(_e568, true, _e589))));
-                        phi_1016_ = bitcast<f32>(((_e211 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
+                        let _e595 = phi_1014_;
+                        phi_1022_ = bitcast<f32>(((_e220 & 2147483648u) | select(_e595, 0u, select(_e568, true, _e589))));
+                        phi_1023_ = bitcast<f32>(((_e211 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
                     } else {
-                        phi_1015_ = 0f;
-                        phi_1016_ = 1f;
+                        phi_1022_ = 0f;
+                        phi_1023_ = 1f;
                     }
-                    let _e601 = phi_1015_;
-                    let _e603 = phi_1016_;
+                    let _e601 = phi_1022_;
+                    let _e603 = phi_1023_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -560,1312 +546,1226 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e608 = (_e263 % 3u);
-                    let _e609 = (_e608 < 3u);
-                    if _e609 {
+                    let _e610 = (_e263 % 3u);
+                    let _e611 = (_e610 < 3u);
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e611 = local_1[_e608];
-                    let _e614 = (_e262 % 3u);
-                    let _e615 = (_e614 < 3u);
-                    if _e615 {
+                    let _e613 = local_1[_e610];
+                    let _e616 = (_e262 % 3u);
+                    let _e617 = (_e616 < 3u);
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e617 = local_1[_e614];
-                    let _e620 = (_e264 % 3u);
-                    let _e621 = (_e620 < 3u);
-                    if _e621 {
+                    let _e619 = local_1[_e616];
+                    let _e622 = (_e264 % 3u);
+                    let _e623 = (_e622 < 3u);
+                    if _e623 {
                     } else {
                         break;
                     }
-                    let _e623 = local_1[_e620];
-                    if _e609 {
+                    let _e625 = local_1[_e622];
+                    if _e611 {
                     } else {
                         break;
                     }
-                    let _e628 = local[_e608];
-                    if _e615 {
+                    let _e630 = local[_e610];
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e632 = local[_e614];
-                    if _e621 {
+                    let _e634 = local[_e616];
+                    if _e623 {
                     } else {
                         break;
                     }
-                    let _e636 = local[_e620];
-                    phi_4533_ = false;
-                    phi_1113_ = type_40(type_33(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e601), 0u, 0u);
-                    phi_1116_ = ((3u * _e92) + 1u);
-                    phi_1118_ = (_e603 <= _e601);
-                    phi_1120_ = 0u;
-                    phi_1122_ = type_51(type_28(vec4<f32>((f32(_e611) * _e143), (f32(_e617) * _e143), (f32(_e623) * _e143), 0f), vec4<f32>((f32(_e628) * _e143), (f32(_e632) * _e143), (f32(_e636) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
+                    let _e638 = local[_e622];
+                    phi_4459_ = false;
+                    phi_1120_ = type_40(type_33(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e601), 0u, 0u);
+                    phi_1123_ = (_e603 <= _e601);
+                    phi_1125_ = type_51(type_28(vec4<f32>((f32(_e613) * _e143), (f32(_e619) * _e143), (f32(_e625) * _e143), 0f), vec4<f32>((f32(_e630) * _e143), (f32(_e634) * _e143), (f32(_e638) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
+                    phi_1127_ = 0u;
+                    phi_1129_ = ((3u * _e92) + 1u);
                     loop {
-                        let _e646 = phi_4533_;
-                        let _e648 = phi_1113_;
-                        let _e650 = phi_1116_;
-                        let _e652 = phi_1118_;
-                        let _e654 = phi_1120_;
-                        let _e656 = phi_1122_;
-                        local_10 = _e648;
+                        let _e646 = phi_4459_;
+                        let _e648 = phi_1120_;
+                        let _e650 = phi_1123_;
+                        let _e652 = phi_1125_;
+                        let _e654 = phi_1127_;
+                        let _e656 = phi_1129_;
                         local_11 = _e648;
-                        if _e652 {
-                            phi_1133_ = true;
+                        local_12 = _e648;
+                        if _e650 {
+                            phi_1140_ = true;
                         } else {
-                            phi_1133_ = (_e654 > 0u);
+                            phi_1140_ = (_e654 > 0u);
                         }
-                        let _e659 = phi_1133_;
+                        let _e659 = phi_1140_;
                         if _e659 {
-                            let _e660 = (_e650 > 0u);
+                            let _e660 = (_e656 > 0u);
                             if _e660 {
-                                if _e652 {
-                                    phi_1219_ = _e652;
-                                    phi_1220_ = _e654;
-                                    phi_1221_ = _e656;
+                                if _e650 {
+                                    phi_1226_ = _e650;
+                                    phi_1227_ = _e652;
+                                    phi_1228_ = _e654;
                                 } else {
                                     let _e661 = (_e654 - 1u);
                                     let _e662 = (_e661 % 128u);
                                     let _e663 = (_e662 < 128u);
                                     if _e663 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e665 = local_7[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e667 = local_6[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e669 = local_5[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e671 = local_4[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e673 = local_3[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e675 = local_2[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e680 = local_8[_e662];
                                     if _e663 {
                                     } else {
-                                        phi_4739_ = true;
+                                        phi_4653_ = true;
                                         break;
                                     }
                                     let _e683 = local_9[_e662];
-                                    phi_1219_ = (_e683 <= _e648.member.member_1);
-                                    phi_1220_ = _e661;
-                                    phi_1221_ = type_51(type_28(vec4<f32>(_e665, _e667, _e669, 0f), vec4<f32>(_e671, _e673, _e675, 0f)), _e680);
+                                    phi_1226_ = (_e683 <= _e648.member.member_1);
+                                    phi_1227_ = type_51(type_28(vec4<f32>(_e665, _e667, _e669, 0f), vec4<f32>(_e671, _e673, _e675, 0f)), _e680);
+                                    phi_1228_ = _e661;
                                 }
-                                let _e688 = phi_1219_;
-                                let _e690 = phi_1220_;
-                                let _e692 = phi_1221_;
+                                let _e688 = phi_1226_;
+                                let _e690 = phi_1227_;
+                                let _e692 = phi_1228_;
                                 if _e688 {
-                                    let _e696 = ((_e692.member_1 & 2147483648u) != 0u);
-                                    let _e697 = (_e692.member_1 & 268435455u);
-                                    if _e696 {
-                                        phi_1240_ = _e648;
-                                        phi_1243_ = type_8(0u, ((_e692.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e697 = (_e690.member_1 & 268435455u);
+                                    if ((_e690.member_1 & 2147483648u) != 0u) {
+                                        phi_1247_ = _e648;
+                                        phi_1250_ = type_8(0u, ((_e690.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e704 = phi_1240_;
-                                            let _e706 = phi_1243_;
-                                            local_12 = _e704;
-                                            if (_e706.member < _e706.member_1) {
-                                                phi_1244_ = type_8((_e706.member + 1u), _e706.member_1);
-                                                phi_1266_ = type_8(1u, _e706.member);
+                                            let _e1187 = phi_1247_;
+                                            let _e1189 = phi_1250_;
+                                            local_10 = _e1187;
+                                            local_13 = _e1187;
+                                            if (_e1189.member < _e1189.member_1) {
+                                                phi_1251_ = type_8((_e1189.member + 1u), _e1189.member_1);
+                                                phi_1273_ = type_8(1u, _e1189.member);
                                             } else {
-                                                phi_1244_ = _e706;
-                                                phi_1266_ = type_8(0u, type_8().member_1);
+                                                phi_1251_ = _e1189;
+                                                phi_1273_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e719 = phi_1244_;
-                                            let _e721 = phi_1266_;
-                                            let _e725 = (bitcast<i32>(_e721.member) != 0i);
-                                            if _e725 {
-                                                let _e731 = type_40(_e704.member, _e704.member_1, (_e704.member_2 + 1u));
-                                                let _e736 = (_e692.member.member_1.x - _e692.member.member.x);
-                                                let _e739 = (_e692.member.member_1.y - _e692.member.member.y);
-                                                let _e742 = (_e692.member.member_1.z - _e692.member.member.z);
-                                                let _e744 = select(_e739, _e736, (_e736 > _e739));
-                                                let _e746 = select(_e742, _e744, (_e744 > _e742));
-                                                let _e748 = (_e746 < (1024f * _e143));
-                                                if _e748 {
-                                                    phi_1310_ = 0u;
+                                            let _e1202 = phi_1251_;
+                                            let _e1204 = phi_1273_;
+                                            let _e1208 = (bitcast<i32>(_e1204.member) != 0i);
+                                            if _e1208 {
+                                                let _e1214 = type_40(_e1187.member, _e1187.member_1, (_e1187.member_2 + 1u));
+                                                let _e1219 = (_e690.member.member_1.x - _e690.member.member.x);
+                                                let _e1222 = (_e690.member.member_1.y - _e690.member.member.y);
+                                                let _e1225 = (_e690.member.member_1.z - _e690.member.member.z);
+                                                let _e1227 = select(_e1222, _e1219, (_e1219 > _e1222));
+                                                let _e1229 = select(_e1225, _e1227, (_e1227 > _e1225));
+                                                let _e1231 = (_e1229 < (1024f * _e143));
+                                                if _e1231 {
+                                                    phi_1317_ = 0u;
                                                 } else {
-                                                    phi_1310_ = select(2u, 1u, (_e746 < (2097152f * _e143)));
+                                                    phi_1317_ = select(2u, 1u, (_e1229 < (2097152f * _e143)));
                                                 }
-                                                let _e753 = phi_1310_;
-                                                switch bitcast<i32>(_e753) {
+                                                let _e1236 = phi_1317_;
+                                                switch bitcast<i32>(_e1236) {
                                                     case 0: {
-                                                        phi_1316_ = 1u;
+                                                        phi_1323_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1316_ = 2u;
+                                                        phi_1323_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1316_ = 3u;
+                                                        phi_1323_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1316_ = u32();
+                                                        phi_1323_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e756 = phi_1316_;
-                                                switch bitcast<i32>(_e753) {
+                                                let _e1239 = phi_1323_;
+                                                switch bitcast<i32>(_e1236) {
                                                     case 0: {
-                                                        phi_1326_ = 1u;
+                                                        phi_1333_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1326_ = 2u;
+                                                        phi_1333_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1326_ = 3u;
+                                                        phi_1333_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1326_ = u32();
+                                                        phi_1333_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e763 = phi_1326_;
-                                                let _e765 = ((_e697 + (_e721.member_1 * ((3u * _e756) + 1u))) + (3u * _e763));
-                                                let _e766 = (_e765 < _e95);
-                                                if _e766 {
-                                                    if _e766 {
+                                                let _e1246 = phi_1333_;
+                                                let _e1248 = ((_e697 + (_e1204.member_1 * ((3u * _e1239) + 1u))) + (3u * _e1246));
+                                                let _e1249 = (_e1248 < _e95);
+                                                if _e1249 {
+                                                    if _e1249 {
                                                     } else {
-                                                        phi_4527_ = true;
+                                                        phi_4453_ = true;
                                                         break;
                                                     }
-                                                    let _e768 = global_5.member[_e765];
-                                                    phi_1342_ = _e768;
+                                                    let _e1251 = global_5.member[_e1248];
+                                                    phi_1349_ = _e1251;
                                                 } else {
-                                                    phi_1342_ = 4294967295u;
+                                                    phi_1349_ = 4294967295u;
                                                 }
-                                                let _e770 = phi_1342_;
-                                                if _e748 {
-                                                    phi_1375_ = 0u;
+                                                let _e1253 = phi_1349_;
+                                                if _e1231 {
+                                                    phi_1382_ = 0u;
                                                 } else {
-                                                    phi_1375_ = select(2u, 1u, (_e746 < (2097152f * _e143)));
+                                                    phi_1382_ = select(2u, 1u, (_e1229 < (2097152f * _e143)));
                                                 }
-                                                let _e775 = phi_1375_;
-                                                switch bitcast<i32>(_e775) {
+                                                let _e1258 = phi_1382_;
+                                                switch bitcast<i32>(_e1258) {
                                                     case 0: {
-                                                        phi_1381_ = 1u;
+                                                        phi_1388_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1381_ = 2u;
+                                                        phi_1388_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1381_ = 3u;
+                                                        phi_1388_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1381_ = u32();
+                                                        phi_1388_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e778 = phi_1381_;
-                                                let _e782 = (_e697 + (_e721.member_1 * ((3u * _e778) + 1u)));
-                                                switch bitcast<i32>(_e775) {
+                                                let _e1261 = phi_1388_;
+                                                let _e1265 = (_e697 + (_e1204.member_1 * ((3u * _e1261) + 1u)));
+                                                switch bitcast<i32>(_e1258) {
                                                     case 0: {
-                                                        let _e1057 = (_e782 < _e95);
-                                                        if _e1057 {
-                                                            if _e1057 {
+                                                        let _e1540 = (_e1265 < _e95);
+                                                        if _e1540 {
+                                                            if _e1540 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1059 = global_5.member[_e782];
-                                                            phi_1408_ = _e1059;
+                                                            let _e1542 = global_5.member[_e1265];
+                                                            phi_1415_ = _e1542;
                                                         } else {
-                                                            phi_1408_ = 0u;
+                                                            phi_1415_ = 0u;
                                                         }
-                                                        let _e1061 = phi_1408_;
-                                                        let _e1063 = ((10u * _e263) & 31u);
-                                                        let _e1073 = ((10u * _e262) & 31u);
-                                                        let _e1083 = ((10u * _e264) & 31u);
-                                                        let _e1093 = (_e782 + 1u);
-                                                        let _e1094 = (_e1093 < _e95);
-                                                        if _e1094 {
-                                                            if _e1094 {
+                                                        let _e1544 = phi_1415_;
+                                                        let _e1546 = ((10u * _e263) & 31u);
+                                                        let _e1556 = ((10u * _e262) & 31u);
+                                                        let _e1566 = ((10u * _e264) & 31u);
+                                                        let _e1576 = (_e1265 + 1u);
+                                                        let _e1577 = (_e1576 < _e95);
+                                                        if _e1577 {
+                                                            if _e1577 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1096 = global_5.member[_e1093];
-                                                            phi_1457_ = _e1096;
+                                                            let _e1579 = global_5.member[_e1576];
+                                                            phi_1464_ = _e1579;
                                                         } else {
-                                                            phi_1457_ = 0u;
+                                                            phi_1464_ = 0u;
                                                         }
-                                                        let _e1098 = phi_1457_;
-                                                        let _e1124 = (_e782 + 2u);
-                                                        let _e1125 = (_e1124 < _e95);
-                                                        if _e1125 {
-                                                            if _e1125 {
+                                                        let _e1581 = phi_1464_;
+                                                        let _e1607 = (_e1265 + 2u);
+                                                        let _e1608 = (_e1607 < _e95);
+                                                        if _e1608 {
+                                                            if _e1608 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1127 = global_5.member[_e1124];
-                                                            phi_1506_ = _e1127;
+                                                            let _e1610 = global_5.member[_e1607];
+                                                            phi_1513_ = _e1610;
                                                         } else {
-                                                            phi_1506_ = 0u;
+                                                            phi_1513_ = 0u;
                                                         }
-                                                        let _e1129 = phi_1506_;
-                                                        phi_2007_ = array<array<f32, 3>, 3>(array<f32, 3>((_e692.member.member.x + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e143)), (_e692.member.member.y + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e143)), (_e692.member.member.z + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e143))), array<f32, 3>((_e692.member.member.x + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e143)), (_e692.member.member.y + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e143)), (_e692.member.member.z + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e143))), array<f32, 3>((_e692.member.member.x + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e143)), (_e692.member.member.y + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e143)), (_e692.member.member.z + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e143))));
+                                                        let _e1612 = phi_1513_;
+                                                        phi_2014_ = array<array<f32, 3>, 3>(array<f32, 3>((_e690.member.member.x + ((bitcast<f32>((1258291200u | ((_e1544 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e143)), (_e690.member.member.y + ((bitcast<f32>((1258291200u | ((_e1544 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e143)), (_e690.member.member.z + ((bitcast<f32>((1258291200u | ((_e1544 >> bitcast<u32>(_e1566)) & 1023u))) - 8388608f) * _e143))), array<f32, 3>((_e690.member.member.x + ((bitcast<f32>((1258291200u | ((_e1581 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e143)), (_e690.member.member.y + ((bitcast<f32>((1258291200u | ((_e1581 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e143)), (_e690.member.member.z + ((bitcast<f32>((1258291200u | ((_e1581 >> bitcast<u32>(_e1566)) & 1023u))) - 8388608f) * _e143))), array<f32, 3>((_e690.member.member.x + ((bitcast<f32>((1258291200u | ((_e1612 >> bitcast<u32>(_e1546)) & 1023u))) - 8388608f) * _e143)), (_e690.member.member.y + ((bitcast<f32>((1258291200u | ((_e1612 >> bitcast<u32>(_e1556)) & 1023u))) - 8388608f) * _e143)), (_e690.member.member.z + ((bitcast<f32>((1258291200u | ((_e1612 >> bitcast<u32>(_e1566)) & 1023u))) - 8388608f) * _e143))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e871 = (_e782 < _e95);
-                                                        if _e871 {
-                                                            if _e871 {
+                                                        let _e1354 = (_e1265 < _e95);
+                                                        if _e1354 {
+                                                            if _e1354 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e873 = global_5.member[_e782];
-                                                            phi_1555_ = _e873;
+                                                            let _e1356 = global_5.member[_e1265];
+                                                            phi_1562_ = _e1356;
                                                         } else {
-                                                            phi_1555_ = 0u;
+                                                            phi_1562_ = 0u;
                                                         }
-                                                        let _e875 = phi_1555_;
-                                                        let _e876 = (_e782 + 1u);
-                                                        let _e877 = (_e876 < _e95);
-                                                        if _e877 {
-                                                            if _e877 {
+                                                        let _e1358 = phi_1562_;
+                                                        let _e1359 = (_e1265 + 1u);
+                                                        let _e1360 = (_e1359 < _e95);
+                                                        if _e1360 {
+                                                            if _e1360 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e879 = global_5.member[_e876];
-                                                            phi_1570_ = _e879;
+                                                            let _e1362 = global_5.member[_e1359];
+                                                            phi_1577_ = _e1362;
                                                         } else {
-                                                            phi_1570_ = 0u;
+                                                            phi_1577_ = 0u;
                                                         }
-                                                        let _e881 = phi_1570_;
-                                                        let _e882 = (_e263 == 1u);
-                                                        if _e882 {
-                                                            phi_1580_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
+                                                        let _e1364 = phi_1577_;
+                                                        let _e1365 = (_e263 == 1u);
+                                                        if _e1365 {
+                                                            phi_1587_ = ((_e1358 >> bitcast<u32>(21i)) | (_e1364 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1580_ = (_e881 >> bitcast<u32>(10i));
+                                                            phi_1587_ = (_e1364 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e891 = phi_1580_;
-                                                        let _e899 = (_e262 == 1u);
-                                                        if _e899 {
-                                                            phi_1601_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
+                                                        let _e1374 = phi_1587_;
+                                                        let _e1382 = (_e262 == 1u);
+                                                        if _e1382 {
+                                                            phi_1608_ = ((_e1358 >> bitcast<u32>(21i)) | (_e1364 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1601_ = (_e881 >> bitcast<u32>(10i));
+                                                            phi_1608_ = (_e1364 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e908 = phi_1601_;
-                                                        let _e916 = (_e264 == 1u);
-                                                        if _e916 {
-                                                            phi_1622_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
+                                                        let _e1391 = phi_1608_;
+                                                        let _e1399 = (_e264 == 1u);
+                                                        if _e1399 {
+                                                            phi_1629_ = ((_e1358 >> bitcast<u32>(21i)) | (_e1364 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1622_ = (_e881 >> bitcast<u32>(10i));
+                                                            phi_1629_ = (_e1364 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e925 = phi_1622_;
-                                                        let _e934 = (_e782 + 2u);
-                                                        let _e935 = (_e934 < _e95);
-                                                        if _e935 {
-                                                            if _e935 {
+                                                        let _e1408 = phi_1629_;
+                                                        let _e1417 = (_e1265 + 2u);
+                                                        let _e1418 = (_e1417 < _e95);
+                                                        if _e1418 {
+                                                            if _e1418 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e937 = global_5.member[_e934];
-                                                            phi_1652_ = _e937;
+                                                            let _e1420 = global_5.member[_e1417];
+                                                            phi_1659_ = _e1420;
                                                         } else {
-                                                            phi_1652_ = 0u;
+                                                            phi_1659_ = 0u;
                                                         }
-                                                        let _e939 = phi_1652_;
-                                                        let _e940 = (_e782 + 3u);
-                                                        let _e941 = (_e940 < _e95);
-                                                        if _e941 {
-                                                            if _e941 {
+                                                        let _e1422 = phi_1659_;
+                                                        let _e1423 = (_e1265 + 3u);
+                                                        let _e1424 = (_e1423 < _e95);
+                                                        if _e1424 {
+                                                            if _e1424 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e943 = global_5.member[_e940];
-                                                            phi_1667_ = _e943;
+                                                            let _e1426 = global_5.member[_e1423];
+                                                            phi_1674_ = _e1426;
                                                         } else {
-                                                            phi_1667_ = 0u;
+                                                            phi_1674_ = 0u;
                                                         }
-                                                        let _e945 = phi_1667_;
-                                                        if _e882 {
-                                                            phi_1677_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
+                                                        let _e1428 = phi_1674_;
+                                                        if _e1365 {
+                                                            phi_1684_ = ((_e1422 >> bitcast<u32>(21i)) | (_e1428 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1677_ = (_e945 >> bitcast<u32>(10i));
+                                                            phi_1684_ = (_e1428 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e954 = phi_1677_;
-                                                        if _e899 {
-                                                            phi_1698_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
+                                                        let _e1437 = phi_1684_;
+                                                        if _e1382 {
+                                                            phi_1705_ = ((_e1422 >> bitcast<u32>(21i)) | (_e1428 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1698_ = (_e945 >> bitcast<u32>(10i));
+                                                            phi_1705_ = (_e1428 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e970 = phi_1698_;
-                                                        if _e916 {
-                                                            phi_1719_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
+                                                        let _e1453 = phi_1705_;
+                                                        if _e1399 {
+                                                            phi_1726_ = ((_e1422 >> bitcast<u32>(21i)) | (_e1428 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1719_ = (_e945 >> bitcast<u32>(10i));
+                                                            phi_1726_ = (_e1428 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e986 = phi_1719_;
-                                                        let _e995 = (_e782 + 4u);
-                                                        let _e996 = (_e995 < _e95);
-                                                        if _e996 {
-                                                            if _e996 {
+                                                        let _e1469 = phi_1726_;
+                                                        let _e1478 = (_e1265 + 4u);
+                                                        let _e1479 = (_e1478 < _e95);
+                                                        if _e1479 {
+                                                            if _e1479 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e998 = global_5.member[_e995];
-                                                            phi_1749_ = _e998;
+                                                            let _e1481 = global_5.member[_e1478];
+                                                            phi_1756_ = _e1481;
                                                         } else {
-                                                            phi_1749_ = 0u;
+                                                            phi_1756_ = 0u;
                                                         }
-                                                        let _e1000 = phi_1749_;
-                                                        let _e1001 = (_e782 + 5u);
-                                                        let _e1002 = (_e1001 < _e95);
-                                                        if _e1002 {
-                                                            if _e1002 {
+                                                        let _e1483 = phi_1756_;
+                                                        let _e1484 = (_e1265 + 5u);
+                                                        let _e1485 = (_e1484 < _e95);
+                                                        if _e1485 {
+                                                            if _e1485 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e1004 = global_5.member[_e1001];
-                                                            phi_1764_ = _e1004;
+                                                            let _e1487 = global_5.member[_e1484];
+                                                            phi_1771_ = _e1487;
                                                         } else {
-                                                            phi_1764_ = 0u;
+                                                            phi_1771_ = 0u;
                                                         }
-                                                        let _e1006 = phi_1764_;
-                                                        if _e882 {
-                                                            phi_1774_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
+                                                        let _e1489 = phi_1771_;
+                                                        if _e1365 {
+                                                            phi_1781_ = ((_e1483 >> bitcast<u32>(21i)) | (_e1489 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1774_ = (_e1006 >> bitcast<u32>(10i));
+                                                            phi_1781_ = (_e1489 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1015 = phi_1774_;
-                                                        if _e899 {
-                                                            phi_1795_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
+                                                        let _e1498 = phi_1781_;
+                                                        if _e1382 {
+                                                            phi_1802_ = ((_e1483 >> bitcast<u32>(21i)) | (_e1489 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1795_ = (_e1006 >> bitcast<u32>(10i));
+                                                            phi_1802_ = (_e1489 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1031 = phi_1795_;
-                                                        if _e916 {
-                                                            phi_1816_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
+                                                        let _e1514 = phi_1802_;
+                                                        if _e1399 {
+                                                            phi_1823_ = ((_e1483 >> bitcast<u32>(21i)) | (_e1489 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1816_ = (_e1006 >> bitcast<u32>(10i));
+                                                            phi_1823_ = (_e1489 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1047 = phi_1816_;
-                                                        phi_2007_ = array<array<f32, 3>, 3>(array<f32, 3>((_e692.member.member.x + ((bitcast<f32>((1258291200u | (select(_e891, _e875, _e302) & 2097151u))) - 8388608f) * _e143)), (_e692.member.member.y + ((bitcast<f32>((1258291200u | (select(_e908, _e875, _e369) & 2097151u))) - 8388608f) * _e143)), (_e692.member.member.z + ((bitcast<f32>((1258291200u | (select(_e925, _e875, _e435) & 2097151u))) - 8388608f) * _e143))), array<f32, 3>((_e692.member.member.x + ((bitcast<f32>((1258291200u | (select(_e954, _e939, _e302) & 2097151u))) - 8388608f) * _e143)), (_e692.member.member.y + ((bitcast<f32>((1258291200u | (select(_e970, _e939, _e369) & 2097151u))) - 8388608f) * _e143)), (_e692.member.member.z + ((bitcast<f32>((1258291200u | (select(_e986, _e939, _e435) & 2097151u))) - 8388608f) * _e143))), array<f32, 3>((_e692.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1015, _e1000, _e302) & 2097151u))) - 8388608f) * _e143)), (_e692.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1031, _e1000, _e369) & 2097151u))) - 8388608f) * _e143)), (_e692.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1047, _e1000, _e435) & 2097151u))) - 8388608f) * _e143))));
+                                                        let _e1530 = phi_1823_;
+                                                        phi_2014_ = array<array<f32, 3>, 3>(array<f32, 3>((_e690.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1374, _e1358, _e302) & 2097151u))) - 8388608f) * _e143)), (_e690.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1391, _e1358, _e369) & 2097151u))) - 8388608f) * _e143)), (_e690.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1408, _e1358, _e435) & 2097151u))) - 8388608f) * _e143))), array<f32, 3>((_e690.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1437, _e1422, _e302) & 2097151u))) - 8388608f) * _e143)), (_e690.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1453, _e1422, _e369) & 2097151u))) - 8388608f) * _e143)), (_e690.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1469, _e1422, _e435) & 2097151u))) - 8388608f) * _e143))), array<f32, 3>((_e690.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1498, _e1483, _e302) & 2097151u))) - 8388608f) * _e143)), (_e690.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1514, _e1483, _e369) & 2097151u))) - 8388608f) * _e143)), (_e690.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1530, _e1483, _e435) & 2097151u))) - 8388608f) * _e143))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e784 = (_e782 + _e263);
-                                                        let _e785 = (_e784 < _e95);
-                                                        if _e785 {
-                                                            if _e785 {
+                                                        let _e1267 = (_e1265 + _e263);
+                                                        let _e1268 = (_e1267 < _e95);
+                                                        if _e1268 {
+                                                            if _e1268 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e787 = global_5.member[_e784];
-                                                            phi_1847_ = _e787;
+                                                            let _e1270 = global_5.member[_e1267];
+                                                            phi_1854_ = _e1270;
                                                         } else {
-                                                            phi_1847_ = 0u;
+                                                            phi_1854_ = 0u;
                                                         }
-                                                        let _e789 = phi_1847_;
-                                                        let _e793 = (_e782 + _e262);
-                                                        let _e794 = (_e793 < _e95);
-                                                        if _e794 {
-                                                            if _e794 {
+                                                        let _e1272 = phi_1854_;
+                                                        let _e1276 = (_e1265 + _e262);
+                                                        let _e1277 = (_e1276 < _e95);
+                                                        if _e1277 {
+                                                            if _e1277 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e796 = global_5.member[_e793];
-                                                            phi_1865_ = _e796;
+                                                            let _e1279 = global_5.member[_e1276];
+                                                            phi_1872_ = _e1279;
                                                         } else {
-                                                            phi_1865_ = 0u;
+                                                            phi_1872_ = 0u;
                                                         }
-                                                        let _e798 = phi_1865_;
-                                                        let _e802 = (_e782 + _e264);
-                                                        let _e803 = (_e802 < _e95);
-                                                        if _e803 {
-                                                            if _e803 {
+                                                        let _e1281 = phi_1872_;
+                                                        let _e1285 = (_e1265 + _e264);
+                                                        let _e1286 = (_e1285 < _e95);
+                                                        if _e1286 {
+                                                            if _e1286 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e805 = global_5.member[_e802];
-                                                            phi_1883_ = _e805;
+                                                            let _e1288 = global_5.member[_e1285];
+                                                            phi_1890_ = _e1288;
                                                         } else {
-                                                            phi_1883_ = 0u;
+                                                            phi_1890_ = 0u;
                                                         }
-                                                        let _e807 = phi_1883_;
-                                                        let _e812 = (_e782 + 3u);
-                                                        let _e813 = (_e812 + _e263);
-                                                        let _e814 = (_e813 < _e95);
-                                                        if _e814 {
-                                                            if _e814 {
+                                                        let _e1290 = phi_1890_;
+                                                        let _e1295 = (_e1265 + 3u);
+                                                        let _e1296 = (_e1295 + _e263);
+                                                        let _e1297 = (_e1296 < _e95);
+                                                        if _e1297 {
+                                                            if _e1297 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e816 = global_5.member[_e813];
-                                                            phi_1906_ = _e816;
+                                                            let _e1299 = global_5.member[_e1296];
+                                                            phi_1913_ = _e1299;
                                                         } else {
-                                                            phi_1906_ = 0u;
+                                                            phi_1913_ = 0u;
                                                         }
-                                                        let _e818 = phi_1906_;
-                                                        let _e822 = (_e812 + _e262);
-                                                        let _e823 = (_e822 < _e95);
-                                                        if _e823 {
-                                                            if _e823 {
+                                                        let _e1301 = phi_1913_;
+                                                        let _e1305 = (_e1295 + _e262);
+                                                        let _e1306 = (_e1305 < _e95);
+                                                        if _e1306 {
+                                                            if _e1306 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e825 = global_5.member[_e822];
-                                                            phi_1924_ = _e825;
+                                                            let _e1308 = global_5.member[_e1305];
+                                                            phi_1931_ = _e1308;
                                                         } else {
-                                                            phi_1924_ = 0u;
+                                                            phi_1931_ = 0u;
                                                         }
-                                                        let _e827 = phi_1924_;
-                                                        let _e831 = (_e812 + _e264);
-                                                        let _e832 = (_e831 < _e95);
-                                                        if _e832 {
-                                                            if _e832 {
+                                                        let _e1310 = phi_1931_;
+                                                        let _e1314 = (_e1295 + _e264);
+                                                        let _e1315 = (_e1314 < _e95);
+                                                        if _e1315 {
+                                                            if _e1315 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e834 = global_5.member[_e831];
-                                                            phi_1942_ = _e834;
+                                                            let _e1317 = global_5.member[_e1314];
+                                                            phi_1949_ = _e1317;
                                                         } else {
-                                                            phi_1942_ = 0u;
+                                                            phi_1949_ = 0u;
                                                         }
-                                                        let _e836 = phi_1942_;
-                                                        let _e841 = (_e782 + 6u);
-                                                        let _e842 = (_e841 + _e263);
-                                                        let _e843 = (_e842 < _e95);
-                                                        if _e843 {
-                                                            if _e843 {
+                                                        let _e1319 = phi_1949_;
+                                                        let _e1324 = (_e1265 + 6u);
+                                                        let _e1325 = (_e1324 + _e263);
+                                                        let _e1326 = (_e1325 < _e95);
+                                                        if _e1326 {
+                                                            if _e1326 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e845 = global_5.member[_e842];
-                                                            phi_1965_ = _e845;
+                                                            let _e1328 = global_5.member[_e1325];
+                                                            phi_1972_ = _e1328;
                                                         } else {
-                                                            phi_1965_ = 0u;
+                                                            phi_1972_ = 0u;
                                                         }
-                                                        let _e847 = phi_1965_;
-                                                        let _e851 = (_e841 + _e262);
-                                                        let _e852 = (_e851 < _e95);
-                                                        if _e852 {
-                                                            if _e852 {
+                                                        let _e1330 = phi_1972_;
+                                                        let _e1334 = (_e1324 + _e262);
+                                                        let _e1335 = (_e1334 < _e95);
+                                                        if _e1335 {
+                                                            if _e1335 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e854 = global_5.member[_e851];
-                                                            phi_1983_ = _e854;
+                                                            let _e1337 = global_5.member[_e1334];
+                                                            phi_1990_ = _e1337;
                                                         } else {
-                                                            phi_1983_ = 0u;
+                                                            phi_1990_ = 0u;
                                                         }
-                                                        let _e856 = phi_1983_;
-                                                        let _e860 = (_e841 + _e264);
-                                                        let _e861 = (_e860 < _e95);
-                                                        if _e861 {
-                                                            if _e861 {
+                                                        let _e1339 = phi_1990_;
+                                                        let _e1343 = (_e1324 + _e264);
+                                                        let _e1344 = (_e1343 < _e95);
+                                                        if _e1344 {
+                                                            if _e1344 {
                                                             } else {
-                                                                phi_4527_ = true;
+                                                                phi_4453_ = true;
                                                                 break;
                                                             }
-                                                            let _e863 = global_5.member[_e860];
-                                                            phi_2001_ = _e863;
+                                                            let _e1346 = global_5.member[_e1343];
+                                                            phi_2008_ = _e1346;
                                                         } else {
-                                                            phi_2001_ = 0u;
+                                                            phi_2008_ = 0u;
                                                         }
-                                                        let _e865 = phi_2001_;
-                                                        phi_2007_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e789)) * _e143), (f32(bitcast<i32>(_e798)) * _e143), (f32(bitcast<i32>(_e807)) * _e143)), array<f32, 3>((f32(bitcast<i32>(_e818)) * _e143), (f32(bitcast<i32>(_e827)) * _e143), (f32(bitcast<i32>(_e836)) * _e143)), array<f32, 3>((f32(bitcast<i32>(_e847)) * _e143), (f32(bitcast<i32>(_e856)) * _e143), (f32(bitcast<i32>(_e865)) * _e143)));
+                                                        let _e1348 = phi_2008_;
+                                                        phi_2014_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1272)) * _e143), (f32(bitcast<i32>(_e1281)) * _e143), (f32(bitcast<i32>(_e1290)) * _e143)), array<f32, 3>((f32(bitcast<i32>(_e1301)) * _e143), (f32(bitcast<i32>(_e1310)) * _e143), (f32(bitcast<i32>(_e1319)) * _e143)), array<f32, 3>((f32(bitcast<i32>(_e1330)) * _e143), (f32(bitcast<i32>(_e1339)) * _e143), (f32(bitcast<i32>(_e1348)) * _e143)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2007_ = array<array<f32, 3>, 3>();
+                                                        phi_2014_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1157 = phi_2007_;
-                                                let _e1174 = (_e1157[0][2] - _e460);
-                                                let _e1177 = (((_e1157[0][0] - _e327) * _e496) - (_e1174 * _e364));
-                                                let _e1180 = (((_e1157[0][1] - _e394) * _e496) - (_e1174 * _e430));
-                                                let _e1183 = (_e1157[1][2] - _e460);
-                                                let _e1186 = (((_e1157[1][0] - _e327) * _e496) - (_e1183 * _e364));
-                                                let _e1189 = (((_e1157[1][1] - _e394) * _e496) - (_e1183 * _e430));
-                                                let _e1192 = (_e1157[2][2] - _e460);
-                                                let _e1195 = (((_e1157[2][0] - _e327) * _e496) - (_e1192 * _e364));
-                                                let _e1198 = (((_e1157[2][1] - _e394) * _e496) - (_e1192 * _e430));
-                                                let _e1199 = (_e1195 * _e1189);
-                                                let _e1200 = (_e1198 * _e1186);
-                                                let _e1201 = (_e1177 * _e1198);
-                                                let _e1202 = (_e1180 * _e1195);
-                                                let _e1203 = (_e1186 * _e1180);
-                                                let _e1204 = (_e1189 * _e1177);
-                                                let _e1209 = (((_e1199 >= _e1200) && (_e1201 >= _e1202)) && (_e1203 >= _e1204));
-                                                let _e1215 = (_e1209 || (((_e1199 <= _e1200) && (_e1201 <= _e1202)) && (_e1203 <= _e1204)));
-                                                if _e1215 {
-                                                    let _e1217 = select(-1f, 1f, _e1209);
-                                                    let _e1219 = ((_e1199 - _e1200) * _e1217);
-                                                    let _e1221 = select(0f, _e1219, (_e1219 > 0f));
-                                                    let _e1223 = ((_e1201 - _e1202) * _e1217);
-                                                    let _e1225 = select(0f, _e1223, (_e1223 > 0f));
-                                                    let _e1227 = ((_e1203 - _e1204) * _e1217);
-                                                    let _e1229 = select(0f, _e1227, (_e1227 > 0f));
-                                                    let _e1231 = ((_e1221 + _e1225) + _e1229);
-                                                    let _e1233 = select(_e1157[1][0], _e1157[0][0], (_e1157[0][0] < _e1157[1][0]));
-                                                    let _e1237 = select(_e1157[1][0], _e1157[0][0], (_e1157[0][0] > _e1157[1][0]));
-                                                    let _e1241 = select(_e1157[1][1], _e1157[0][1], (_e1157[0][1] < _e1157[1][1]));
-                                                    let _e1245 = select(_e1157[1][1], _e1157[0][1], (_e1157[0][1] > _e1157[1][1]));
-                                                    let _e1249 = select(_e1157[1][2], _e1157[0][2], (_e1157[0][2] < _e1157[1][2]));
-                                                    let _e1253 = select(_e1157[1][2], _e1157[0][2], (_e1157[0][2] > _e1157[1][2]));
-                                                    let _e1258 = ((select(_e1157[2][0], _e1233, (_e1233 < _e1157[2][0])) - _e365) * _e368);
-                                                    let _e1259 = ((select(_e1157[2][0], _e1237, (_e1237 > _e1157[2][0])) - _e366) * _e368);
-                                                    let _e1262 = ((select(_e1157[2][1], _e1241, (_e1241 < _e1157[2][1])) - _e431) * _e434);
-                                                    let _e1263 = ((select(_e1157[2][1], _e1245, (_e1245 > _e1157[2][1])) - _e432) * _e434);
-                                                    let _e1266 = ((select(_e1157[2][2], _e1249, (_e1249 < _e1157[2][2])) - _e497) * _e500);
-                                                    let _e1267 = ((select(_e1157[2][2], _e1253, (_e1253 > _e1157[2][2])) - _e498) * _e500);
-                                                    let _e1269 = select(_e1267, _e1266, (_e1266 < _e1267));
-                                                    let _e1271 = select(_e1267, _e1266, (_e1266 > _e1267));
-                                                    let _e1273 = select(_e1259, _e1258, (_e1258 < _e1259));
-                                                    let _e1275 = select(_e1263, _e1262, (_e1262 < _e1263));
-                                                    let _e1277 = select(_e1275, _e1273, (_e1273 > _e1275));
-                                                    let _e1279 = select(_e1269, _e1277, (_e1277 > _e1269));
-                                                    let _e1281 = select(_e1259, _e1258, (_e1258 > _e1259));
-                                                    let _e1283 = select(_e1263, _e1262, (_e1262 > _e1263));
-                                                    let _e1285 = select(_e1283, _e1281, (_e1281 < _e1283));
-                                                    let _e1287 = select(_e1271, _e1285, (_e1285 < _e1271));
-                                                    let _e1288 = -(_e1269);
-                                                    let _e1294 = select(_e603, _e1279, (_e1279 > _e603));
-                                                    let _e1298 = select(_e1186, _e1177, (_e1177 < _e1186));
-                                                    let _e1303 = select(_e1186, _e1177, (_e1177 > _e1186));
-                                                    let _e1310 = select(_e1189, _e1180, (_e1180 < _e1189));
-                                                    let _e1315 = select(_e1189, _e1180, (_e1180 > _e1189));
-                                                    let _e1324 = (((((_e1215 && (_e1231 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1195, _e1298, (_e1298 < _e1195)) <= 0f) && (select(_e1195, _e1303, (_e1303 > _e1195)) >= 0f))) && ((select(_e1198, _e1310, (_e1310 < _e1198)) <= 0f) && (select(_e1198, _e1315, (_e1315 > _e1198)) >= 0f))) && (_e1294 <= (_e1287 + (select(_e1288, _e1271, (_e1271 > _e1288)) * 0.0000019073523f)))) && (_e1294 <= _e704.member.member_1));
-                                                    if _e1324 {
-                                                        let _e1329 = (_e1157[1][0] - _e1157[0][0]);
-                                                        let _e1330 = (_e1157[1][1] - _e1157[0][1]);
-                                                        let _e1331 = (_e1157[1][2] - _e1157[0][2]);
-                                                        let _e1332 = vec3<f32>(_e1329, _e1330, _e1331);
-                                                        let _e1333 = (_e1157[2][0] - _e1157[1][0]);
-                                                        let _e1334 = (_e1157[2][1] - _e1157[1][1]);
-                                                        let _e1335 = (_e1157[2][2] - _e1157[1][2]);
-                                                        let _e1336 = vec3<f32>(_e1333, _e1334, _e1335);
-                                                        let _e1337 = (_e1157[0][0] - _e1157[2][0]);
-                                                        let _e1338 = (_e1157[0][1] - _e1157[2][1]);
-                                                        let _e1339 = (_e1157[0][2] - _e1157[2][2]);
-                                                        let _e1340 = vec3<f32>(_e1337, _e1338, _e1339);
-                                                        let _e1341 = abs(_e1329);
-                                                        let _e1342 = abs(_e1330);
-                                                        if (_e1341 != _e1341) {
-                                                            phi_4168_ = true;
+                                                let _e1640 = phi_2014_;
+                                                let _e1657 = (_e1640[0][2] - _e460);
+                                                let _e1660 = (((_e1640[0][0] - _e327) * _e496) - (_e1657 * _e364));
+                                                let _e1663 = (((_e1640[0][1] - _e394) * _e496) - (_e1657 * _e430));
+                                                let _e1666 = (_e1640[1][2] - _e460);
+                                                let _e1669 = (((_e1640[1][0] - _e327) * _e496) - (_e1666 * _e364));
+                                                let _e1672 = (((_e1640[1][1] - _e394) * _e496) - (_e1666 * _e430));
+                                                let _e1675 = (_e1640[2][2] - _e460);
+                                                let _e1678 = (((_e1640[2][0] - _e327) * _e496) - (_e1675 * _e364));
+                                                let _e1681 = (((_e1640[2][1] - _e394) * _e496) - (_e1675 * _e430));
+                                                let _e1682 = (_e1678 * _e1672);
+                                                let _e1683 = (_e1681 * _e1669);
+                                                let _e1684 = (_e1660 * _e1681);
+                                                let _e1685 = (_e1663 * _e1678);
+                                                let _e1686 = (_e1669 * _e1663);
+                                                let _e1687 = (_e1672 * _e1660);
+                                                let _e1692 = (((_e1682 >= _e1683) && (_e1684 >= _e1685)) && (_e1686 >= _e1687));
+                                                let _e1698 = (_e1692 || (((_e1682 <= _e1683) && (_e1684 <= _e1685)) && (_e1686 <= _e1687)));
+                                                if _e1698 {
+                                                    let _e1700 = select(-1f, 1f, _e1692);
+                                                    let _e1702 = ((_e1682 - _e1683) * _e1700);
+                                                    let _e1704 = select(0f, _e1702, (_e1702 > 0f));
+                                                    let _e1706 = ((_e1684 - _e1685) * _e1700);
+                                                    let _e1708 = select(0f, _e1706, (_e1706 > 0f));
+                                                    let _e1710 = ((_e1686 - _e1687) * _e1700);
+                                                    let _e1712 = select(0f, _e1710, (_e1710 > 0f));
+                                                    let _e1714 = ((_e1704 + _e1708) + _e1712);
+                                                    let _e1716 = select(_e1640[1][0], _e1640[0][0], (_e1640[0][0] < _e1640[1][0]));
+                                                    let _e1720 = select(_e1640[1][0], _e1640[0][0], (_e1640[0][0] > _e1640[1][0]));
+                                                    let _e1724 = select(_e1640[1][1], _e1640[0][1], (_e1640[0][1] < _e1640[1][1]));
+                                                    let _e1728 = select(_e1640[1][1], _e1640[0][1], (_e1640[0][1] > _e1640[1][1]));
+                                                    let _e1732 = select(_e1640[1][2], _e1640[0][2], (_e1640[0][2] < _e1640[1][2]));
+                                                    let _e1736 = select(_e1640[1][2], _e1640[0][2], (_e1640[0][2] > _e1640[1][2]));
+                                                    let _e1741 = ((select(_e1640[2][0], _e1716, (_e1716 < _e1640[2][0])) - _e365) * _e368);
+                                                    let _e1742 = ((select(_e1640[2][0], _e1720, (_e1720 > _e1640[2][0])) - _e366) * _e368);
+                                                    let _e1745 = ((select(_e1640[2][1], _e1724, (_e1724 < _e1640[2][1])) - _e431) * _e434);
+                                                    let _e1746 = ((select(_e1640[2][1], _e1728, (_e1728 > _e1640[2][1])) - _e432) * _e434);
+                                                    let _e1749 = ((select(_e1640[2][2], _e1732, (_e1732 < _e1640[2][2])) - _e497) * _e500);
+                                                    let _e1750 = ((select(_e1640[2][2], _e1736, (_e1736 > _e1640[2][2])) - _e498) * _e500);
+                                                    let _e1752 = select(_e1750, _e1749, (_e1749 < _e1750));
+                                                    let _e1754 = select(_e1750, _e1749, (_e1749 > _e1750));
+                                                    let _e1756 = select(_e1742, _e1741, (_e1741 < _e1742));
+                                                    let _e1758 = select(_e1746, _e1745, (_e1745 < _e1746));
+                                                    let _e1760 = select(_e1758, _e1756, (_e1756 > _e1758));
+                                                    let _e1762 = select(_e1752, _e1760, (_e1760 > _e1752));
+                                                    let _e1764 = select(_e1742, _e1741, (_e1741 > _e1742));
+                                                    let _e1766 = select(_e1746, _e1745, (_e1745 > _e1746));
+                                                    let _e1768 = select(_e1766, _e1764, (_e1764 < _e1766));
+                                                    let _e1770 = select(_e1754, _e1768, (_e1768 < _e1754));
+                                                    let _e1771 = -(_e1752);
+                                                    let _e1777 = select(_e603, _e1762, (_e1762 > _e603));
+                                                    let _e1781 = select(_e1669, _e1660, (_e1660 < _e1669));
+                                                    let _e1786 = select(_e1669, _e1660, (_e1660 > _e1669));
+                                                    let _e1793 = select(_e1672, _e1663, (_e1663 < _e1672));
+                                                    let _e1798 = select(_e1672, _e1663, (_e1663 > _e1672));
+                                                    let _e1807 = (((((_e1698 && (_e1714 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1678, _e1781, (_e1781 < _e1678)) <= 0f) && (select(_e1678, _e1786, (_e1786 > _e1678)) >= 0f))) && ((select(_e1681, _e1793, (_e1793 < _e1681)) <= 0f) && (select(_e1681, _e1798, (_e1798 > _e1681)) >= 0f))) && (_e1777 <= (_e1770 + (select(_e1771, _e1754, (_e1754 > _e1771)) * 0.0000019073523f)))) && (_e1777 <= _e1187.member.member_1));
+                                                    if _e1807 {
+                                                        let _e1812 = (_e1640[1][0] - _e1640[0][0]);
+                                                        let _e1813 = (_e1640[1][1] - _e1640[0][1]);
+                                                        let _e1814 = (_e1640[1][2] - _e1640[0][2]);
+                                                        let _e1815 = vec3<f32>(_e1812, _e1813, _e1814);
+                                                        let _e1816 = (_e1640[2][0] - _e1640[1][0]);
+                                                        let _e1817 = (_e1640[2][1] - _e1640[1][1]);
+                                                        let _e1818 = (_e1640[2][2] - _e1640[1][2]);
+                                                        let _e1819 = vec3<f32>(_e1816, _e1817, _e1818);
+                                                        let _e1820 = (_e1640[0][0] - _e1640[2][0]);
+                                                        let _e1821 = (_e1640[0][1] - _e1640[2][1]);
+                                                        let _e1822 = (_e1640[0][2] - _e1640[2][2]);
+                                                        let _e1823 = vec3<f32>(_e1820, _e1821, _e1822);
+                                                        let _e1826 = bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u));
+                                                        let _e1829 = bitcast<f32>((bitcast<u32>(_e1813) & 2147483647u));
+                                                        let _e1831 = select(_e1829, _e1826, (_e1826 > _e1829));
+                                                        let _e1834 = bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u));
+                                                        let _e1836 = select(_e1834, _e1831, (_e1831 > _e1834));
+                                                        let _e1839 = bitcast<f32>((bitcast<u32>(_e1816) & 2147483647u));
+                                                        let _e1842 = bitcast<f32>((bitcast<u32>(_e1817) & 2147483647u));
+                                                        let _e1844 = select(_e1842, _e1839, (_e1839 > _e1842));
+                                                        let _e1847 = bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u));
+                                                        let _e1849 = select(_e1847, _e1844, (_e1844 > _e1847));
+                                                        let _e1852 = bitcast<f32>((bitcast<u32>(_e1820) & 2147483647u));
+                                                        let _e1855 = bitcast<f32>((bitcast<u32>(_e1821) & 2147483647u));
+                                                        let _e1857 = select(_e1855, _e1852, (_e1852 > _e1855));
+                                                        let _e1860 = bitcast<f32>((bitcast<u32>(_e1822) & 2147483647u));
+                                                        let _e1862 = select(_e1860, _e1857, (_e1857 > _e1860));
+                                                        let _e1864 = select(_e1849, _e1836, (_e1836 > _e1849));
+                                                        let _e1866 = select(_e1862, _e1864, (_e1864 > _e1862));
+                                                        if (_e1836 == _e1866) {
+                                                            phi_2544_ = _e1672;
+                                                            phi_2545_ = _e1669;
+                                                            phi_2546_ = _e1663;
+                                                            phi_2547_ = _e1660;
+                                                            phi_2548_ = vec3<f32>(_e1640[0][0], _e1640[0][1], _e1640[0][2]);
+                                                            phi_2549_ = _e1823;
+                                                            phi_2550_ = _e1819;
+                                                            phi_2551_ = _e1815;
                                                         } else {
-                                                            phi_4168_ = (_e1342 >= _e1341);
+                                                            let _e1868 = (_e1849 == _e1866);
+                                                            let _e1873 = vec3(_e1868);
+                                                            phi_2544_ = select(_e1663, _e1681, _e1868);
+                                                            phi_2545_ = select(_e1660, _e1678, _e1868);
+                                                            phi_2546_ = select(_e1681, _e1672, _e1868);
+                                                            phi_2547_ = select(_e1678, _e1669, _e1868);
+                                                            phi_2548_ = select(vec3<f32>(_e1640[2][0], _e1640[2][1], _e1640[2][2]), vec3<f32>(_e1640[1][0], _e1640[1][1], _e1640[1][2]), _e1873);
+                                                            phi_2549_ = select(_e1819, _e1815, _e1873);
+                                                            phi_2550_ = select(_e1815, _e1823, _e1873);
+                                                            phi_2551_ = select(_e1823, _e1819, _e1873);
                                                         }
-                                                        let _e1346 = phi_4168_;
-                                                        let _e1347 = select(_e1341, _e1342, _e1346);
-                                                        let _e1348 = abs(_e1331);
-                                                        if (_e1347 != _e1347) {
-                                                            phi_4183_ = true;
+                                                        let _e1879 = phi_2544_;
+                                                        let _e1881 = phi_2545_;
+                                                        let _e1883 = phi_2546_;
+                                                        let _e1885 = phi_2547_;
+                                                        let _e1887 = phi_2548_;
+                                                        let _e1889 = phi_2549_;
+                                                        let _e1891 = phi_2550_;
+                                                        let _e1893 = phi_2551_;
+                                                        let _e1900 = ((_e1891.y * _e1889.z) - (_e1889.y * _e1891.z));
+                                                        let _e1905 = ((_e1891.z * _e1889.x) - (_e1889.z * _e1891.x));
+                                                        let _e1908 = ((_e1891.x * _e1889.y) - (_e1889.x * _e1891.y));
+                                                        let _e1911 = ((_e1704 >= _e1708) && (_e1704 >= _e1712));
+                                                        let _e1912 = (_e1708 >= _e1712);
+                                                        let _e1926 = (((_e1900 * (select(select(_e1640[2][0], _e1640[1][0], _e1912), _e1640[0][0], _e1911) - _e327)) + (_e1905 * (select(select(_e1640[2][1], _e1640[1][1], _e1912), _e1640[0][1], _e1911) - _e394))) + (_e1908 * (select(select(_e1640[2][2], _e1640[1][2], _e1912), _e1640[0][2], _e1911) - _e460)));
+                                                        let _e1931 = (((_e1900 * _e364) + (_e1905 * _e430)) + (_e1908 * _e496));
+                                                        let _e1932 = (_e1881 - _e1885);
+                                                        let _e1933 = (_e1879 - _e1883);
+                                                        let _e1936 = ((_e1932 * _e1932) + (_e1933 * _e1933));
+                                                        let _e1943 = (-(((_e1885 * _e1932) + (_e1883 * _e1933))) / select(0.000000000000000000000000000000000000011754944f, _e1936, (_e1936 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1945 = select(1f, _e1943, (_e1943 < 1f));
+                                                        let _e1947 = select(0f, _e1945, (_e1945 > 0f));
+                                                        let _e1956 = ((_e1887.x + (_e1893.x * _e1947)) - _e327);
+                                                        let _e1959 = ((_e1887.y + (_e1893.y * _e1947)) - _e394);
+                                                        let _e1962 = ((_e1887.z + (_e1893.z * _e1947)) - _e460);
+                                                        let _e1965 = bitcast<f32>((bitcast<u32>(_e1956) & 2147483647u));
+                                                        let _e1968 = bitcast<f32>((bitcast<u32>(_e1959) & 2147483647u));
+                                                        let _e1970 = select(_e1968, _e1965, (_e1965 > _e1968));
+                                                        let _e1973 = bitcast<f32>((bitcast<u32>(_e1962) & 2147483647u));
+                                                        let _e1975 = select(_e1973, _e1970, (_e1970 > _e1973));
+                                                        let _e1981 = bitcast<f32>((bitcast<u32>(_e1900) & 2147483647u));
+                                                        let _e1984 = bitcast<f32>((bitcast<u32>(_e1905) & 2147483647u));
+                                                        let _e1986 = select(_e1984, _e1981, (_e1981 > _e1984));
+                                                        let _e1989 = bitcast<f32>((bitcast<u32>(_e1908) & 2147483647u));
+                                                        let _e2008 = bitcast<f32>((bitcast<u32>(_e1891.x) & 2147483647u));
+                                                        let _e2011 = bitcast<f32>((bitcast<u32>(_e1891.y) & 2147483647u));
+                                                        let _e2013 = select(_e2011, _e2008, (_e2008 > _e2011));
+                                                        let _e2016 = bitcast<f32>((bitcast<u32>(_e1891.z) & 2147483647u));
+                                                        let _e2022 = bitcast<f32>((bitcast<u32>(_e1889.x) & 2147483647u));
+                                                        let _e2025 = bitcast<f32>((bitcast<u32>(_e1889.y) & 2147483647u));
+                                                        let _e2027 = select(_e2025, _e2022, (_e2022 > _e2025));
+                                                        let _e2030 = bitcast<f32>((bitcast<u32>(_e1889.z) & 2147483647u));
+                                                        let _e2036 = ((bitcast<f32>((bitcast<u32>(((((_e1900 * _e1956) + (_e1905 * _e1959)) + (_e1908 * _e1962)) - _e1926)) & 2147483647u)) <= ((0.0000009536743f * select(_e1866, _e1975, (_e1975 > _e1866))) * select(_e1989, _e1986, (_e1986 > _e1989)))) && !((bitcast<f32>((bitcast<u32>(_e1931) & 2147483647u)) <= ((0.0000038146973f * select(_e2016, _e2013, (_e2013 > _e2016))) * select(_e2030, _e2027, (_e2027 > _e2030))))));
+                                                        let _e2037 = (_e1926 / _e1931);
+                                                        if (_e1807 && !(_e2036)) {
+                                                            let _e2040 = (_e1962 / _e496);
+                                                            let _e2048 = (((_e1900 * (_e1956 - (_e364 * _e2040))) + (_e1905 * (_e1959 - (_e430 * _e2040)))) / _e1931);
+                                                            phi_2742_ = select(select(_e2040, (_e2040 + _e2048), (bitcast<f32>((bitcast<u32>(_e2048) & 2147483647u)) <= _e1866)), _e2037, _e2036);
                                                         } else {
-                                                            phi_4183_ = (_e1348 >= _e1347);
+                                                            phi_2742_ = _e2037;
                                                         }
-                                                        let _e1352 = phi_4183_;
-                                                        let _e1353 = select(_e1347, _e1348, _e1352);
-                                                        let _e1354 = abs(_e1333);
-                                                        let _e1355 = abs(_e1334);
-                                                        if (_e1354 != _e1354) {
-                                                            phi_4198_ = true;
-                                                        } else {
-                                                            phi_4198_ = (_e1355 >= _e1354);
-                                                        }
-                                                        let _e1359 = phi_4198_;
-                                                        let _e1360 = select(_e1354, _e1355, _e1359);
-                                                        let _e1361 = abs(_e1335);
-                                                        if (_e1360 != _e1360) {
-                                                            phi_4213_ = true;
-                                                        } else {
-                                                            phi_4213_ = (_e1361 >= _e1360);
-                                                        }
-                                                        let _e1365 = phi_4213_;
-                                                        let _e1366 = select(_e1360, _e1361, _e1365);
-                                                        let _e1367 = abs(_e1337);
-                                                        let _e1368 = abs(_e1338);
-                                                        if (_e1367 != _e1367) {
-                                                            phi_4228_ = true;
-                                                        } else {
-                                                            phi_4228_ = (_e1368 >= _e1367);
-                                                        }
-                                                        let _e1372 = phi_4228_;
-                                                        let _e1373 = select(_e1367, _e1368, _e1372);
-                                                        let _e1374 = abs(_e1339);
-                                                        if (_e1373 != _e1373) {
-                                                            phi_4243_ = true;
-                                                        } else {
-                                                            phi_4243_ = (_e1374 >= _e1373);
-                                                        }
-                                                        let _e1378 = phi_4243_;
-                                                        let _e1379 = select(_e1373, _e1374, _e1378);
-                                                        let _e1381 = select(_e1366, _e1353, (_e1353 > _e1366));
-                                                        let _e1383 = select(_e1379, _e1381, (_e1381 > _e1379));
-                                                        if (_e1353 == _e1383) {
-                                                            phi_2549_ = _e1189;
-                                                            phi_2550_ = _e1186;
-                                                            phi_2551_ = _e1180;
-                                                            phi_2552_ = _e1177;
-                                                            phi_2553_ = vec3<f32>(_e1157[0][0], _e1157[0][1], _e1157[0][2]);
-                                                            phi_2554_ = _e1340;
-                                                            phi_2555_ = _e1336;
-                                                            phi_2556_ = _e1332;
-                                                        } else {
-                                                            let _e1385 = (_e1366 == _e1383);
-                                                            let _e1390 = vec3(_e1385);
-                                                            phi_2549_ = select(_e1180, _e1198, _e1385);
-                                                            phi_2550_ = select(_e1177, _e1195, _e1385);
-                                                            phi_2551_ = select(_e1198, _e1189, _e1385);
-                                                            phi_2552_ = select(_e1195, _e1186, _e1385);
-                                                            phi_2553_ = select(vec3<f32>(_e1157[2][0], _e1157[2][1], _e1157[2][2]), vec3<f32>(_e1157[1][0], _e1157[1][1], _e1157[1][2]), _e1390);
-                                                            phi_2554_ = select(_e1336, _e1332, _e1390);
-                                                            phi_2555_ = select(_e1332, _e1340, _e1390);
-                                                            phi_2556_ = select(_e1340, _e1336, _e1390);
-                                                        }
-                                                        let _e1396 = phi_2549_;
-                                                        let _e1398 = phi_2550_;
-                                                        let _e1400 = phi_2551_;
-                                                        let _e1402 = phi_2552_;
-                                                        let _e1404 = phi_2553_;
-                                                        let _e1406 = phi_2554_;
-                                                        let _e1408 = phi_2555_;
-                                                        let _e1410 = phi_2556_;
-                                                        let _e1417 = ((_e1408.y * _e1406.z) - (_e1406.y * _e1408.z));
-                                                        let _e1422 = ((_e1408.z * _e1406.x) - (_e1406.z * _e1408.x));
-                                                        let _e1425 = ((_e1408.x * _e1406.y) - (_e1406.x * _e1408.y));
-                                                        let _e1428 = ((_e1221 >= _e1225) && (_e1221 >= _e1229));
-                                                        let _e1429 = (_e1225 >= _e1229);
-                                                        let _e1443 = (((_e1417 * (select(select(_e1157[2][0], _e1157[1][0], _e1429), _e1157[0][0], _e1428) - _e327)) + (_e1422 * (select(select(_e1157[2][1], _e1157[1][1], _e1429), _e1157[0][1], _e1428) - _e394))) + (_e1425 * (select(select(_e1157[2][2], _e1157[1][2], _e1429), _e1157[0][2], _e1428) - _e460)));
-                                                        let _e1448 = (((_e1417 * _e364) + (_e1422 * _e430)) + (_e1425 * _e496));
-                                                        let _e1449 = (_e1398 - _e1402);
-                                                        let _e1450 = (_e1396 - _e1400);
-                                                        let _e1453 = ((_e1449 * _e1449) + (_e1450 * _e1450));
-                                                        let _e1460 = (-(((_e1402 * _e1449) + (_e1400 * _e1450))) / select(0.000000000000000000000000000000000000011754944f, _e1453, (_e1453 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1462 = select(1f, _e1460, (_e1460 < 1f));
-                                                        let _e1464 = select(0f, _e1462, (_e1462 > 0f));
-                                                        let _e1473 = ((_e1404.x + (_e1410.x * _e1464)) - _e327);
-                                                        let _e1476 = ((_e1404.y + (_e1410.y * _e1464)) - _e394);
-                                                        let _e1479 = ((_e1404.z + (_e1410.z * _e1464)) - _e460);
-                                                        let _e1482 = bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u));
-                                                        let _e1485 = bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u));
-                                                        let _e1487 = select(_e1485, _e1482, (_e1482 > _e1485));
-                                                        let _e1490 = bitcast<f32>((bitcast<u32>(_e1479) & 2147483647u));
-                                                        let _e1492 = select(_e1490, _e1487, (_e1487 > _e1490));
-                                                        let _e1496 = abs(_e1417);
-                                                        let _e1497 = abs(_e1422);
-                                                        if (_e1496 != _e1496) {
-                                                            phi_4258_ = true;
-                                                        } else {
-                                                            phi_4258_ = (_e1497 >= _e1496);
-                                                        }
-                                                        let _e1501 = phi_4258_;
-                                                        let _e1502 = select(_e1496, _e1497, _e1501);
-                                                        let _e1503 = abs(_e1425);
-                                                        if (_e1502 != _e1502) {
-                                                            phi_4273_ = true;
-                                                        } else {
-                                                            phi_4273_ = (_e1503 >= _e1502);
-                                                        }
-                                                        let _e1507 = phi_4273_;
-                                                        let _e1523 = abs(_e1408.x);
-                                                        let _e1524 = abs(_e1408.y);
-                                                        if (_e1523 != _e1523) {
-                                                            phi_4288_ = true;
-                                                        } else {
-                                                            phi_4288_ = (_e1524 >= _e1523);
-                                                        }
-                                                        let _e1528 = phi_4288_;
-                                                        let _e1529 = select(_e1523, _e1524, _e1528);
-                                                        let _e1530 = abs(_e1408.z);
-                                                        if (_e1529 != _e1529) {
-                                                            phi_4303_ = true;
-                                                        } else {
-                                                            phi_4303_ = (_e1530 >= _e1529);
-                                                        }
-                                                        let _e1534 = phi_4303_;
-                                                        let _e1537 = abs(_e1406.x);
-                                                        let _e1538 = abs(_e1406.y);
-                                                        if (_e1537 != _e1537) {
-                                                            phi_4318_ = true;
-                                                        } else {
-                                                            phi_4318_ = (_e1538 >= _e1537);
-                                                        }
-                                                        let _e1542 = phi_4318_;
-                                                        let _e1543 = select(_e1537, _e1538, _e1542);
-                                                        let _e1544 = abs(_e1406.z);
-                                                        if (_e1543 != _e1543) {
-                                                            phi_4333_ = true;
-                                                        } else {
-                                                            phi_4333_ = (_e1544 >= _e1543);
-                                                        }
-                                                        let _e1548 = phi_4333_;
-                                                        let _e1553 = ((bitcast<f32>((bitcast<u32>(((((_e1417 * _e1473) + (_e1422 * _e1476)) + (_e1425 * _e1479)) - _e1443)) & 2147483647u)) <= ((0.0000009536743f * select(_e1383, _e1492, (_e1492 > _e1383))) * select(_e1502, _e1503, _e1507))) && !((bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u)) <= ((0.0000038146973f * select(_e1529, _e1530, _e1534)) * select(_e1543, _e1544, _e1548)))));
-                                                        let _e1554 = (_e1443 / _e1448);
-                                                        if (_e1324 && !(_e1553)) {
-                                                            let _e1557 = (_e1479 / _e496);
-                                                            let _e1565 = (((_e1417 * (_e1473 - (_e364 * _e1557))) + (_e1422 * (_e1476 - (_e430 * _e1557)))) / _e1448);
-                                                            phi_2764_ = select(select(_e1557, (_e1557 + _e1565), (bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u)) <= _e1383)), _e1554, _e1553);
-                                                        } else {
-                                                            phi_2764_ = _e1554;
-                                                        }
-                                                        let _e1574 = phi_2764_;
-                                                        let _e1576 = select(_e1287, _e1574, (_e1574 < _e1287));
-                                                        let _e1578 = select(_e1279, _e1576, (_e1576 > _e1279));
-                                                        let _e1579 = (1f / _e1231);
-                                                        phi_2784_ = type_36(_e1578, (_e1225 * _e1579), (_e1229 * _e1579), ((_e1324 && (_e1578 >= _e603)) && (_e1578 <= _e704.member.member_1)));
-                                                        phi_2785_ = type_36();
+                                                        let _e2057 = phi_2742_;
+                                                        let _e2059 = select(_e1770, _e2057, (_e2057 < _e1770));
+                                                        let _e2061 = select(_e1762, _e2059, (_e2059 > _e1762));
+                                                        let _e2062 = (1f / _e1714);
+                                                        phi_2762_ = type_36(_e2061, (_e1708 * _e2062), (_e1712 * _e2062), ((_e1807 && (_e2061 >= _e603)) && (_e2061 <= _e1187.member.member_1)));
+                                                        phi_2763_ = type_36();
                                                     } else {
-                                                        phi_2784_ = type_36();
-                                                        phi_2785_ = type_36(0f, 0f, 0f, _e1324);
+                                                        phi_2762_ = type_36();
+                                                        phi_2763_ = type_36(0f, 0f, 0f, _e1807);
                                                     }
-                                                    let _e1588 = phi_2784_;
-                                                    let _e1590 = phi_2785_;
-                                                    phi_2788_ = _e1588;
-                                                    phi_2789_ = _e1590;
-                                                    phi_2790_ = select(true, false, _e1324);
+                                                    let _e2071 = phi_2762_;
+                                                    let _e2073 = phi_2763_;
+                                                    phi_2766_ = _e2071;
+                                                    phi_2767_ = _e2073;
+                                                    phi_2768_ = select(true, false, _e1807);
                                                 } else {
-                                                    phi_2788_ = type_36();
-                                                    phi_2789_ = type_36(0f, 0f, 0f, _e1215);
-                                                    phi_2790_ = true;
+                                                    phi_2766_ = type_36();
+                                                    phi_2767_ = type_36(0f, 0f, 0f, _e1698);
+                                                    phi_2768_ = true;
                                                 }
-                                                let _e1593 = phi_2788_;
-                                                let _e1595 = phi_2789_;
-                                                let _e1597 = phi_2790_;
-                                                if _e1597 {
-                                                    phi_2794_ = _e1595;
+                                                let _e2076 = phi_2766_;
+                                                let _e2078 = phi_2767_;
+                                                let _e2080 = phi_2768_;
+                                                if _e2080 {
+                                                    phi_2772_ = _e2078;
                                                 } else {
-                                                    phi_2794_ = _e1593;
+                                                    phi_2772_ = _e2076;
                                                 }
-                                                let _e1599 = phi_2794_;
-                                                if _e1599.member_3 {
-                                                    phi_2803_ = type_24(_e1599.member, _e1599.member_1, _e1599.member_2, _e770);
+                                                let _e2082 = phi_2772_;
+                                                if _e2082.member_3 {
+                                                    phi_2781_ = type_24(_e2082.member, _e2082.member_1, _e2082.member_2, _e1253);
                                                 } else {
-                                                    phi_2803_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2781_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1606 = phi_2803_;
-                                                if (_e1606.member_3 != 4294967295u) {
-                                                    if (_e770 != 4294967295u) {
-                                                        if (_e1606.member < _e704.member.member.member) {
-                                                            phi_2829_ = true;
+                                                let _e2089 = phi_2781_;
+                                                if (_e2089.member_3 != 4294967295u) {
+                                                    if (_e1253 != 4294967295u) {
+                                                        if (_e2089.member < _e1187.member.member.member) {
+                                                            phi_2807_ = true;
                                                         } else {
-                                                            if (_e1606.member == _e704.member.member.member) {
-                                                                phi_2828_ = (_e1606.member_3 < _e704.member.member.member_3);
+                                                            if (_e2089.member == _e1187.member.member.member) {
+                                                                phi_2806_ = (_e2089.member_3 < _e1187.member.member.member_3);
                                                             } else {
-                                                                phi_2828_ = false;
+                                                                phi_2806_ = false;
                                                             }
-                                                            let _e1621 = phi_2828_;
-                                                            phi_2829_ = _e1621;
+                                                            let _e2104 = phi_2806_;
+                                                            phi_2807_ = _e2104;
                                                         }
-                                                        let _e1623 = phi_2829_;
-                                                        if _e1623 {
-                                                            phi_2836_ = type_40(type_33(_e1606, _e1606.member), _e731.member_1, _e731.member_2);
+                                                        let _e2106 = phi_2807_;
+                                                        if _e2106 {
+                                                            phi_2814_ = type_40(type_33(_e2089, _e2089.member), _e1214.member_1, _e1214.member_2);
                                                         } else {
-                                                            phi_2836_ = _e731;
+                                                            phi_2814_ = _e1214;
                                                         }
-                                                        let _e1630 = phi_2836_;
-                                                        phi_2837_ = _e1630;
+                                                        let _e2113 = phi_2814_;
+                                                        phi_2815_ = _e2113;
                                                     } else {
-                                                        phi_2837_ = _e731;
+                                                        phi_2815_ = _e1214;
                                                     }
-                                                    let _e1632 = phi_2837_;
-                                                    phi_2838_ = _e1632;
+                                                    let _e2115 = phi_2815_;
+                                                    phi_2816_ = _e2115;
                                                 } else {
-                                                    phi_2838_ = _e731;
+                                                    phi_2816_ = _e1214;
                                                 }
-                                                let _e1634 = phi_2838_;
-                                                phi_1241_ = _e1634;
+                                                let _e2117 = phi_2816_;
+                                                phi_1248_ = _e2117;
                                             } else {
-                                                phi_1241_ = type_40();
+                                                phi_1248_ = type_40();
                                             }
-                                            let _e1636 = phi_1241_;
+                                            let _e2119 = phi_1248_;
                                             continue;
                                             continuing {
-                                                phi_1240_ = _e1636;
-                                                phi_1243_ = _e719;
-                                                phi_4527_ = _e646;
-                                                break if !(_e725);
+                                                phi_1247_ = _e2119;
+                                                phi_1250_ = _e1202;
+                                                phi_4453_ = _e646;
+                                                break if !(_e1208);
                                             }
                                         }
-                                        let _e1639 = phi_4527_;
-                                        phi_4739_ = _e1639;
-                                        if _e1639 {
+                                        let _e2122 = phi_4453_;
+                                        phi_4653_ = _e2122;
+                                        if _e2122 {
                                             break;
                                         }
-                                        phi_4830_ = _e1639;
-                                        let _e2309 = local_12;
-                                        phi_2839_ = _e2309;
+                                        let _e2124 = local_10;
+                                        phi_4657_ = _e2122;
+                                        let _e2316 = local_13;
+                                        phi_4081_ = _e2316;
+                                        phi_4082_ = false;
+                                        phi_4083_ = _e690;
+                                        phi_4084_ = select(_e692, 0u, (_e603 > _e2124.member.member_1));
                                     } else {
-                                        phi_4830_ = _e646;
-                                        phi_2839_ = _e648;
-                                    }
-                                    let _e1641 = phi_4830_;
-                                    let _e1643 = phi_2839_;
-                                    if _e696 {
-                                        phi_4108_ = type_40();
-                                        phi_4109_ = bool();
-                                        phi_4110_ = u32();
-                                        phi_4111_ = type_51();
-                                    } else {
-                                        if (_e692.member_1 >= _e92) {
-                                            phi_3640_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e690.member_1 >= _e92) {
+                                            phi_3617_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e692.member_1 < _e92) {
+                                            if (_e690.member_1 < _e92) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1646 = (_e263 * 2u);
-                                            let _e1648 = ((1u + _e1646) % 7u);
-                                            if (_e1648 < 7u) {
+                                            let _e704 = (_e263 * 2u);
+                                            let _e706 = ((1u + _e704) % 7u);
+                                            if (_e706 < 7u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1653 = global_4.member[_e692.member_1][_e1648];
-                                            let _e1655 = ((_e1646 + 2u) % 7u);
-                                            if (_e1655 < 7u) {
+                                            let _e711 = global_4.member[_e690.member_1][_e706];
+                                            let _e713 = ((_e704 + 2u) % 7u);
+                                            if (_e713 < 7u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1660 = global_4.member[_e692.member_1][_e1655];
-                                            let _e1661 = (_e262 * 2u);
-                                            let _e1663 = ((1u + _e1661) % 7u);
-                                            if (_e1663 < 7u) {
+                                            let _e718 = global_4.member[_e690.member_1][_e713];
+                                            let _e719 = (_e262 * 2u);
+                                            let _e721 = ((1u + _e719) % 7u);
+                                            if (_e721 < 7u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1668 = global_4.member[_e692.member_1][_e1663];
-                                            let _e1670 = ((_e1661 + 2u) % 7u);
-                                            if (_e1670 < 7u) {
+                                            let _e726 = global_4.member[_e690.member_1][_e721];
+                                            let _e728 = ((_e719 + 2u) % 7u);
+                                            if (_e728 < 7u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1675 = global_4.member[_e692.member_1][_e1670];
-                                            let _e1676 = (_e264 * 2u);
-                                            let _e1678 = ((1u + _e1676) % 7u);
-                                            if (_e1678 < 7u) {
+                                            let _e733 = global_4.member[_e690.member_1][_e728];
+                                            let _e734 = (_e264 * 2u);
+                                            let _e736 = ((1u + _e734) % 7u);
+                                            if (_e736 < 7u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1683 = global_4.member[_e692.member_1][_e1678];
-                                            let _e1685 = ((_e1676 + 2u) % 7u);
-                                            if (_e1685 < 7u) {
+                                            let _e741 = global_4.member[_e690.member_1][_e736];
+                                            let _e743 = ((_e734 + 2u) % 7u);
+                                            if (_e743 < 7u) {
                                             } else {
-                                                phi_4739_ = true;
+                                                phi_4653_ = true;
                                                 break;
                                             }
-                                            let _e1690 = global_4.member[_e692.member_1][_e1685];
-                                            let _e1713 = (bitcast<f32>((bitcast<u32>((_e692.member.member_1.x - _e692.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1714 = (bitcast<f32>((bitcast<u32>((_e692.member.member_1.y - _e692.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1715 = (bitcast<f32>((bitcast<u32>((_e692.member.member_1.z - _e692.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1717 = select(_e143, _e1713, (_e1713 > _e143));
-                                            let _e1719 = select(_e143, _e1714, (_e1714 > _e143));
-                                            let _e1721 = select(_e143, _e1715, (_e1715 > _e143));
-                                            let _e1752 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1653 & 2097151u))) - 8388608f) * _e1717));
-                                            let _e1757 = (bitcast<i32>((_e1653 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1760 = bitcast<f32>((_e1752 & bitcast<u32>(_e1757)));
-                                            let _e1761 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1668 & 2097151u))) - 8388608f) * _e1719));
-                                            let _e1766 = (bitcast<i32>((_e1668 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1769 = bitcast<f32>((_e1761 & bitcast<u32>(_e1766)));
-                                            let _e1770 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1683 & 2097151u))) - 8388608f) * _e1721));
-                                            let _e1775 = (bitcast<i32>((_e1683 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1778 = bitcast<f32>((_e1770 & bitcast<u32>(_e1775)));
-                                            let _e1782 = bitcast<f32>((_e1752 & bitcast<u32>(~(_e1757))));
-                                            let _e1786 = bitcast<f32>((_e1761 & bitcast<u32>(~(_e1766))));
-                                            let _e1790 = bitcast<f32>((_e1770 & bitcast<u32>(~(_e1775))));
-                                            let _e1791 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1660 & 2097151u))) - 8388608f) * _e1717));
-                                            let _e1796 = (bitcast<i32>((_e1660 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1799 = bitcast<f32>((_e1791 & bitcast<u32>(_e1796)));
-                                            let _e1800 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1675 & 2097151u))) - 8388608f) * _e1719));
-                                            let _e1805 = (bitcast<i32>((_e1675 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1808 = bitcast<f32>((_e1800 & bitcast<u32>(_e1805)));
-                                            let _e1809 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1690 & 2097151u))) - 8388608f) * _e1721));
-                                            let _e1814 = (bitcast<i32>((_e1690 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1817 = bitcast<f32>((_e1809 & bitcast<u32>(_e1814)));
-                                            let _e1821 = bitcast<f32>((_e1791 & bitcast<u32>(~(_e1796))));
-                                            let _e1825 = bitcast<f32>((_e1800 & bitcast<u32>(~(_e1805))));
-                                            let _e1829 = bitcast<f32>((_e1809 & bitcast<u32>(~(_e1814))));
-                                            let _e1830 = (_e692.member.member.x + _e1760);
-                                            let _e1831 = (_e692.member.member.y + _e1769);
-                                            let _e1832 = (_e692.member.member.z + _e1778);
-                                            let _e1835 = (_e692.member.member_1.x - _e1799);
-                                            let _e1836 = (_e692.member.member_1.y - _e1808);
-                                            let _e1837 = (_e692.member.member_1.z - _e1817);
-                                            let _e1856 = (_e1835 - _e1830);
-                                            let _e1857 = (_e1836 - _e1831);
-                                            let _e1858 = (_e1837 - _e1832);
-                                            let _e1860 = select(_e1857, _e1856, (_e1856 > _e1857));
-                                            let _e1862 = select(_e1858, _e1860, (_e1860 > _e1858));
-                                            if (_e1862 < (1024f * _e143)) {
-                                                phi_3341_ = 0u;
+                                            let _e748 = global_4.member[_e690.member_1][_e743];
+                                            let _e771 = (bitcast<f32>((bitcast<u32>((_e690.member.member_1.x - _e690.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e772 = (bitcast<f32>((bitcast<u32>((_e690.member.member_1.y - _e690.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e773 = (bitcast<f32>((bitcast<u32>((_e690.member.member_1.z - _e690.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e775 = select(_e143, _e771, (_e771 > _e143));
+                                            let _e777 = select(_e143, _e772, (_e772 > _e143));
+                                            let _e779 = select(_e143, _e773, (_e773 > _e143));
+                                            let _e810 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e711 & 2097151u))) - 8388608f) * _e775));
+                                            let _e815 = (bitcast<i32>((_e711 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e818 = bitcast<f32>((_e810 & bitcast<u32>(_e815)));
+                                            let _e819 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e726 & 2097151u))) - 8388608f) * _e777));
+                                            let _e824 = (bitcast<i32>((_e726 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e827 = bitcast<f32>((_e819 & bitcast<u32>(_e824)));
+                                            let _e828 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 2097151u))) - 8388608f) * _e779));
+                                            let _e833 = (bitcast<i32>((_e741 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e836 = bitcast<f32>((_e828 & bitcast<u32>(_e833)));
+                                            let _e840 = bitcast<f32>((_e810 & bitcast<u32>(~(_e815))));
+                                            let _e844 = bitcast<f32>((_e819 & bitcast<u32>(~(_e824))));
+                                            let _e848 = bitcast<f32>((_e828 & bitcast<u32>(~(_e833))));
+                                            let _e849 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e718 & 2097151u))) - 8388608f) * _e775));
+                                            let _e854 = (bitcast<i32>((_e718 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e857 = bitcast<f32>((_e849 & bitcast<u32>(_e854)));
+                                            let _e858 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e777));
+                                            let _e863 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e866 = bitcast<f32>((_e858 & bitcast<u32>(_e863)));
+                                            let _e867 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 2097151u))) - 8388608f) * _e779));
+                                            let _e872 = (bitcast<i32>((_e748 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e875 = bitcast<f32>((_e867 & bitcast<u32>(_e872)));
+                                            let _e879 = bitcast<f32>((_e849 & bitcast<u32>(~(_e854))));
+                                            let _e883 = bitcast<f32>((_e858 & bitcast<u32>(~(_e863))));
+                                            let _e887 = bitcast<f32>((_e867 & bitcast<u32>(~(_e872))));
+                                            let _e888 = (_e690.member.member.x + _e818);
+                                            let _e889 = (_e690.member.member.y + _e827);
+                                            let _e890 = (_e690.member.member.z + _e836);
+                                            let _e893 = (_e690.member.member_1.x - _e857);
+                                            let _e894 = (_e690.member.member_1.y - _e866);
+                                            let _e895 = (_e690.member.member_1.z - _e875);
+                                            let _e914 = (_e893 - _e888);
+                                            let _e915 = (_e894 - _e889);
+                                            let _e916 = (_e895 - _e890);
+                                            let _e918 = select(_e915, _e914, (_e914 > _e915));
+                                            let _e920 = select(_e916, _e918, (_e918 > _e916));
+                                            if (_e920 < (1024f * _e143)) {
+                                                phi_3318_ = 0u;
                                             } else {
-                                                phi_3341_ = select(2u, 1u, (_e1862 < (2097152f * _e143)));
+                                                phi_3318_ = select(2u, 1u, (_e920 < (2097152f * _e143)));
                                             }
-                                            let _e1869 = phi_3341_;
-                                            switch bitcast<i32>(_e1869) {
+                                            let _e927 = phi_3318_;
+                                            switch bitcast<i32>(_e927) {
                                                 case 0: {
-                                                    phi_3347_ = 1u;
+                                                    phi_3324_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3347_ = 2u;
+                                                    phi_3324_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3347_ = 3u;
+                                                    phi_3324_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3347_ = u32();
+                                                    phi_3324_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1872 = phi_3347_;
-                                            let _e1878 = global_4.member[_e692.member_1][0u];
-                                            let _e1882 = global_4.member[_e692.member_1][2u];
-                                            let _e1886 = global_4.member[_e692.member_1][4u];
-                                            let _e1890 = global_4.member[_e692.member_1][6u];
-                                            let _e1902 = (((_e1882 >> bitcast<u32>(22i)) | ((_e1886 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1890 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1903 = (_e1878 & 268435455u);
-                                            let _e1904 = (_e1902 & 268435455u);
-                                            let _e1907 = ((_e1878 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1915 = ((_e1878 >> bitcast<u32>(31i)) | (((_e1902 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1916 = (_e1907 != 0u);
-                                            if (_e1907 == 0u) {
-                                                phi_3602_ = _e1903;
+                                            let _e930 = phi_3324_;
+                                            let _e936 = global_4.member[_e690.member_1][0u];
+                                            let _e940 = global_4.member[_e690.member_1][2u];
+                                            let _e944 = global_4.member[_e690.member_1][4u];
+                                            let _e948 = global_4.member[_e690.member_1][6u];
+                                            let _e960 = (((_e940 >> bitcast<u32>(22i)) | ((_e944 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e948 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e961 = (_e936 & 268435455u);
+                                            let _e962 = (_e960 & 268435455u);
+                                            let _e965 = ((_e936 >> bitcast<u32>(28u)) & 7u);
+                                            let _e973 = ((_e936 >> bitcast<u32>(31i)) | (((_e960 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e974 = (_e965 != 0u);
+                                            if (_e965 == 0u) {
+                                                phi_3579_ = _e961;
                                             } else {
-                                                if (_e1907 == 7u) {
-                                                    phi_3601_ = 2147483648u;
+                                                if (_e965 == 7u) {
+                                                    phi_3578_ = 2147483648u;
                                                 } else {
-                                                    phi_3601_ = ((2147483648u | (_e1907 << bitcast<u32>(28u))) | (_e1904 & 268435455u));
+                                                    phi_3578_ = ((2147483648u | (_e965 << bitcast<u32>(28u))) | (_e962 & 268435455u));
                                                 }
-                                                let _e1925 = phi_3601_;
-                                                phi_3602_ = _e1925;
+                                                let _e983 = phi_3578_;
+                                                phi_3579_ = _e983;
                                             }
-                                            let _e1927 = phi_3602_;
-                                            if _e1916 {
-                                                let _e1928 = (_e1907 != 7u);
-                                                if _e1928 {
-                                                    phi_3612_ = (_e1904 + (_e1907 * ((3u * _e1872) + 1u)));
+                                            let _e985 = phi_3579_;
+                                            if _e974 {
+                                                let _e986 = (_e965 != 7u);
+                                                if _e986 {
+                                                    phi_3589_ = (_e962 + (_e965 * ((3u * _e930) + 1u)));
                                                 } else {
-                                                    phi_3612_ = u32();
+                                                    phi_3589_ = u32();
                                                 }
-                                                let _e1932 = phi_3612_;
-                                                phi_3614_ = _e1932;
-                                                phi_3615_ = select(true, false, _e1928);
+                                                let _e990 = phi_3589_;
+                                                phi_3591_ = _e990;
+                                                phi_3592_ = select(true, false, _e986);
                                             } else {
-                                                phi_3614_ = u32();
-                                                phi_3615_ = true;
+                                                phi_3591_ = u32();
+                                                phi_3592_ = true;
                                             }
-                                            let _e1935 = phi_3614_;
-                                            let _e1937 = phi_3615_;
-                                            if (_e1915 == 0u) {
-                                                phi_3636_ = (_e1903 + select(0u, 1u, !(_e1916)));
+                                            let _e993 = phi_3591_;
+                                            let _e995 = phi_3592_;
+                                            if (_e973 == 0u) {
+                                                phi_3613_ = (_e961 + select(0u, 1u, !(_e974)));
                                             } else {
-                                                if (_e1915 == 7u) {
-                                                    phi_3635_ = 2147483648u;
+                                                if (_e973 == 7u) {
+                                                    phi_3612_ = 2147483648u;
                                                 } else {
-                                                    phi_3635_ = ((2147483648u | (_e1915 << bitcast<u32>(28u))) | (select(_e1935, _e1904, _e1937) & 268435455u));
+                                                    phi_3612_ = ((2147483648u | (_e973 << bitcast<u32>(28u))) | (select(_e993, _e962, _e995) & 268435455u));
                                                 }
-                                                let _e1950 = phi_3635_;
-                                                phi_3636_ = _e1950;
+                                                let _e1008 = phi_3612_;
+                                                phi_3613_ = _e1008;
                                             }
-                                            let _e1952 = phi_3636_;
-                                            phi_3640_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e1830, (_e692.member.member.x + _e1782), _e1835, (_e692.member.member_1.x - _e1821)), vec4<f32>(_e1831, (_e692.member.member.y + _e1786), _e1836, (_e692.member.member_1.y - _e1825)), vec4<f32>(_e1832, (_e692.member.member.z + _e1790), _e1837, (_e692.member.member_1.z - _e1829))), type_51(type_28((_e692.member.member + vec4<f32>(_e1760, _e1769, _e1778, 0f)), (_e692.member.member_1 - vec4<f32>(_e1799, _e1808, _e1817, 0f))), _e1927), type_51(type_28((_e692.member.member + vec4<f32>(_e1782, _e1786, _e1790, 0f)), (_e692.member.member_1 - vec4<f32>(_e1821, _e1825, _e1829, 0f))), _e1952));
+                                            let _e1010 = phi_3613_;
+                                            phi_3617_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e888, (_e690.member.member.x + _e840), _e893, (_e690.member.member_1.x - _e879)), vec4<f32>(_e889, (_e690.member.member.y + _e844), _e894, (_e690.member.member_1.y - _e883)), vec4<f32>(_e890, (_e690.member.member.z + _e848), _e895, (_e690.member.member_1.z - _e887))), type_51(type_28((_e690.member.member + vec4<f32>(_e818, _e827, _e836, 0f)), (_e690.member.member_1 - vec4<f32>(_e857, _e866, _e875, 0f))), _e985), type_51(type_28((_e690.member.member + vec4<f32>(_e840, _e844, _e848, 0f)), (_e690.member.member_1 - vec4<f32>(_e879, _e883, _e887, 0f))), _e1010));
                                         }
-                                        let _e1957 = phi_3640_;
-                                        let _e1976 = ((_e1957.member[0].x - _e365) * _e368);
-                                        let _e1977 = ((_e1957.member[0].y - _e365) * _e368);
-                                        let _e1978 = ((_e1957.member[0].z - _e366) * _e368);
-                                        let _e1979 = ((_e1957.member[0].w - _e366) * _e368);
-                                        let _e1989 = ((_e1957.member[1].x - _e431) * _e434);
-                                        let _e1990 = ((_e1957.member[1].y - _e431) * _e434);
-                                        let _e1991 = ((_e1957.member[1].z - _e432) * _e434);
-                                        let _e1992 = ((_e1957.member[1].w - _e432) * _e434);
-                                        let _e2002 = ((_e1957.member[2].x - _e497) * _e500);
-                                        let _e2003 = ((_e1957.member[2].y - _e497) * _e500);
-                                        let _e2004 = ((_e1957.member[2].z - _e498) * _e500);
-                                        let _e2005 = ((_e1957.member[2].w - _e498) * _e500);
-                                        let _e2007 = select(_e2004, _e2002, (_e2002 < _e2004));
-                                        let _e2009 = select(_e2005, _e2003, (_e2003 < _e2005));
-                                        let _e2011 = select(_e2004, _e2002, (_e2002 > _e2004));
-                                        let _e2013 = select(_e2005, _e2003, (_e2003 > _e2005));
-                                        let _e2015 = select(_e1978, _e1976, (_e1976 < _e1978));
-                                        let _e2017 = select(_e1979, _e1977, (_e1977 < _e1979));
-                                        let _e2019 = select(_e1991, _e1989, (_e1989 < _e1991));
-                                        let _e2021 = select(_e1992, _e1990, (_e1990 < _e1992));
-                                        let _e2023 = select(_e2019, _e2015, (_e2015 > _e2019));
-                                        let _e2025 = select(_e2021, _e2017, (_e2017 > _e2021));
-                                        let _e2027 = select(_e2007, _e2023, (_e2023 > _e2007));
-                                        let _e2029 = select(_e2009, _e2025, (_e2025 > _e2009));
-                                        let _e2031 = select(_e1978, _e1976, (_e1976 > _e1978));
-                                        let _e2033 = select(_e1979, _e1977, (_e1977 > _e1979));
-                                        let _e2035 = select(_e1991, _e1989, (_e1989 > _e1991));
-                                        let _e2037 = select(_e1992, _e1990, (_e1990 > _e1992));
-                                        let _e2039 = select(_e2035, _e2031, (_e2031 < _e2035));
-                                        let _e2041 = select(_e2037, _e2033, (_e2033 < _e2037));
-                                        let _e2046 = -(_e2007);
-                                        let _e2047 = -(_e2009);
-                                        let _e2054 = (select(_e2011, _e2039, (_e2039 < _e2011)) + (select(_e2046, _e2011, (_e2011 > _e2046)) * 0.0000019073523f));
-                                        let _e2055 = (select(_e2013, _e2041, (_e2041 < _e2013)) + (select(_e2047, _e2013, (_e2013 > _e2047)) * 0.0000019073523f));
-                                        let _e2057 = select(_e603, _e2027, (_e2027 > _e603));
-                                        let _e2059 = select(_e603, _e2029, (_e2029 > _e603));
-                                        let _e2064 = (_e2057 <= select(_e1643.member.member_1, _e2054, (_e2054 < _e1643.member.member_1)));
-                                        let _e2065 = (_e2059 <= select(_e1643.member.member_1, _e2055, (_e2055 < _e1643.member.member_1)));
-                                        let _e2066 = (_e2057 <= _e2059);
-                                        if _e2064 {
-                                            if _e2065 {
-                                                if _e2066 {
-                                                    phi_4005_ = _e1957.member_2;
+                                        let _e1015 = phi_3617_;
+                                        let _e1034 = ((_e1015.member[0].x - _e365) * _e368);
+                                        let _e1035 = ((_e1015.member[0].y - _e365) * _e368);
+                                        let _e1036 = ((_e1015.member[0].z - _e366) * _e368);
+                                        let _e1037 = ((_e1015.member[0].w - _e366) * _e368);
+                                        let _e1047 = ((_e1015.member[1].x - _e431) * _e434);
+                                        let _e1048 = ((_e1015.member[1].y - _e431) * _e434);
+                                        let _e1049 = ((_e1015.member[1].z - _e432) * _e434);
+                                        let _e1050 = ((_e1015.member[1].w - _e432) * _e434);
+                                        let _e1060 = ((_e1015.member[2].x - _e497) * _e500);
+                                        let _e1061 = ((_e1015.member[2].y - _e497) * _e500);
+                                        let _e1062 = ((_e1015.member[2].z - _e498) * _e500);
+                                        let _e1063 = ((_e1015.member[2].w - _e498) * _e500);
+                                        let _e1065 = select(_e1062, _e1060, (_e1060 < _e1062));
+                                        let _e1067 = select(_e1063, _e1061, (_e1061 < _e1063));
+                                        let _e1069 = select(_e1062, _e1060, (_e1060 > _e1062));
+                                        let _e1071 = select(_e1063, _e1061, (_e1061 > _e1063));
+                                        let _e1073 = select(_e1036, _e1034, (_e1034 < _e1036));
+                                        let _e1075 = select(_e1037, _e1035, (_e1035 < _e1037));
+                                        let _e1077 = select(_e1049, _e1047, (_e1047 < _e1049));
+                                        let _e1079 = select(_e1050, _e1048, (_e1048 < _e1050));
+                                        let _e1081 = select(_e1077, _e1073, (_e1073 > _e1077));
+                                        let _e1083 = select(_e1079, _e1075, (_e1075 > _e1079));
+                                        let _e1085 = select(_e1065, _e1081, (_e1081 > _e1065));
+                                        let _e1087 = select(_e1067, _e1083, (_e1083 > _e1067));
+                                        let _e1089 = select(_e1036, _e1034, (_e1034 > _e1036));
+                                        let _e1091 = select(_e1037, _e1035, (_e1035 > _e1037));
+                                        let _e1093 = select(_e1049, _e1047, (_e1047 > _e1049));
+                                        let _e1095 = select(_e1050, _e1048, (_e1048 > _e1050));
+                                        let _e1097 = select(_e1093, _e1089, (_e1089 < _e1093));
+                                        let _e1099 = select(_e1095, _e1091, (_e1091 < _e1095));
+                                        let _e1104 = -(_e1065);
+                                        let _e1105 = -(_e1067);
+                                        let _e1112 = (select(_e1069, _e1097, (_e1097 < _e1069)) + (select(_e1104, _e1069, (_e1069 > _e1104)) * 0.0000019073523f));
+                                        let _e1113 = (select(_e1071, _e1099, (_e1099 < _e1071)) + (select(_e1105, _e1071, (_e1071 > _e1105)) * 0.0000019073523f));
+                                        let _e1115 = select(_e603, _e1085, (_e1085 > _e603));
+                                        let _e1117 = select(_e603, _e1087, (_e1087 > _e603));
+                                        let _e1122 = (_e1115 <= select(_e648.member.member_1, _e1112, (_e1112 < _e648.member.member_1)));
+                                        let _e1123 = (_e1117 <= select(_e648.member.member_1, _e1113, (_e1113 < _e648.member.member_1)));
+                                        let _e1124 = (_e1115 <= _e1117);
+                                        if _e1122 {
+                                            if _e1123 {
+                                                if _e1124 {
+                                                    phi_3982_ = _e1015.member_2;
                                                 } else {
-                                                    phi_4005_ = _e1957.member_1;
+                                                    phi_3982_ = _e1015.member_1;
                                                 }
-                                                let _e2070 = phi_4005_;
-                                                let _e2091 = (_e690 % 128u);
-                                                let _e2092 = (_e2091 < 128u);
-                                                if _e2092 {
+                                                let _e1128 = phi_3982_;
+                                                let _e1149 = (_e692 % 128u);
+                                                let _e1150 = (_e1149 < 128u);
+                                                if _e1150 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_8[_e2091] = _e2070.member_1;
-                                                if _e2092 {
+                                                local_8[_e1149] = _e1128.member_1;
+                                                if _e1150 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_7[_e2091] = _e2070.member.member.x;
-                                                if _e2092 {
+                                                local_7[_e1149] = _e1128.member.member.x;
+                                                if _e1150 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_6[_e2091] = _e2070.member.member.y;
-                                                if _e2092 {
+                                                local_6[_e1149] = _e1128.member.member.y;
+                                                if _e1150 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_5[_e2091] = _e2070.member.member.z;
-                                                if _e2092 {
+                                                local_5[_e1149] = _e1128.member.member.z;
+                                                if _e1150 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_4[_e2091] = _e2070.member.member_1.x;
-                                                if _e2092 {
+                                                local_4[_e1149] = _e1128.member.member_1.x;
+                                                if _e1150 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_3[_e2091] = _e2070.member.member_1.y;
-                                                if _e2092 {
+                                                local_3[_e1149] = _e1128.member.member_1.y;
+                                                if _e1150 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2091] = _e2070.member.member_1.z;
-                                                if _e2092 {
+                                                local_2[_e1149] = _e1128.member.member_1.z;
+                                                if _e1150 {
                                                 } else {
-                                                    phi_4739_ = true;
+                                                    phi_4653_ = true;
                                                     break;
                                                 }
-                                                local_9[_e2091] = select(_e2057, _e2059, _e2066);
-                                                if _e2066 {
-                                                    phi_4081_ = _e1957.member_1;
+                                                local_9[_e1149] = select(_e1115, _e1117, _e1124);
+                                                if _e1124 {
+                                                    phi_4058_ = _e1015.member_1;
                                                 } else {
-                                                    phi_4081_ = _e1957.member_2;
+                                                    phi_4058_ = _e1015.member_2;
                                                 }
-                                                let _e2105 = phi_4081_;
-                                                phi_4082_ = (_e690 + 1u);
-                                                phi_4083_ = _e2105;
+                                                let _e1163 = phi_4058_;
+                                                phi_4059_ = _e1163;
+                                                phi_4060_ = (_e692 + 1u);
                                             } else {
-                                                phi_4082_ = u32();
-                                                phi_4083_ = type_51();
+                                                phi_4059_ = type_51();
+                                                phi_4060_ = u32();
                                             }
-                                            let _e2107 = phi_4082_;
-                                            let _e2109 = phi_4083_;
-                                            phi_4085_ = _e2107;
-                                            phi_4086_ = _e2109;
-                                            phi_4087_ = select(true, false, _e2065);
+                                            let _e1165 = phi_4059_;
+                                            let _e1167 = phi_4060_;
+                                            phi_4062_ = _e1165;
+                                            phi_4063_ = _e1167;
+                                            phi_4064_ = select(true, false, _e1123);
                                         } else {
-                                            phi_4085_ = u32();
-                                            phi_4086_ = type_51();
-                                            phi_4087_ = true;
+                                            phi_4062_ = type_51();
+                                            phi_4063_ = u32();
+                                            phi_4064_ = true;
                                         }
-                                        let _e2112 = phi_4085_;
-                                        let _e2114 = phi_4086_;
-                                        let _e2116 = phi_4087_;
-                                        if _e2116 {
-                                            if _e2064 {
-                                                phi_4096_ = _e1957.member_1;
+                                        let _e1170 = phi_4062_;
+                                        let _e1172 = phi_4063_;
+                                        let _e1174 = phi_4064_;
+                                        if _e1174 {
+                                            if _e1122 {
+                                                phi_4073_ = _e1015.member_1;
                                             } else {
-                                                phi_4096_ = _e1957.member_2;
+                                                phi_4073_ = _e1015.member_2;
                                             }
-                                            let _e2120 = phi_4096_;
-                                            phi_4101_ = select(_e2065, true, _e2064);
-                                            phi_4103_ = _e2120;
+                                            let _e1178 = phi_4073_;
+                                            phi_4078_ = select(_e1123, true, _e1122);
+                                            phi_4079_ = _e1178;
                                         } else {
-                                            phi_4101_ = _e688;
-                                            phi_4103_ = _e2114;
+                                            phi_4078_ = _e688;
+                                            phi_4079_ = _e1170;
                                         }
-                                        let _e2123 = phi_4101_;
-                                        let _e2125 = phi_4103_;
-                                        phi_4108_ = type_40(_e1643.member, (_e1643.member_1 + 1u), _e1643.member_2);
-                                        phi_4109_ = _e2123;
-                                        phi_4110_ = select(_e2112, _e690, _e2116);
-                                        phi_4111_ = _e2125;
+                                        let _e1181 = phi_4078_;
+                                        let _e1183 = phi_4079_;
+                                        phi_4657_ = _e646;
+                                        phi_4081_ = type_40(_e648.member, (_e648.member_1 + 1u), _e648.member_2);
+                                        phi_4082_ = _e1181;
+                                        phi_4083_ = _e1183;
+                                        phi_4084_ = select(_e1172, _e692, _e1174);
                                     }
-                                    let _e2128 = phi_4108_;
-                                    let _e2130 = phi_4109_;
-                                    let _e2132 = phi_4110_;
-                                    let _e2134 = phi_4111_;
-                                    if _e696 {
-                                        phi_4119_ = _e1643;
-                                        phi_4122_ = _e692;
-                                    } else {
-                                        phi_4119_ = _e2128;
-                                        phi_4122_ = _e2134;
-                                    }
-                                    let _e2136 = phi_4119_;
-                                    let _e2138 = phi_4122_;
-                                    phi_4742_ = _e1641;
-                                    phi_4123_ = _e2136;
-                                    phi_4124_ = (_e650 - 1u);
-                                    phi_4125_ = select(_e2130, false, _e696);
-                                    phi_4126_ = select(_e2132, _e690, _e696);
-                                    phi_4127_ = _e2138;
+                                    let _e2130 = phi_4657_;
+                                    let _e2132 = phi_4081_;
+                                    let _e2134 = phi_4082_;
+                                    let _e2136 = phi_4083_;
+                                    let _e2138 = phi_4084_;
+                                    phi_4656_ = _e2130;
+                                    phi_4085_ = _e2132;
+                                    phi_4086_ = _e2134;
+                                    phi_4087_ = _e2136;
+                                    phi_4088_ = _e2138;
+                                    phi_4089_ = (_e656 - 1u);
                                 } else {
-                                    phi_4742_ = _e646;
-                                    phi_4123_ = _e648;
-                                    phi_4124_ = _e650;
-                                    phi_4125_ = _e688;
-                                    phi_4126_ = _e690;
-                                    phi_4127_ = _e692;
+                                    phi_4656_ = _e646;
+                                    phi_4085_ = _e648;
+                                    phi_4086_ = _e688;
+                                    phi_4087_ = _e690;
+                                    phi_4088_ = _e692;
+                                    phi_4089_ = _e656;
                                 }
-                                let _e2142 = phi_4742_;
-                                let _e2144 = phi_4123_;
-                                let _e2146 = phi_4124_;
-                                let _e2148 = phi_4125_;
-                                let _e2150 = phi_4126_;
-                                let _e2152 = phi_4127_;
-                                phi_4741_ = _e2142;
-                                phi_4128_ = _e2144;
-                                phi_4129_ = _e2146;
-                                phi_4130_ = _e2148;
-                                phi_4131_ = _e2150;
-                                phi_4132_ = _e2152;
+                                let _e2140 = phi_4656_;
+                                let _e2142 = phi_4085_;
+                                let _e2144 = phi_4086_;
+                                let _e2146 = phi_4087_;
+                                let _e2148 = phi_4088_;
+                                let _e2150 = phi_4089_;
+                                phi_4655_ = _e2140;
+                                phi_4090_ = _e2142;
+                                phi_4091_ = _e2144;
+                                phi_4092_ = _e2146;
+                                phi_4093_ = _e2148;
+                                phi_4094_ = _e2150;
                             } else {
-                                phi_4741_ = _e646;
-                                phi_4128_ = type_40();
-                                phi_4129_ = u32();
-                                phi_4130_ = bool();
-                                phi_4131_ = u32();
-                                phi_4132_ = type_51();
+                                phi_4655_ = _e646;
+                                phi_4090_ = type_40();
+                                phi_4091_ = bool();
+                                phi_4092_ = type_51();
+                                phi_4093_ = u32();
+                                phi_4094_ = u32();
                             }
-                            let _e2154 = phi_4741_;
-                            let _e2156 = phi_4128_;
-                            let _e2158 = phi_4129_;
-                            let _e2160 = phi_4130_;
-                            let _e2162 = phi_4131_;
-                            let _e2164 = phi_4132_;
-                            phi_4740_ = _e2154;
-                            phi_1114_ = _e2156;
-                            phi_1117_ = _e2158;
-                            phi_1119_ = _e2160;
-                            phi_1121_ = _e2162;
-                            phi_1123_ = _e2164;
-                            phi_4133_ = _e660;
+                            let _e2152 = phi_4655_;
+                            let _e2154 = phi_4090_;
+                            let _e2156 = phi_4091_;
+                            let _e2158 = phi_4092_;
+                            let _e2160 = phi_4093_;
+                            let _e2162 = phi_4094_;
+                            phi_4654_ = _e2152;
+                            phi_1121_ = _e2154;
+                            phi_1124_ = _e2156;
+                            phi_1126_ = _e2158;
+                            phi_1128_ = _e2160;
+                            phi_1130_ = _e2162;
+                            phi_4095_ = _e660;
                         } else {
-                            phi_4740_ = _e646;
-                            phi_1114_ = type_40();
-                            phi_1117_ = u32();
-                            phi_1119_ = bool();
-                            phi_1121_ = u32();
-                            phi_1123_ = type_51();
-                            phi_4133_ = false;
+                            phi_4654_ = _e646;
+                            phi_1121_ = type_40();
+                            phi_1124_ = bool();
+                            phi_1126_ = type_51();
+                            phi_1128_ = u32();
+                            phi_1130_ = u32();
+                            phi_4095_ = false;
                         }
-                        let _e2166 = phi_4740_;
-                        let _e2168 = phi_1114_;
-                        let _e2170 = phi_1117_;
-                        let _e2172 = phi_1119_;
-                        let _e2174 = phi_1121_;
-                        let _e2176 = phi_1123_;
-                        let _e2178 = phi_4133_;
+                        let _e2164 = phi_4654_;
+                        let _e2166 = phi_1121_;
+                        let _e2168 = phi_1124_;
+                        let _e2170 = phi_1126_;
+                        let _e2172 = phi_1128_;
+                        let _e2174 = phi_1130_;
+                        let _e2176 = phi_4095_;
                         continue;
                         continuing {
-                            phi_4533_ = _e2166;
-                            phi_1113_ = _e2168;
-                            phi_1116_ = _e2170;
-                            phi_1118_ = _e2172;
-                            phi_1120_ = _e2174;
-                            phi_1122_ = _e2176;
-                            phi_4739_ = _e2166;
-                            break if !(_e2178);
+                            phi_4459_ = _e2164;
+                            phi_1120_ = _e2166;
+                            phi_1123_ = _e2168;
+                            phi_1125_ = _e2170;
+                            phi_1127_ = _e2172;
+                            phi_1129_ = _e2174;
+                            phi_4653_ = _e2164;
+                            break if !(_e2176);
                         }
                     }
-                    let _e2181 = phi_4739_;
-                    if _e2181 {
+                    let _e2179 = phi_4653_;
+                    if _e2179 {
                         break;
                     }
-                    let _e2183 = local_10;
-                    let _e2186 = local_11;
+                    let _e2181 = local_11;
+                    let _e2184 = local_12;
                     if _e151 {
                     } else {
                         break;
                     }
-                    global_6.member[_e149][0u] = _e2183.member_1;
-                    global_6.member[_e149][1u] = _e2186.member_2;
+                    global_6.member[_e149][0u] = _e2181.member_1;
+                    global_6.member[_e149][1u] = _e2184.member_2;
                 }
             }
             break;

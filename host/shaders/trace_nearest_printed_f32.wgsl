@@ -96,157 +96,144 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_451_: i32;
-    var phi_452_: i32;
-    var phi_462_: bool;
-    var phi_472_: u32;
-    var phi_473_: u32;
-    var phi_475_: bool;
+    var phi_458_: i32;
+    var phi_459_: i32;
+    var phi_469_: bool;
+    var phi_479_: u32;
     var phi_480_: u32;
-    var phi_493_: i32;
-    var phi_513_: i32;
-    var phi_531_: f32;
-    var phi_537_: f32;
-    var phi_577_: f32;
-    var phi_583_: f32;
-    var phi_656_: f32;
-    var phi_662_: f32;
-    var phi_702_: f32;
-    var phi_708_: f32;
-    var phi_781_: f32;
-    var phi_787_: f32;
-    var phi_827_: f32;
-    var phi_833_: f32;
-    var phi_952_: i32;
-    var phi_974_: u32;
-    var phi_975_: u32;
-    var phi_1012_: i32;
-    var phi_1034_: u32;
-    var phi_1035_: u32;
-    var phi_1043_: f32;
-    var phi_1044_: f32;
-    var phi_3889_: bool;
-    var phi_3869_: f32;
-    var phi_1180_: u32;
-    var phi_1183_: bool;
-    var phi_1185_: u32;
-    var phi_1187_: type_52;
-    var phi_1198_: bool;
-    var phi_1285_: bool;
-    var phi_1286_: u32;
-    var phi_1287_: type_52;
-    var phi_3886_: bool;
-    var phi_3874_: f32;
-    var phi_1305_: type_4;
-    var phi_1306_: type_4;
-    var phi_1329_: type_4;
-    var phi_1350_: u32;
-    var phi_1442_: array<array<f32, 3>, 3>;
-    var phi_3585_: bool;
-    var phi_3600_: bool;
-    var phi_3615_: bool;
-    var phi_3630_: bool;
-    var phi_3645_: bool;
-    var phi_3660_: bool;
-    var phi_1985_: f32;
-    var phi_1986_: f32;
-    var phi_1987_: f32;
-    var phi_1988_: f32;
-    var phi_1989_: vec3<f32>;
-    var phi_1990_: vec3<f32>;
-    var phi_1991_: vec3<f32>;
-    var phi_1992_: vec3<f32>;
-    var phi_3675_: bool;
-    var phi_3690_: bool;
-    var phi_3705_: bool;
-    var phi_3720_: bool;
-    var phi_3735_: bool;
-    var phi_3750_: bool;
-    var phi_2200_: f32;
-    var phi_2220_: type_31;
-    var phi_2221_: type_31;
-    var phi_2224_: type_31;
-    var phi_2225_: type_31;
-    var phi_2226_: bool;
-    var phi_2230_: type_31;
-    var phi_2239_: type_22;
-    var phi_2251_: type_4;
-    var phi_2254_: type_22;
-    var phi_2252_: type_4;
-    var phi_2277_: type_4;
-    var phi_2309_: bool;
-    var phi_2310_: bool;
-    var phi_2331_: type_22;
-    var phi_2255_: type_22;
-    var phi_3876_: bool;
-    var phi_4168_: f32;
-    var phi_4167_: f32;
-    var phi_4044_: bool;
-    var phi_4166_: f32;
-    var phi_4043_: bool;
-    var phi_4165_: f32;
-    var phi_4042_: bool;
+    var phi_482_: bool;
+    var phi_487_: u32;
+    var phi_500_: i32;
+    var phi_520_: i32;
+    var phi_538_: f32;
+    var phi_544_: f32;
+    var phi_584_: f32;
+    var phi_590_: f32;
+    var phi_663_: f32;
+    var phi_669_: f32;
+    var phi_709_: f32;
+    var phi_715_: f32;
+    var phi_788_: f32;
+    var phi_794_: f32;
+    var phi_834_: f32;
+    var phi_840_: f32;
+    var phi_959_: i32;
+    var phi_981_: u32;
+    var phi_982_: u32;
+    var phi_1019_: i32;
+    var phi_1041_: u32;
+    var phi_1042_: u32;
+    var phi_1050_: f32;
+    var phi_1051_: f32;
+    var phi_3844_: bool;
+    var phi_3799_: f32;
+    var phi_1187_: bool;
+    var phi_1190_: type_52;
+    var phi_1192_: u32;
+    var phi_1194_: u32;
+    var phi_1205_: bool;
+    var phi_1292_: bool;
+    var phi_1293_: type_52;
+    var phi_1294_: u32;
+    var phi_2342_: type_45;
+    var phi_3229_: type_52;
+    var phi_3305_: type_52;
+    var phi_3306_: type_52;
+    var phi_3307_: u32;
+    var phi_3309_: type_52;
+    var phi_3310_: u32;
+    var phi_3311_: bool;
+    var phi_3318_: type_52;
+    var phi_3323_: bool;
+    var phi_3324_: type_52;
+    var phi_3841_: bool;
+    var phi_3830_: f32;
+    var phi_1312_: type_4;
+    var phi_1313_: type_4;
+    var phi_1336_: type_4;
+    var phi_1357_: u32;
+    var phi_1449_: array<array<f32, 3>, 3>;
+    var phi_1980_: f32;
+    var phi_1981_: f32;
+    var phi_1982_: f32;
+    var phi_1983_: f32;
+    var phi_1984_: vec3<f32>;
+    var phi_1985_: vec3<f32>;
+    var phi_1986_: vec3<f32>;
+    var phi_1987_: vec3<f32>;
+    var phi_2178_: f32;
+    var phi_2198_: type_31;
+    var phi_2199_: type_31;
+    var phi_2202_: type_31;
+    var phi_2203_: type_31;
+    var phi_2204_: bool;
+    var phi_2208_: type_31;
+    var phi_2217_: type_22;
+    var phi_2229_: type_4;
+    var phi_2232_: type_22;
+    var phi_2230_: type_4;
+    var phi_2255_: type_4;
+    var phi_2287_: bool;
+    var phi_2288_: bool;
+    var phi_2309_: type_22;
+    var phi_2233_: type_22;
+    var phi_3831_: bool;
+    var phi_4073_: f32;
     var phi_4072_: f32;
-    var phi_4041_: bool;
-    var phi_4228_: bool;
+    var phi_3987_: bool;
     var phi_4071_: f32;
-    var phi_2363_: type_45;
-    var phi_3250_: type_52;
-    var phi_3326_: type_52;
-    var phi_3327_: u32;
-    var phi_3328_: type_52;
-    var phi_3330_: u32;
-    var phi_3331_: type_52;
-    var phi_3332_: bool;
-    var phi_3339_: type_52;
-    var phi_3344_: bool;
-    var phi_3346_: type_52;
-    var phi_3350_: bool;
-    var phi_3351_: u32;
-    var phi_3352_: type_52;
-    var phi_3362_: type_52;
-    var phi_4255_: f32;
-    var phi_4172_: bool;
-    var phi_3363_: u32;
-    var phi_3364_: bool;
-    var phi_3365_: u32;
-    var phi_3366_: type_52;
-    var phi_4254_: f32;
-    var phi_4171_: bool;
-    var phi_3367_: u32;
-    var phi_3368_: bool;
-    var phi_3369_: u32;
-    var phi_3370_: type_52;
-    var phi_4253_: f32;
-    var phi_4170_: bool;
-    var phi_1181_: u32;
-    var phi_1184_: bool;
-    var phi_1186_: u32;
-    var phi_1188_: type_52;
-    var phi_3371_: bool;
-    var phi_4169_: bool;
-    var phi_3378_: type_4;
-    var phi_3379_: type_4;
-    var phi_3402_: type_4;
-    var phi_3454_: f32;
-    var phi_3456_: f32;
-    var phi_3457_: bool;
-    var phi_3458_: f32;
-    var phi_3459_: bool;
-    var phi_3778_: u32;
-    var phi_3796_: bool;
-    var phi_3799_: bool;
-    var phi_3812_: f32;
-    var phi_3813_: f32;
-    var phi_3818_: f32;
-    var phi_3819_: f32;
-    var phi_3820_: bool;
-    var phi_3828_: f32;
-    var phi_3474_: f32;
-    var phi_3475_: f32;
-    var phi_3487_: f32;
-    var phi_3492_: type_22;
-    var phi_4235_: bool;
+    var phi_3986_: bool;
+    var phi_4070_: f32;
+    var phi_3985_: bool;
+    var phi_3989_: f32;
+    var phi_3984_: bool;
+    var phi_4160_: f32;
+    var phi_4078_: bool;
+    var phi_3326_: bool;
+    var phi_3327_: type_52;
+    var phi_3328_: u32;
+    var phi_4159_: f32;
+    var phi_4077_: bool;
+    var phi_3329_: bool;
+    var phi_3330_: type_52;
+    var phi_3331_: u32;
+    var phi_3332_: u32;
+    var phi_4158_: f32;
+    var phi_4076_: bool;
+    var phi_3333_: bool;
+    var phi_3334_: type_52;
+    var phi_3335_: u32;
+    var phi_3336_: u32;
+    var phi_4157_: f32;
+    var phi_4075_: bool;
+    var phi_1188_: bool;
+    var phi_1191_: type_52;
+    var phi_1193_: u32;
+    var phi_1195_: u32;
+    var phi_3337_: bool;
+    var phi_4074_: bool;
+    var phi_3344_: type_4;
+    var phi_3345_: type_4;
+    var phi_3368_: type_4;
+    var phi_3420_: f32;
+    var phi_3422_: f32;
+    var phi_3423_: bool;
+    var phi_3424_: f32;
+    var phi_3425_: bool;
+    var phi_3708_: u32;
+    var phi_3726_: bool;
+    var phi_3729_: bool;
+    var phi_3742_: f32;
+    var phi_3743_: f32;
+    var phi_3748_: f32;
+    var phi_3749_: f32;
+    var phi_3750_: bool;
+    var phi_3758_: f32;
+    var phi_3440_: f32;
+    var phi_3441_: f32;
+    var phi_3453_: f32;
+    var phi_3458_: type_22;
+    var phi_4139_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -298,93 +285,93 @@ fn function_() {
                     if _e215 {
                         let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
                         if (_e218 >= 8388608u) {
-                            phi_451_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
+                            phi_458_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_451_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
+                            phi_458_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
                         }
-                        let _e232 = phi_451_;
-                        phi_452_ = _e232;
+                        let _e232 = phi_458_;
+                        phi_459_ = _e232;
                     } else {
-                        phi_452_ = 0i;
+                        phi_459_ = 0i;
                     }
-                    let _e234 = phi_452_;
+                    let _e234 = phi_459_;
                     let _e235 = (_e151 == _e190);
                     if _e235 {
-                        phi_462_ = true;
+                        phi_469_ = true;
                     } else {
-                        phi_462_ = (_e158 == _e190);
+                        phi_469_ = (_e158 == _e190);
                     }
-                    let _e238 = phi_462_;
+                    let _e238 = phi_469_;
                     let _e239 = select(1u, 0u, _e235);
                     if _e238 {
                         let _e240 = (_e239 + 1u);
-                        phi_472_ = _e240;
-                        phi_473_ = _e240;
-                        phi_475_ = select(true, false, (_e240 == 2u));
+                        phi_479_ = _e240;
+                        phi_480_ = _e240;
+                        phi_482_ = select(true, false, (_e240 == 2u));
                     } else {
-                        phi_472_ = u32();
-                        phi_473_ = 0u;
-                        phi_475_ = true;
-                    }
-                    let _e244 = phi_472_;
-                    let _e246 = phi_473_;
-                    let _e248 = phi_475_;
-                    if _e248 {
-                        phi_480_ = (_e246 + 1u);
-                    } else {
+                        phi_479_ = u32();
                         phi_480_ = 0u;
+                        phi_482_ = true;
                     }
-                    let _e252 = phi_480_;
+                    let _e244 = phi_479_;
+                    let _e246 = phi_480_;
+                    let _e248 = phi_482_;
+                    if _e248 {
+                        phi_487_ = (_e246 + 1u);
+                    } else {
+                        phi_487_ = 0u;
+                    }
+                    let _e252 = phi_487_;
                     let _e253 = select(_e244, _e246, _e248);
                     let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
                     if (_e129 < -126i) {
-                        phi_493_ = -126i;
+                        phi_500_ = -126i;
                     } else {
-                        phi_493_ = select(_e129, 127i, (_e129 > 127i));
+                        phi_500_ = select(_e129, 127i, (_e129 > 127i));
                     }
-                    let _e259 = phi_493_;
+                    let _e259 = phi_500_;
                     let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
                     let _e270 = bitcast<f32>((bitcast<u32>(((_e129 - _e259) + 127i)) << bitcast<u32>(23i)));
                     let _e271 = -(_e234);
                     if (_e271 < -126i) {
-                        phi_513_ = -126i;
+                        phi_520_ = -126i;
                     } else {
-                        phi_513_ = select(_e271, 127i, (_e271 > 127i));
+                        phi_520_ = select(_e271, 127i, (_e271 > 127i));
                     }
-                    let _e276 = phi_513_;
+                    let _e276 = phi_520_;
                     let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
                     let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
                     let _e291 = global_4.member[_e139].member;
                     let _e292 = (_e253 == 0u);
                     if _e292 {
-                        phi_531_ = _e291[0];
+                        phi_538_ = _e291[0];
                     } else {
-                        phi_531_ = _e291[1];
+                        phi_538_ = _e291[1];
                     }
-                    let _e296 = phi_531_;
+                    let _e296 = phi_538_;
                     let _e297 = (_e253 == 2u);
                     if _e297 {
-                        phi_537_ = _e291[2];
+                        phi_544_ = _e291[2];
                     } else {
-                        phi_537_ = _e296;
+                        phi_544_ = _e296;
                     }
-                    let _e300 = phi_537_;
+                    let _e300 = phi_544_;
                     let _e301 = bitcast<u32>(_e300);
                     let _e303 = ((_e301 & 2139095040u) != 0u);
                     let _e317 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e301 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e301 & 2147483648u))), _e300, _e303) * _e264) * select(0.00000011920929f, 1f, _e303)) * _e270);
                     let _e318 = global_4.member[_e139].member_2;
                     if _e292 {
-                        phi_577_ = _e318[0];
+                        phi_584_ = _e318[0];
                     } else {
-                        phi_577_ = _e318[1];
+                        phi_584_ = _e318[1];
                     }
-                    let _e322 = phi_577_;
+                    let _e322 = phi_584_;
                     if _e297 {
-                        phi_583_ = _e318[2];
+                        phi_590_ = _e318[2];
                     } else {
-                        phi_583_ = _e322;
+                        phi_590_ = _e322;
                     }
-                    let _e325 = phi_583_;
+                    let _e325 = phi_590_;
                     let _e326 = bitcast<u32>(_e325);
                     let _e328 = ((_e326 & 2139095040u) != 0u);
                     let _e342 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e325, _e328) * _e281) * select(0.00000011920929f, 1f, _e328)) * _e287);
@@ -398,33 +385,33 @@ fn function_() {
                     let _e358 = select(38685626000000000000000000f, (1f / _e342), _e346);
                     let _e359 = (_e252 == 0u);
                     if _e359 {
-                        phi_656_ = _e291[0];
+                        phi_663_ = _e291[0];
                     } else {
-                        phi_656_ = _e291[1];
+                        phi_663_ = _e291[1];
                     }
-                    let _e363 = phi_656_;
+                    let _e363 = phi_663_;
                     let _e364 = (_e252 == 2u);
                     if _e364 {
-                        phi_662_ = _e291[2];
+                        phi_669_ = _e291[2];
                     } else {
-                        phi_662_ = _e363;
+                        phi_669_ = _e363;
                     }
-                    let _e367 = phi_662_;
+                    let _e367 = phi_669_;
                     let _e368 = bitcast<u32>(_e367);
                     let _e370 = ((_e368 & 2139095040u) != 0u);
                     let _e384 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e368 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e368 & 2147483648u))), _e367, _e370) * _e264) * select(0.00000011920929f, 1f, _e370)) * _e270);
                     if _e359 {
-                        phi_702_ = _e318[0];
+                        phi_709_ = _e318[0];
                     } else {
-                        phi_702_ = _e318[1];
+                        phi_709_ = _e318[1];
                     }
-                    let _e388 = phi_702_;
+                    let _e388 = phi_709_;
                     if _e364 {
-                        phi_708_ = _e318[2];
+                        phi_715_ = _e318[2];
                     } else {
-                        phi_708_ = _e388;
+                        phi_715_ = _e388;
                     }
-                    let _e391 = phi_708_;
+                    let _e391 = phi_715_;
                     let _e392 = bitcast<u32>(_e391);
                     let _e394 = ((_e392 & 2139095040u) != 0u);
                     let _e408 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e392 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e392 & 2147483648u))), _e391, _e394) * _e281) * select(0.00000011920929f, 1f, _e394)) * _e287);
@@ -438,33 +425,33 @@ fn function_() {
                     let _e424 = select(38685626000000000000000000f, (1f / _e408), _e412);
                     let _e425 = (_e254 == 0u);
                     if _e425 {
-                        phi_781_ = _e291[0];
+                        phi_788_ = _e291[0];
                     } else {
-                        phi_781_ = _e291[1];
+                        phi_788_ = _e291[1];
                     }
-                    let _e429 = phi_781_;
+                    let _e429 = phi_788_;
                     let _e430 = (_e254 == 2u);
                     if _e430 {
-                        phi_787_ = _e291[2];
+                        phi_794_ = _e291[2];
                     } else {
-                        phi_787_ = _e429;
+                        phi_794_ = _e429;
                     }
-                    let _e433 = phi_787_;
+                    let _e433 = phi_794_;
                     let _e434 = bitcast<u32>(_e433);
                     let _e436 = ((_e434 & 2139095040u) != 0u);
                     let _e450 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e434 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e434 & 2147483648u))), _e433, _e436) * _e264) * select(0.00000011920929f, 1f, _e436)) * _e270);
                     if _e425 {
-                        phi_827_ = _e318[0];
+                        phi_834_ = _e318[0];
                     } else {
-                        phi_827_ = _e318[1];
+                        phi_834_ = _e318[1];
                     }
-                    let _e454 = phi_827_;
+                    let _e454 = phi_834_;
                     if _e430 {
-                        phi_833_ = _e318[2];
+                        phi_840_ = _e318[2];
                     } else {
-                        phi_833_ = _e454;
+                        phi_840_ = _e454;
                     }
-                    let _e457 = phi_833_;
+                    let _e457 = phi_840_;
                     let _e458 = bitcast<u32>(_e457);
                     let _e460 = ((_e458 & 2139095040u) != 0u);
                     let _e474 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e458 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e458 & 2147483648u))), _e457, _e460) * _e281) * select(0.00000011920929f, 1f, _e460)) * _e287);
@@ -484,55 +471,55 @@ fn function_() {
                         let _e512 = (_e505 == 0u);
                         let _e515 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e505)), 32u, _e512)) - 8i);
                         if (_e508 == 255i) {
-                            phi_952_ = 255i;
+                            phi_959_ = 255i;
                         } else {
-                            phi_952_ = (((_e508 + select(0i, 1i, (_e508 == 0i))) - _e515) + _e495);
+                            phi_959_ = (((_e508 + select(0i, 1i, (_e508 == 0i))) - _e515) + _e495);
                         }
-                        let _e523 = phi_952_;
+                        let _e523 = phi_959_;
                         let _e533 = (_e523 <= 0i);
                         if _e533 {
-                            phi_975_ = u32();
+                            phi_982_ = u32();
                         } else {
                             if _e512 {
-                                phi_974_ = u32();
+                                phi_981_ = u32();
                             } else {
-                                phi_974_ = select(((bitcast<u32>(_e523) << bitcast<u32>(23i)) | ((_e505 << bitcast<u32>(((_e515 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e523 >= 255i));
+                                phi_981_ = select(((bitcast<u32>(_e523) << bitcast<u32>(23i)) | ((_e505 << bitcast<u32>(((_e515 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e523 >= 255i));
                             }
-                            let _e537 = phi_974_;
-                            phi_975_ = _e537;
+                            let _e537 = phi_981_;
+                            phi_982_ = _e537;
                         }
-                        let _e539 = phi_975_;
+                        let _e539 = phi_982_;
                         let _e551 = ((_e211 & 8388607u) | (select(0u, 1u, ((_e211 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e554 = bitcast<i32>((_e211 >> bitcast<u32>(23i)));
                         let _e558 = (_e551 == 0u);
                         let _e561 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e551)), 32u, _e558)) - 8i);
                         if (_e554 == 255i) {
-                            phi_1012_ = 255i;
+                            phi_1019_ = 255i;
                         } else {
-                            phi_1012_ = (((_e554 + select(0i, 1i, (_e554 == 0i))) - _e561) + _e495);
+                            phi_1019_ = (((_e554 + select(0i, 1i, (_e554 == 0i))) - _e561) + _e495);
                         }
-                        let _e569 = phi_1012_;
+                        let _e569 = phi_1019_;
                         let _e579 = (_e569 <= 0i);
                         if _e579 {
-                            phi_1035_ = u32();
+                            phi_1042_ = u32();
                         } else {
                             if _e558 {
-                                phi_1034_ = u32();
+                                phi_1041_ = u32();
                             } else {
-                                phi_1034_ = select(((bitcast<u32>(_e569) << bitcast<u32>(23i)) | ((_e551 << bitcast<u32>(((_e561 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e569 >= 255i));
+                                phi_1041_ = select(((bitcast<u32>(_e569) << bitcast<u32>(23i)) | ((_e551 << bitcast<u32>(((_e561 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e569 >= 255i));
                             }
-                            let _e583 = phi_1034_;
-                            phi_1035_ = _e583;
+                            let _e583 = phi_1041_;
+                            phi_1042_ = _e583;
                         }
-                        let _e585 = phi_1035_;
-                        phi_1043_ = bitcast<f32>(((_e210 & 2147483648u) | select(_e585, 0u, select(_e558, true, _e579))));
-                        phi_1044_ = bitcast<f32>(((_e201 & 2147483648u) | select(_e539, 0u, select(_e512, true, _e533))));
+                        let _e585 = phi_1042_;
+                        phi_1050_ = bitcast<f32>(((_e210 & 2147483648u) | select(_e585, 0u, select(_e558, true, _e579))));
+                        phi_1051_ = bitcast<f32>(((_e201 & 2147483648u) | select(_e539, 0u, select(_e512, true, _e533))));
                     } else {
-                        phi_1043_ = 0f;
-                        phi_1044_ = 1f;
+                        phi_1050_ = 0f;
+                        phi_1051_ = 1f;
                     }
-                    let _e591 = phi_1043_;
-                    let _e593 = phi_1044_;
+                    let _e591 = phi_1050_;
+                    let _e593 = phi_1051_;
                     local_7 = array<type_22, 8>(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -543,1081 +530,999 @@ fn function_() {
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_8 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
-                    let _e597 = (_e253 % 3u);
-                    let _e598 = (_e597 < 3u);
-                    if _e598 {
+                    let _e599 = (_e253 % 3u);
+                    let _e600 = (_e599 < 3u);
+                    if _e600 {
                     } else {
                         break;
                     }
-                    let _e600 = local_10[_e597];
-                    let _e601 = (_e252 % 3u);
-                    let _e602 = (_e601 < 3u);
-                    if _e602 {
+                    let _e602 = local_10[_e599];
+                    let _e603 = (_e252 % 3u);
+                    let _e604 = (_e603 < 3u);
+                    if _e604 {
                     } else {
                         break;
                     }
-                    let _e604 = local_10[_e601];
-                    let _e605 = (_e254 % 3u);
-                    let _e606 = (_e605 < 3u);
-                    if _e606 {
+                    let _e606 = local_10[_e603];
+                    let _e607 = (_e254 % 3u);
+                    let _e608 = (_e607 < 3u);
+                    if _e608 {
                     } else {
                         break;
                     }
-                    let _e608 = local_10[_e605];
+                    let _e610 = local_10[_e607];
                     local_9 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
-                    if _e598 {
+                    if _e600 {
                     } else {
                         break;
                     }
-                    let _e612 = local_9[_e597];
-                    if _e602 {
+                    let _e614 = local_9[_e599];
+                    if _e604 {
                     } else {
                         break;
                     }
-                    let _e614 = local_9[_e601];
-                    if _e606 {
+                    let _e616 = local_9[_e603];
+                    if _e608 {
                     } else {
                         break;
                     }
-                    let _e616 = local_9[_e605];
-                    phi_3889_ = false;
-                    phi_3869_ = _e591;
-                    phi_1180_ = ((3u * _e91) + 1u);
-                    phi_1183_ = (_e593 <= _e591);
-                    phi_1185_ = 0u;
-                    phi_1187_ = type_52(type_50(array<f32, 3>(_e600, _e604, _e608), array<f32, 3>(_e612, _e614, _e616)), select(0u, 2147483648u, (_e91 == 0u)));
+                    let _e618 = local_9[_e607];
+                    phi_3844_ = false;
+                    phi_3799_ = _e591;
+                    phi_1187_ = (_e593 <= _e591);
+                    phi_1190_ = type_52(type_50(array<f32, 3>(_e602, _e606, _e610), array<f32, 3>(_e614, _e616, _e618)), select(0u, 2147483648u, (_e91 == 0u)));
+                    phi_1192_ = 0u;
+                    phi_1194_ = ((3u * _e91) + 1u);
                     loop {
-                        let _e624 = phi_3889_;
-                        let _e626 = phi_3869_;
-                        let _e628 = phi_1180_;
-                        let _e630 = phi_1183_;
-                        let _e632 = phi_1185_;
-                        let _e634 = phi_1187_;
-                        if _e630 {
-                            phi_1198_ = true;
+                        let _e624 = phi_3844_;
+                        let _e626 = phi_3799_;
+                        let _e628 = phi_1187_;
+                        let _e630 = phi_1190_;
+                        let _e632 = phi_1192_;
+                        let _e634 = phi_1194_;
+                        if _e628 {
+                            phi_1205_ = true;
                         } else {
-                            phi_1198_ = (_e632 > 0u);
+                            phi_1205_ = (_e632 > 0u);
                         }
-                        let _e637 = phi_1198_;
+                        let _e637 = phi_1205_;
                         if _e637 {
-                            let _e638 = (_e628 > 0u);
+                            let _e638 = (_e634 > 0u);
                             if _e638 {
-                                if _e630 {
-                                    phi_1285_ = _e630;
-                                    phi_1286_ = _e632;
-                                    phi_1287_ = _e634;
+                                if _e628 {
+                                    phi_1292_ = _e628;
+                                    phi_1293_ = _e630;
+                                    phi_1294_ = _e632;
                                 } else {
                                     let _e639 = (_e632 - 1u);
                                     let _e640 = (_e639 % 128u);
                                     let _e641 = (_e640 < 128u);
                                     if _e641 {
                                     } else {
-                                        phi_4169_ = true;
+                                        phi_4074_ = true;
                                         break;
                                     }
                                     let _e643 = local_6[_e640];
                                     if _e641 {
                                     } else {
-                                        phi_4169_ = true;
+                                        phi_4074_ = true;
                                         break;
                                     }
                                     let _e645 = local_5[_e640];
                                     if _e641 {
                                     } else {
-                                        phi_4169_ = true;
+                                        phi_4074_ = true;
                                         break;
                                     }
                                     let _e647 = local_4[_e640];
                                     if _e641 {
                                     } else {
-                                        phi_4169_ = true;
+                                        phi_4074_ = true;
                                         break;
                                     }
                                     let _e649 = local_3[_e640];
                                     if _e641 {
                                     } else {
-                                        phi_4169_ = true;
+                                        phi_4074_ = true;
                                         break;
                                     }
                                     let _e652 = local_2[_e640];
                                     if _e641 {
                                     } else {
-                                        phi_4169_ = true;
+                                        phi_4074_ = true;
                                         break;
                                     }
                                     let _e654 = local_1[_e640];
                                     if _e641 {
                                     } else {
-                                        phi_4169_ = true;
+                                        phi_4074_ = true;
                                         break;
                                     }
                                     let _e656 = local[_e640];
                                     if _e641 {
                                     } else {
-                                        phi_4169_ = true;
+                                        phi_4074_ = true;
                                         break;
                                     }
                                     let _e661 = local_8[_e640];
-                                    phi_1285_ = (_e661 <= _e626);
-                                    phi_1286_ = _e639;
-                                    phi_1287_ = type_52(type_50(array<f32, 3>(_e645, _e647, _e649), array<f32, 3>(_e652, _e654, _e656)), _e643);
+                                    phi_1292_ = (_e661 <= _e626);
+                                    phi_1293_ = type_52(type_50(array<f32, 3>(_e645, _e647, _e649), array<f32, 3>(_e652, _e654, _e656)), _e643);
+                                    phi_1294_ = _e639;
                                 }
-                                let _e664 = phi_1285_;
-                                let _e666 = phi_1286_;
-                                let _e668 = phi_1287_;
+                                let _e664 = phi_1292_;
+                                let _e666 = phi_1293_;
+                                let _e668 = phi_1294_;
                                 if _e664 {
-                                    let _e672 = ((_e668.member_1 & 2147483648u) != 0u);
-                                    if _e672 {
-                                        phi_3886_ = _e624;
-                                        phi_3874_ = _e626;
-                                        phi_1305_ = type_4(0u, ((_e668.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e666.member_1 & 2147483648u) != 0u) {
+                                        phi_3841_ = _e624;
+                                        phi_3830_ = _e626;
+                                        phi_1312_ = type_4(0u, ((_e666.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e679 = phi_3886_;
-                                            let _e681 = phi_3874_;
-                                            let _e683 = phi_1305_;
-                                            if (_e683.member < _e683.member_1) {
-                                                phi_1306_ = type_4((_e683.member + 1u), _e683.member_1);
-                                                phi_1329_ = type_4(1u, _e683.member);
+                                            let _e1042 = phi_3841_;
+                                            let _e1044 = phi_3830_;
+                                            let _e1046 = phi_1312_;
+                                            if (_e1046.member < _e1046.member_1) {
+                                                phi_1313_ = type_4((_e1046.member + 1u), _e1046.member_1);
+                                                phi_1336_ = type_4(1u, _e1046.member);
                                             } else {
-                                                phi_1306_ = _e683;
-                                                phi_1329_ = type_4(0u, type_4().member_1);
+                                                phi_1313_ = _e1046;
+                                                phi_1336_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e696 = phi_1306_;
-                                            let _e698 = phi_1329_;
-                                            let _e702 = (bitcast<i32>(_e698.member) != 0i);
-                                            if _e702 {
-                                                let _e703 = ((_e668.member_1 & 268435455u) + _e698.member_1);
-                                                let _e704 = (_e703 < _e93);
-                                                if _e704 {
-                                                    if _e704 {
+                                            let _e1059 = phi_1313_;
+                                            let _e1061 = phi_1336_;
+                                            let _e1065 = (bitcast<i32>(_e1061.member) != 0i);
+                                            if _e1065 {
+                                                let _e1066 = ((_e666.member_1 & 268435455u) + _e1061.member_1);
+                                                let _e1067 = (_e1066 < _e93);
+                                                if _e1067 {
+                                                    if _e1067 {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e708 = global_2.member[_e703].member_1;
-                                                    phi_1350_ = _e708;
+                                                    let _e1071 = global_2.member[_e1066].member_1;
+                                                    phi_1357_ = _e1071;
                                                 } else {
-                                                    phi_1350_ = 4294967295u;
+                                                    phi_1357_ = 4294967295u;
                                                 }
-                                                let _e710 = phi_1350_;
-                                                if (_e703 >= _e93) {
-                                                    phi_1442_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1073 = phi_1357_;
+                                                if (_e1066 >= _e93) {
+                                                    phi_1449_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e704 {
+                                                    if _e1067 {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    if (_e597 < 9u) {
+                                                    if (_e599 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e717 = global_2.member[_e703].member[_e597];
-                                                    if (_e601 < 9u) {
+                                                    let _e1080 = global_2.member[_e1066].member[_e599];
+                                                    if (_e603 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e723 = global_2.member[_e703].member[_e601];
-                                                    if (_e605 < 9u) {
+                                                    let _e1086 = global_2.member[_e1066].member[_e603];
+                                                    if (_e607 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e729 = global_2.member[_e703].member[_e605];
-                                                    let _e731 = (3u + _e597);
-                                                    if (_e731 < 9u) {
+                                                    let _e1092 = global_2.member[_e1066].member[_e607];
+                                                    let _e1094 = (3u + _e599);
+                                                    if (_e1094 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e737 = global_2.member[_e703].member[_e731];
-                                                    let _e738 = (3u + _e601);
-                                                    if (_e738 < 9u) {
+                                                    let _e1100 = global_2.member[_e1066].member[_e1094];
+                                                    let _e1101 = (3u + _e603);
+                                                    if (_e1101 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e744 = global_2.member[_e703].member[_e738];
-                                                    let _e745 = (3u + _e605);
-                                                    if (_e745 < 9u) {
+                                                    let _e1107 = global_2.member[_e1066].member[_e1101];
+                                                    let _e1108 = (3u + _e607);
+                                                    if (_e1108 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e751 = global_2.member[_e703].member[_e745];
-                                                    let _e753 = (6u + _e597);
-                                                    if (_e753 < 9u) {
+                                                    let _e1114 = global_2.member[_e1066].member[_e1108];
+                                                    let _e1116 = (6u + _e599);
+                                                    if (_e1116 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e759 = global_2.member[_e703].member[_e753];
-                                                    let _e760 = (6u + _e601);
-                                                    if (_e760 < 9u) {
+                                                    let _e1122 = global_2.member[_e1066].member[_e1116];
+                                                    let _e1123 = (6u + _e603);
+                                                    if (_e1123 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e766 = global_2.member[_e703].member[_e760];
-                                                    let _e767 = (6u + _e605);
-                                                    if (_e767 < 9u) {
+                                                    let _e1129 = global_2.member[_e1066].member[_e1123];
+                                                    let _e1130 = (6u + _e607);
+                                                    if (_e1130 < 9u) {
                                                     } else {
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = true;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = true;
                                                         break;
                                                     }
-                                                    let _e773 = global_2.member[_e703].member[_e767];
-                                                    phi_1442_ = array<array<f32, 3>, 3>(array<f32, 3>(_e717, _e723, _e729), array<f32, 3>(_e737, _e744, _e751), array<f32, 3>(_e759, _e766, _e773));
+                                                    let _e1136 = global_2.member[_e1066].member[_e1130];
+                                                    phi_1449_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1080, _e1086, _e1092), array<f32, 3>(_e1100, _e1107, _e1114), array<f32, 3>(_e1122, _e1129, _e1136));
                                                 }
-                                                let _e777 = phi_1442_;
-                                                let _e792 = (_e777[0][2] - _e450);
-                                                let _e795 = (((_e777[0][0] - _e317) * _e486) - (_e792 * _e354));
-                                                let _e798 = (((_e777[0][1] - _e384) * _e486) - (_e792 * _e420));
-                                                let _e801 = (_e777[1][2] - _e450);
-                                                let _e804 = (((_e777[1][0] - _e317) * _e486) - (_e801 * _e354));
-                                                let _e807 = (((_e777[1][1] - _e384) * _e486) - (_e801 * _e420));
-                                                let _e810 = (_e777[2][2] - _e450);
-                                                let _e813 = (((_e777[2][0] - _e317) * _e486) - (_e810 * _e354));
-                                                let _e816 = (((_e777[2][1] - _e384) * _e486) - (_e810 * _e420));
-                                                let _e817 = (_e813 * _e807);
-                                                let _e818 = (_e816 * _e804);
-                                                let _e819 = (_e795 * _e816);
-                                                let _e820 = (_e798 * _e813);
-                                                let _e821 = (_e804 * _e798);
-                                                let _e822 = (_e807 * _e795);
-                                                let _e827 = (((_e817 >= _e818) && (_e819 >= _e820)) && (_e821 >= _e822));
-                                                let _e833 = (_e827 || (((_e817 <= _e818) && (_e819 <= _e820)) && (_e821 <= _e822)));
-                                                if _e833 {
-                                                    let _e835 = select(-1f, 1f, _e827);
-                                                    let _e837 = ((_e817 - _e818) * _e835);
-                                                    let _e839 = select(0f, _e837, (_e837 > 0f));
-                                                    let _e841 = ((_e819 - _e820) * _e835);
-                                                    let _e843 = select(0f, _e841, (_e841 > 0f));
-                                                    let _e845 = ((_e821 - _e822) * _e835);
-                                                    let _e847 = select(0f, _e845, (_e845 > 0f));
-                                                    let _e849 = ((_e839 + _e843) + _e847);
-                                                    let _e851 = select(_e777[1][0], _e777[0][0], (_e777[0][0] < _e777[1][0]));
-                                                    let _e855 = select(_e777[1][0], _e777[0][0], (_e777[0][0] > _e777[1][0]));
-                                                    let _e859 = select(_e777[1][1], _e777[0][1], (_e777[0][1] < _e777[1][1]));
-                                                    let _e863 = select(_e777[1][1], _e777[0][1], (_e777[0][1] > _e777[1][1]));
-                                                    let _e867 = select(_e777[1][2], _e777[0][2], (_e777[0][2] < _e777[1][2]));
-                                                    let _e871 = select(_e777[1][2], _e777[0][2], (_e777[0][2] > _e777[1][2]));
-                                                    let _e876 = ((select(_e777[2][0], _e851, (_e851 < _e777[2][0])) - _e355) * _e358);
-                                                    let _e877 = ((select(_e777[2][0], _e855, (_e855 > _e777[2][0])) - _e356) * _e358);
-                                                    let _e880 = ((select(_e777[2][1], _e859, (_e859 < _e777[2][1])) - _e421) * _e424);
-                                                    let _e881 = ((select(_e777[2][1], _e863, (_e863 > _e777[2][1])) - _e422) * _e424);
-                                                    let _e884 = ((select(_e777[2][2], _e867, (_e867 < _e777[2][2])) - _e487) * _e490);
-                                                    let _e885 = ((select(_e777[2][2], _e871, (_e871 > _e777[2][2])) - _e488) * _e490);
-                                                    let _e887 = select(_e885, _e884, (_e884 < _e885));
-                                                    let _e889 = select(_e885, _e884, (_e884 > _e885));
-                                                    let _e891 = select(_e877, _e876, (_e876 < _e877));
-                                                    let _e893 = select(_e881, _e880, (_e880 < _e881));
-                                                    let _e895 = select(_e893, _e891, (_e891 > _e893));
-                                                    let _e897 = select(_e887, _e895, (_e895 > _e887));
-                                                    let _e899 = select(_e877, _e876, (_e876 > _e877));
-                                                    let _e901 = select(_e881, _e880, (_e880 > _e881));
-                                                    let _e903 = select(_e901, _e899, (_e899 < _e901));
-                                                    let _e905 = select(_e889, _e903, (_e903 < _e889));
-                                                    let _e906 = -(_e887);
-                                                    let _e912 = select(_e593, _e897, (_e897 > _e593));
-                                                    let _e916 = select(_e804, _e795, (_e795 < _e804));
-                                                    let _e921 = select(_e804, _e795, (_e795 > _e804));
-                                                    let _e928 = select(_e807, _e798, (_e798 < _e807));
-                                                    let _e933 = select(_e807, _e798, (_e798 > _e807));
-                                                    let _e942 = (((((_e833 && (_e849 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e813, _e916, (_e916 < _e813)) <= 0f) && (select(_e813, _e921, (_e921 > _e813)) >= 0f))) && ((select(_e816, _e928, (_e928 < _e816)) <= 0f) && (select(_e816, _e933, (_e933 > _e816)) >= 0f))) && (_e912 <= (_e905 + (select(_e906, _e889, (_e889 > _e906)) * 0.0000019073523f)))) && (_e912 <= _e681));
-                                                    if _e942 {
-                                                        let _e947 = (_e777[1][0] - _e777[0][0]);
-                                                        let _e948 = (_e777[1][1] - _e777[0][1]);
-                                                        let _e949 = (_e777[1][2] - _e777[0][2]);
-                                                        let _e950 = vec3<f32>(_e947, _e948, _e949);
-                                                        let _e951 = (_e777[2][0] - _e777[1][0]);
-                                                        let _e952 = (_e777[2][1] - _e777[1][1]);
-                                                        let _e953 = (_e777[2][2] - _e777[1][2]);
-                                                        let _e954 = vec3<f32>(_e951, _e952, _e953);
-                                                        let _e955 = (_e777[0][0] - _e777[2][0]);
-                                                        let _e956 = (_e777[0][1] - _e777[2][1]);
-                                                        let _e957 = (_e777[0][2] - _e777[2][2]);
-                                                        let _e958 = vec3<f32>(_e955, _e956, _e957);
-                                                        let _e959 = abs(_e947);
-                                                        let _e960 = abs(_e948);
-                                                        if (_e959 != _e959) {
-                                                            phi_3585_ = true;
+                                                let _e1140 = phi_1449_;
+                                                let _e1155 = (_e1140[0][2] - _e450);
+                                                let _e1158 = (((_e1140[0][0] - _e317) * _e486) - (_e1155 * _e354));
+                                                let _e1161 = (((_e1140[0][1] - _e384) * _e486) - (_e1155 * _e420));
+                                                let _e1164 = (_e1140[1][2] - _e450);
+                                                let _e1167 = (((_e1140[1][0] - _e317) * _e486) - (_e1164 * _e354));
+                                                let _e1170 = (((_e1140[1][1] - _e384) * _e486) - (_e1164 * _e420));
+                                                let _e1173 = (_e1140[2][2] - _e450);
+                                                let _e1176 = (((_e1140[2][0] - _e317) * _e486) - (_e1173 * _e354));
+                                                let _e1179 = (((_e1140[2][1] - _e384) * _e486) - (_e1173 * _e420));
+                                                let _e1180 = (_e1176 * _e1170);
+                                                let _e1181 = (_e1179 * _e1167);
+                                                let _e1182 = (_e1158 * _e1179);
+                                                let _e1183 = (_e1161 * _e1176);
+                                                let _e1184 = (_e1167 * _e1161);
+                                                let _e1185 = (_e1170 * _e1158);
+                                                let _e1190 = (((_e1180 >= _e1181) && (_e1182 >= _e1183)) && (_e1184 >= _e1185));
+                                                let _e1196 = (_e1190 || (((_e1180 <= _e1181) && (_e1182 <= _e1183)) && (_e1184 <= _e1185)));
+                                                if _e1196 {
+                                                    let _e1198 = select(-1f, 1f, _e1190);
+                                                    let _e1200 = ((_e1180 - _e1181) * _e1198);
+                                                    let _e1202 = select(0f, _e1200, (_e1200 > 0f));
+                                                    let _e1204 = ((_e1182 - _e1183) * _e1198);
+                                                    let _e1206 = select(0f, _e1204, (_e1204 > 0f));
+                                                    let _e1208 = ((_e1184 - _e1185) * _e1198);
+                                                    let _e1210 = select(0f, _e1208, (_e1208 > 0f));
+                                                    let _e1212 = ((_e1202 + _e1206) + _e1210);
+                                                    let _e1214 = select(_e1140[1][0], _e1140[0][0], (_e1140[0][0] < _e1140[1][0]));
+                                                    let _e1218 = select(_e1140[1][0], _e1140[0][0], (_e1140[0][0] > _e1140[1][0]));
+                                                    let _e1222 = select(_e1140[1][1], _e1140[0][1], (_e1140[0][1] < _e1140[1][1]));
+                                                    let _e1226 = select(_e1140[1][1], _e1140[0][1], (_e1140[0][1] > _e1140[1][1]));
+                                                    let _e1230 = select(_e1140[1][2], _e1140[0][2], (_e1140[0][2] < _e1140[1][2]));
+                                                    let _e1234 = select(_e1140[1][2], _e1140[0][2], (_e1140[0][2] > _e1140[1][2]));
+                                                    let _e1239 = ((select(_e1140[2][0], _e1214, (_e1214 < _e1140[2][0])) - _e355) * _e358);
+                                                    let _e1240 = ((select(_e1140[2][0], _e1218, (_e1218 > _e1140[2][0])) - _e356) * _e358);
+                                                    let _e1243 = ((select(_e1140[2][1], _e1222, (_e1222 < _e1140[2][1])) - _e421) * _e424);
+                                                    let _e1244 = ((select(_e1140[2][1], _e1226, (_e1226 > _e1140[2][1])) - _e422) * _e424);
+                                                    let _e1247 = ((select(_e1140[2][2], _e1230, (_e1230 < _e1140[2][2])) - _e487) * _e490);
+                                                    let _e1248 = ((select(_e1140[2][2], _e1234, (_e1234 > _e1140[2][2])) - _e488) * _e490);
+                                                    let _e1250 = select(_e1248, _e1247, (_e1247 < _e1248));
+                                                    let _e1252 = select(_e1248, _e1247, (_e1247 > _e1248));
+                                                    let _e1254 = select(_e1240, _e1239, (_e1239 < _e1240));
+                                                    let _e1256 = select(_e1244, _e1243, (_e1243 < _e1244));
+                                                    let _e1258 = select(_e1256, _e1254, (_e1254 > _e1256));
+                                                    let _e1260 = select(_e1250, _e1258, (_e1258 > _e1250));
+                                                    let _e1262 = select(_e1240, _e1239, (_e1239 > _e1240));
+                                                    let _e1264 = select(_e1244, _e1243, (_e1243 > _e1244));
+                                                    let _e1266 = select(_e1264, _e1262, (_e1262 < _e1264));
+                                                    let _e1268 = select(_e1252, _e1266, (_e1266 < _e1252));
+                                                    let _e1269 = -(_e1250);
+                                                    let _e1275 = select(_e593, _e1260, (_e1260 > _e593));
+                                                    let _e1279 = select(_e1167, _e1158, (_e1158 < _e1167));
+                                                    let _e1284 = select(_e1167, _e1158, (_e1158 > _e1167));
+                                                    let _e1291 = select(_e1170, _e1161, (_e1161 < _e1170));
+                                                    let _e1296 = select(_e1170, _e1161, (_e1161 > _e1170));
+                                                    let _e1305 = (((((_e1196 && (_e1212 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1176, _e1279, (_e1279 < _e1176)) <= 0f) && (select(_e1176, _e1284, (_e1284 > _e1176)) >= 0f))) && ((select(_e1179, _e1291, (_e1291 < _e1179)) <= 0f) && (select(_e1179, _e1296, (_e1296 > _e1179)) >= 0f))) && (_e1275 <= (_e1268 + (select(_e1269, _e1252, (_e1252 > _e1269)) * 0.0000019073523f)))) && (_e1275 <= _e1044));
+                                                    if _e1305 {
+                                                        let _e1310 = (_e1140[1][0] - _e1140[0][0]);
+                                                        let _e1311 = (_e1140[1][1] - _e1140[0][1]);
+                                                        let _e1312 = (_e1140[1][2] - _e1140[0][2]);
+                                                        let _e1313 = vec3<f32>(_e1310, _e1311, _e1312);
+                                                        let _e1314 = (_e1140[2][0] - _e1140[1][0]);
+                                                        let _e1315 = (_e1140[2][1] - _e1140[1][1]);
+                                                        let _e1316 = (_e1140[2][2] - _e1140[1][2]);
+                                                        let _e1317 = vec3<f32>(_e1314, _e1315, _e1316);
+                                                        let _e1318 = (_e1140[0][0] - _e1140[2][0]);
+                                                        let _e1319 = (_e1140[0][1] - _e1140[2][1]);
+                                                        let _e1320 = (_e1140[0][2] - _e1140[2][2]);
+                                                        let _e1321 = vec3<f32>(_e1318, _e1319, _e1320);
+                                                        let _e1324 = bitcast<f32>((bitcast<u32>(_e1310) & 2147483647u));
+                                                        let _e1327 = bitcast<f32>((bitcast<u32>(_e1311) & 2147483647u));
+                                                        let _e1329 = select(_e1327, _e1324, (_e1324 > _e1327));
+                                                        let _e1332 = bitcast<f32>((bitcast<u32>(_e1312) & 2147483647u));
+                                                        let _e1334 = select(_e1332, _e1329, (_e1329 > _e1332));
+                                                        let _e1337 = bitcast<f32>((bitcast<u32>(_e1314) & 2147483647u));
+                                                        let _e1340 = bitcast<f32>((bitcast<u32>(_e1315) & 2147483647u));
+                                                        let _e1342 = select(_e1340, _e1337, (_e1337 > _e1340));
+                                                        let _e1345 = bitcast<f32>((bitcast<u32>(_e1316) & 2147483647u));
+                                                        let _e1347 = select(_e1345, _e1342, (_e1342 > _e1345));
+                                                        let _e1350 = bitcast<f32>((bitcast<u32>(_e1318) & 2147483647u));
+                                                        let _e1353 = bitcast<f32>((bitcast<u32>(_e1319) & 2147483647u));
+                                                        let _e1355 = select(_e1353, _e1350, (_e1350 > _e1353));
+                                                        let _e1358 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
+                                                        let _e1360 = select(_e1358, _e1355, (_e1355 > _e1358));
+                                                        let _e1362 = select(_e1347, _e1334, (_e1334 > _e1347));
+                                                        let _e1364 = select(_e1360, _e1362, (_e1362 > _e1360));
+                                                        if (_e1334 == _e1364) {
+                                                            phi_1980_ = _e1170;
+                                                            phi_1981_ = _e1167;
+                                                            phi_1982_ = _e1161;
+                                                            phi_1983_ = _e1158;
+                                                            phi_1984_ = vec3<f32>(_e1140[0][0], _e1140[0][1], _e1140[0][2]);
+                                                            phi_1985_ = _e1321;
+                                                            phi_1986_ = _e1317;
+                                                            phi_1987_ = _e1313;
                                                         } else {
-                                                            phi_3585_ = (_e960 >= _e959);
+                                                            let _e1366 = (_e1347 == _e1364);
+                                                            let _e1371 = vec3(_e1366);
+                                                            phi_1980_ = select(_e1161, _e1179, _e1366);
+                                                            phi_1981_ = select(_e1158, _e1176, _e1366);
+                                                            phi_1982_ = select(_e1179, _e1170, _e1366);
+                                                            phi_1983_ = select(_e1176, _e1167, _e1366);
+                                                            phi_1984_ = select(vec3<f32>(_e1140[2][0], _e1140[2][1], _e1140[2][2]), vec3<f32>(_e1140[1][0], _e1140[1][1], _e1140[1][2]), _e1371);
+                                                            phi_1985_ = select(_e1317, _e1313, _e1371);
+                                                            phi_1986_ = select(_e1313, _e1321, _e1371);
+                                                            phi_1987_ = select(_e1321, _e1317, _e1371);
                                                         }
-                                                        let _e964 = phi_3585_;
-                                                        let _e965 = select(_e959, _e960, _e964);
-                                                        let _e966 = abs(_e949);
-                                                        if (_e965 != _e965) {
-                                                            phi_3600_ = true;
+                                                        let _e1377 = phi_1980_;
+                                                        let _e1379 = phi_1981_;
+                                                        let _e1381 = phi_1982_;
+                                                        let _e1383 = phi_1983_;
+                                                        let _e1385 = phi_1984_;
+                                                        let _e1387 = phi_1985_;
+                                                        let _e1389 = phi_1986_;
+                                                        let _e1391 = phi_1987_;
+                                                        let _e1398 = ((_e1389.y * _e1387.z) - (_e1387.y * _e1389.z));
+                                                        let _e1403 = ((_e1389.z * _e1387.x) - (_e1387.z * _e1389.x));
+                                                        let _e1406 = ((_e1389.x * _e1387.y) - (_e1387.x * _e1389.y));
+                                                        let _e1409 = ((_e1202 >= _e1206) && (_e1202 >= _e1210));
+                                                        let _e1410 = (_e1206 >= _e1210);
+                                                        let _e1424 = (((_e1398 * (select(select(_e1140[2][0], _e1140[1][0], _e1410), _e1140[0][0], _e1409) - _e317)) + (_e1403 * (select(select(_e1140[2][1], _e1140[1][1], _e1410), _e1140[0][1], _e1409) - _e384))) + (_e1406 * (select(select(_e1140[2][2], _e1140[1][2], _e1410), _e1140[0][2], _e1409) - _e450)));
+                                                        let _e1429 = (((_e1398 * _e354) + (_e1403 * _e420)) + (_e1406 * _e486));
+                                                        let _e1430 = (_e1379 - _e1383);
+                                                        let _e1431 = (_e1377 - _e1381);
+                                                        let _e1434 = ((_e1430 * _e1430) + (_e1431 * _e1431));
+                                                        let _e1441 = (-(((_e1383 * _e1430) + (_e1381 * _e1431))) / select(0.000000000000000000000000000000000000011754944f, _e1434, (_e1434 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1443 = select(1f, _e1441, (_e1441 < 1f));
+                                                        let _e1445 = select(0f, _e1443, (_e1443 > 0f));
+                                                        let _e1454 = ((_e1385.x + (_e1391.x * _e1445)) - _e317);
+                                                        let _e1457 = ((_e1385.y + (_e1391.y * _e1445)) - _e384);
+                                                        let _e1460 = ((_e1385.z + (_e1391.z * _e1445)) - _e450);
+                                                        let _e1463 = bitcast<f32>((bitcast<u32>(_e1454) & 2147483647u));
+                                                        let _e1466 = bitcast<f32>((bitcast<u32>(_e1457) & 2147483647u));
+                                                        let _e1468 = select(_e1466, _e1463, (_e1463 > _e1466));
+                                                        let _e1471 = bitcast<f32>((bitcast<u32>(_e1460) & 2147483647u));
+                                                        let _e1473 = select(_e1471, _e1468, (_e1468 > _e1471));
+                                                        let _e1479 = bitcast<f32>((bitcast<u32>(_e1398) & 2147483647u));
+                                                        let _e1482 = bitcast<f32>((bitcast<u32>(_e1403) & 2147483647u));
+                                                        let _e1484 = select(_e1482, _e1479, (_e1479 > _e1482));
+                                                        let _e1487 = bitcast<f32>((bitcast<u32>(_e1406) & 2147483647u));
+                                                        let _e1506 = bitcast<f32>((bitcast<u32>(_e1389.x) & 2147483647u));
+                                                        let _e1509 = bitcast<f32>((bitcast<u32>(_e1389.y) & 2147483647u));
+                                                        let _e1511 = select(_e1509, _e1506, (_e1506 > _e1509));
+                                                        let _e1514 = bitcast<f32>((bitcast<u32>(_e1389.z) & 2147483647u));
+                                                        let _e1520 = bitcast<f32>((bitcast<u32>(_e1387.x) & 2147483647u));
+                                                        let _e1523 = bitcast<f32>((bitcast<u32>(_e1387.y) & 2147483647u));
+                                                        let _e1525 = select(_e1523, _e1520, (_e1520 > _e1523));
+                                                        let _e1528 = bitcast<f32>((bitcast<u32>(_e1387.z) & 2147483647u));
+                                                        let _e1534 = ((bitcast<f32>((bitcast<u32>(((((_e1398 * _e1454) + (_e1403 * _e1457)) + (_e1406 * _e1460)) - _e1424)) & 2147483647u)) <= ((0.0000009536743f * select(_e1364, _e1473, (_e1473 > _e1364))) * select(_e1487, _e1484, (_e1484 > _e1487)))) && !((bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u)) <= ((0.0000038146973f * select(_e1514, _e1511, (_e1511 > _e1514))) * select(_e1528, _e1525, (_e1525 > _e1528))))));
+                                                        let _e1535 = (_e1424 / _e1429);
+                                                        if (_e1305 && !(_e1534)) {
+                                                            let _e1538 = (_e1460 / _e486);
+                                                            let _e1546 = (((_e1398 * (_e1454 - (_e354 * _e1538))) + (_e1403 * (_e1457 - (_e420 * _e1538)))) / _e1429);
+                                                            phi_2178_ = select(select(_e1538, (_e1538 + _e1546), (bitcast<f32>((bitcast<u32>(_e1546) & 2147483647u)) <= _e1364)), _e1535, _e1534);
                                                         } else {
-                                                            phi_3600_ = (_e966 >= _e965);
+                                                            phi_2178_ = _e1535;
                                                         }
-                                                        let _e970 = phi_3600_;
-                                                        let _e971 = select(_e965, _e966, _e970);
-                                                        let _e972 = abs(_e951);
-                                                        let _e973 = abs(_e952);
-                                                        if (_e972 != _e972) {
-                                                            phi_3615_ = true;
-                                                        } else {
-                                                            phi_3615_ = (_e973 >= _e972);
-                                                        }
-                                                        let _e977 = phi_3615_;
-                                                        let _e978 = select(_e972, _e973, _e977);
-                                                        let _e979 = abs(_e953);
-                                                        if (_e978 != _e978) {
-                                                            phi_3630_ = true;
-                                                        } else {
-                                                            phi_3630_ = (_e979 >= _e978);
-                                                        }
-                                                        let _e983 = phi_3630_;
-                                                        let _e984 = select(_e978, _e979, _e983);
-                                                        let _e985 = abs(_e955);
-                                                        let _e986 = abs(_e956);
-                                                        if (_e985 != _e985) {
-                                                            phi_3645_ = true;
-                                                        } else {
-                                                            phi_3645_ = (_e986 >= _e985);
-                                                        }
-                                                        let _e990 = phi_3645_;
-                                                        let _e991 = select(_e985, _e986, _e990);
-                                                        let _e992 = abs(_e957);
-                                                        if (_e991 != _e991) {
-                                                            phi_3660_ = true;
-                                                        } else {
-                                                            phi_3660_ = (_e992 >= _e991);
-                                                        }
-                                                        let _e996 = phi_3660_;
-                                                        let _e997 = select(_e991, _e992, _e996);
-                                                        let _e999 = select(_e984, _e971, (_e971 > _e984));
-                                                        let _e1001 = select(_e997, _e999, (_e999 > _e997));
-                                                        if (_e971 == _e1001) {
-                                                            phi_1985_ = _e807;
-                                                            phi_1986_ = _e804;
-                                                            phi_1987_ = _e798;
-                                                            phi_1988_ = _e795;
-                                                            phi_1989_ = vec3<f32>(_e777[0][0], _e777[0][1], _e777[0][2]);
-                                                            phi_1990_ = _e958;
-                                                            phi_1991_ = _e954;
-                                                            phi_1992_ = _e950;
-                                                        } else {
-                                                            let _e1003 = (_e984 == _e1001);
-                                                            let _e1008 = vec3(_e1003);
-                                                            phi_1985_ = select(_e798, _e816, _e1003);
-                                                            phi_1986_ = select(_e795, _e813, _e1003);
-                                                            phi_1987_ = select(_e816, _e807, _e1003);
-                                                            phi_1988_ = select(_e813, _e804, _e1003);
-                                                            phi_1989_ = select(vec3<f32>(_e777[2][0], _e777[2][1], _e777[2][2]), vec3<f32>(_e777[1][0], _e777[1][1], _e777[1][2]), _e1008);
-                                                            phi_1990_ = select(_e954, _e950, _e1008);
-                                                            phi_1991_ = select(_e950, _e958, _e1008);
-                                                            phi_1992_ = select(_e958, _e954, _e1008);
-                                                        }
-                                                        let _e1014 = phi_1985_;
-                                                        let _e1016 = phi_1986_;
-                                                        let _e1018 = phi_1987_;
-                                                        let _e1020 = phi_1988_;
-                                                        let _e1022 = phi_1989_;
-                                                        let _e1024 = phi_1990_;
-                                                        let _e1026 = phi_1991_;
-                                                        let _e1028 = phi_1992_;
-                                                        let _e1035 = ((_e1026.y * _e1024.z) - (_e1024.y * _e1026.z));
-                                                        let _e1040 = ((_e1026.z * _e1024.x) - (_e1024.z * _e1026.x));
-                                                        let _e1043 = ((_e1026.x * _e1024.y) - (_e1024.x * _e1026.y));
-                                                        let _e1046 = ((_e839 >= _e843) && (_e839 >= _e847));
-                                                        let _e1047 = (_e843 >= _e847);
-                                                        let _e1061 = (((_e1035 * (select(select(_e777[2][0], _e777[1][0], _e1047), _e777[0][0], _e1046) - _e317)) + (_e1040 * (select(select(_e777[2][1], _e777[1][1], _e1047), _e777[0][1], _e1046) - _e384))) + (_e1043 * (select(select(_e777[2][2], _e777[1][2], _e1047), _e777[0][2], _e1046) - _e450)));
-                                                        let _e1066 = (((_e1035 * _e354) + (_e1040 * _e420)) + (_e1043 * _e486));
-                                                        let _e1067 = (_e1016 - _e1020);
-                                                        let _e1068 = (_e1014 - _e1018);
-                                                        let _e1071 = ((_e1067 * _e1067) + (_e1068 * _e1068));
-                                                        let _e1078 = (-(((_e1020 * _e1067) + (_e1018 * _e1068))) / select(0.000000000000000000000000000000000000011754944f, _e1071, (_e1071 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1080 = select(1f, _e1078, (_e1078 < 1f));
-                                                        let _e1082 = select(0f, _e1080, (_e1080 > 0f));
-                                                        let _e1091 = ((_e1022.x + (_e1028.x * _e1082)) - _e317);
-                                                        let _e1094 = ((_e1022.y + (_e1028.y * _e1082)) - _e384);
-                                                        let _e1097 = ((_e1022.z + (_e1028.z * _e1082)) - _e450);
-                                                        let _e1100 = bitcast<f32>((bitcast<u32>(_e1091) & 2147483647u));
-                                                        let _e1103 = bitcast<f32>((bitcast<u32>(_e1094) & 2147483647u));
-                                                        let _e1105 = select(_e1103, _e1100, (_e1100 > _e1103));
-                                                        let _e1108 = bitcast<f32>((bitcast<u32>(_e1097) & 2147483647u));
-                                                        let _e1110 = select(_e1108, _e1105, (_e1105 > _e1108));
-                                                        let _e1114 = abs(_e1035);
-                                                        let _e1115 = abs(_e1040);
-                                                        if (_e1114 != _e1114) {
-                                                            phi_3675_ = true;
-                                                        } else {
-                                                            phi_3675_ = (_e1115 >= _e1114);
-                                                        }
-                                                        let _e1119 = phi_3675_;
-                                                        let _e1120 = select(_e1114, _e1115, _e1119);
-                                                        let _e1121 = abs(_e1043);
-                                                        if (_e1120 != _e1120) {
-                                                            phi_3690_ = true;
-                                                        } else {
-                                                            phi_3690_ = (_e1121 >= _e1120);
-                                                        }
-                                                        let _e1125 = phi_3690_;
-                                                        let _e1141 = abs(_e1026.x);
-                                                        let _e1142 = abs(_e1026.y);
-                                                        if (_e1141 != _e1141) {
-                                                            phi_3705_ = true;
-                                                        } else {
-                                                            phi_3705_ = (_e1142 >= _e1141);
-                                                        }
-                                                        let _e1146 = phi_3705_;
-                                                        let _e1147 = select(_e1141, _e1142, _e1146);
-                                                        let _e1148 = abs(_e1026.z);
-                                                        if (_e1147 != _e1147) {
-                                                            phi_3720_ = true;
-                                                        } else {
-                                                            phi_3720_ = (_e1148 >= _e1147);
-                                                        }
-                                                        let _e1152 = phi_3720_;
-                                                        let _e1155 = abs(_e1024.x);
-                                                        let _e1156 = abs(_e1024.y);
-                                                        if (_e1155 != _e1155) {
-                                                            phi_3735_ = true;
-                                                        } else {
-                                                            phi_3735_ = (_e1156 >= _e1155);
-                                                        }
-                                                        let _e1160 = phi_3735_;
-                                                        let _e1161 = select(_e1155, _e1156, _e1160);
-                                                        let _e1162 = abs(_e1024.z);
-                                                        if (_e1161 != _e1161) {
-                                                            phi_3750_ = true;
-                                                        } else {
-                                                            phi_3750_ = (_e1162 >= _e1161);
-                                                        }
-                                                        let _e1166 = phi_3750_;
-                                                        let _e1171 = ((bitcast<f32>((bitcast<u32>(((((_e1035 * _e1091) + (_e1040 * _e1094)) + (_e1043 * _e1097)) - _e1061)) & 2147483647u)) <= ((0.0000009536743f * select(_e1001, _e1110, (_e1110 > _e1001))) * select(_e1120, _e1121, _e1125))) && !((bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u)) <= ((0.0000038146973f * select(_e1147, _e1148, _e1152)) * select(_e1161, _e1162, _e1166)))));
-                                                        let _e1172 = (_e1061 / _e1066);
-                                                        if (_e942 && !(_e1171)) {
-                                                            let _e1175 = (_e1097 / _e486);
-                                                            let _e1183 = (((_e1035 * (_e1091 - (_e354 * _e1175))) + (_e1040 * (_e1094 - (_e420 * _e1175)))) / _e1066);
-                                                            phi_2200_ = select(select(_e1175, (_e1175 + _e1183), (bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u)) <= _e1001)), _e1172, _e1171);
-                                                        } else {
-                                                            phi_2200_ = _e1172;
-                                                        }
-                                                        let _e1192 = phi_2200_;
-                                                        let _e1194 = select(_e905, _e1192, (_e1192 < _e905));
-                                                        let _e1196 = select(_e897, _e1194, (_e1194 > _e897));
-                                                        let _e1197 = (1f / _e849);
-                                                        phi_2220_ = type_31(_e1196, (_e843 * _e1197), (_e847 * _e1197), ((_e942 && (_e1196 >= _e593)) && (_e1196 <= _e681)));
-                                                        phi_2221_ = type_31();
+                                                        let _e1555 = phi_2178_;
+                                                        let _e1557 = select(_e1268, _e1555, (_e1555 < _e1268));
+                                                        let _e1559 = select(_e1260, _e1557, (_e1557 > _e1260));
+                                                        let _e1560 = (1f / _e1212);
+                                                        phi_2198_ = type_31(_e1559, (_e1206 * _e1560), (_e1210 * _e1560), ((_e1305 && (_e1559 >= _e593)) && (_e1559 <= _e1044)));
+                                                        phi_2199_ = type_31();
                                                     } else {
-                                                        phi_2220_ = type_31();
-                                                        phi_2221_ = type_31(0f, 0f, 0f, _e942);
+                                                        phi_2198_ = type_31();
+                                                        phi_2199_ = type_31(0f, 0f, 0f, _e1305);
                                                     }
-                                                    let _e1206 = phi_2220_;
-                                                    let _e1208 = phi_2221_;
-                                                    phi_2224_ = _e1206;
-                                                    phi_2225_ = _e1208;
-                                                    phi_2226_ = select(true, false, _e942);
+                                                    let _e1569 = phi_2198_;
+                                                    let _e1571 = phi_2199_;
+                                                    phi_2202_ = _e1569;
+                                                    phi_2203_ = _e1571;
+                                                    phi_2204_ = select(true, false, _e1305);
                                                 } else {
-                                                    phi_2224_ = type_31();
-                                                    phi_2225_ = type_31(0f, 0f, 0f, _e833);
-                                                    phi_2226_ = true;
+                                                    phi_2202_ = type_31();
+                                                    phi_2203_ = type_31(0f, 0f, 0f, _e1196);
+                                                    phi_2204_ = true;
                                                 }
-                                                let _e1211 = phi_2224_;
-                                                let _e1213 = phi_2225_;
-                                                let _e1215 = phi_2226_;
-                                                if _e1215 {
-                                                    phi_2230_ = _e1213;
+                                                let _e1574 = phi_2202_;
+                                                let _e1576 = phi_2203_;
+                                                let _e1578 = phi_2204_;
+                                                if _e1578 {
+                                                    phi_2208_ = _e1576;
                                                 } else {
-                                                    phi_2230_ = _e1211;
+                                                    phi_2208_ = _e1574;
                                                 }
-                                                let _e1217 = phi_2230_;
-                                                if _e1217.member_3 {
-                                                    phi_2239_ = type_22(_e1217.member, _e1217.member_1, _e1217.member_2, _e710);
+                                                let _e1580 = phi_2208_;
+                                                if _e1580.member_3 {
+                                                    phi_2217_ = type_22(_e1580.member, _e1580.member_1, _e1580.member_2, _e1073);
                                                 } else {
-                                                    phi_2239_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2217_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1224 = phi_2239_;
-                                                if (_e1224.member_3 != 4294967295u) {
-                                                    if (_e710 != 4294967295u) {
-                                                        phi_2251_ = type_4(0u, 8u);
-                                                        phi_2254_ = _e1224;
+                                                let _e1587 = phi_2217_;
+                                                if (_e1587.member_3 != 4294967295u) {
+                                                    if (_e1073 != 4294967295u) {
+                                                        phi_2229_ = type_4(0u, 8u);
+                                                        phi_2232_ = _e1587;
                                                         loop {
-                                                            let _e1229 = phi_2251_;
-                                                            let _e1231 = phi_2254_;
-                                                            if (_e1229.member < _e1229.member_1) {
-                                                                phi_2252_ = type_4((_e1229.member + 1u), _e1229.member_1);
-                                                                phi_2277_ = type_4(1u, _e1229.member);
+                                                            let _e1592 = phi_2229_;
+                                                            let _e1594 = phi_2232_;
+                                                            if (_e1592.member < _e1592.member_1) {
+                                                                phi_2230_ = type_4((_e1592.member + 1u), _e1592.member_1);
+                                                                phi_2255_ = type_4(1u, _e1592.member);
                                                             } else {
-                                                                phi_2252_ = _e1229;
-                                                                phi_2277_ = type_4(0u, type_4().member_1);
+                                                                phi_2230_ = _e1592;
+                                                                phi_2255_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1244 = phi_2252_;
-                                                            let _e1246 = phi_2277_;
-                                                            let _e1250 = (bitcast<i32>(_e1246.member) != 0i);
-                                                            if _e1250 {
-                                                                let _e1251 = (_e1246.member_1 < 8u);
-                                                                if _e1251 {
+                                                            let _e1607 = phi_2230_;
+                                                            let _e1609 = phi_2255_;
+                                                            let _e1613 = (bitcast<i32>(_e1609.member) != 0i);
+                                                            if _e1613 {
+                                                                let _e1614 = (_e1609.member_1 < 8u);
+                                                                if _e1614 {
                                                                 } else {
-                                                                    phi_3876_ = true;
+                                                                    phi_3831_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1256 = local_7[_e1246.member_1].member;
-                                                                if (_e1231.member < _e1256) {
-                                                                    phi_2310_ = true;
+                                                                let _e1619 = local_7[_e1609.member_1].member;
+                                                                if (_e1594.member < _e1619) {
+                                                                    phi_2288_ = true;
                                                                 } else {
-                                                                    let _e1258 = local_7[_e1246.member_1].member;
-                                                                    if (_e1231.member == _e1258) {
-                                                                        let _e1263 = local_7[_e1246.member_1].member_3;
-                                                                        phi_2309_ = (_e1231.member_3 < _e1263);
+                                                                    let _e1621 = local_7[_e1609.member_1].member;
+                                                                    if (_e1594.member == _e1621) {
+                                                                        let _e1626 = local_7[_e1609.member_1].member_3;
+                                                                        phi_2287_ = (_e1594.member_3 < _e1626);
                                                                     } else {
-                                                                        phi_2309_ = false;
+                                                                        phi_2287_ = false;
                                                                     }
-                                                                    let _e1266 = phi_2309_;
-                                                                    phi_2310_ = _e1266;
+                                                                    let _e1629 = phi_2287_;
+                                                                    phi_2288_ = _e1629;
                                                                 }
-                                                                let _e1268 = phi_2310_;
-                                                                if _e1268 {
-                                                                    if _e1251 {
+                                                                let _e1631 = phi_2288_;
+                                                                if _e1631 {
+                                                                    if _e1614 {
                                                                     } else {
-                                                                        phi_3876_ = true;
+                                                                        phi_3831_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1269 = local_7[_e1246.member_1];
-                                                                    local_7[_e1246.member_1] = type_22(_e1231.member, _e1231.member_1, _e1231.member_2, _e1231.member_3);
-                                                                    phi_2331_ = type_22(_e1269.member, _e1269.member_1, _e1269.member_2, _e1269.member_3);
+                                                                    let _e1632 = local_7[_e1609.member_1];
+                                                                    local_7[_e1609.member_1] = type_22(_e1594.member, _e1594.member_1, _e1594.member_2, _e1594.member_3);
+                                                                    phi_2309_ = type_22(_e1632.member, _e1632.member_1, _e1632.member_2, _e1632.member_3);
                                                                 } else {
-                                                                    phi_2331_ = _e1231;
+                                                                    phi_2309_ = _e1594;
                                                                 }
-                                                                let _e1280 = phi_2331_;
-                                                                phi_2255_ = _e1280;
+                                                                let _e1643 = phi_2309_;
+                                                                phi_2233_ = _e1643;
                                                             } else {
-                                                                phi_2255_ = type_22();
+                                                                phi_2233_ = type_22();
                                                             }
-                                                            let _e1282 = phi_2255_;
+                                                            let _e1645 = phi_2233_;
                                                             continue;
                                                             continuing {
-                                                                phi_2251_ = _e1244;
-                                                                phi_2254_ = _e1282;
-                                                                phi_3876_ = _e679;
-                                                                break if !(_e1250);
+                                                                phi_2229_ = _e1607;
+                                                                phi_2232_ = _e1645;
+                                                                phi_3831_ = _e1042;
+                                                                break if !(_e1613);
                                                             }
                                                         }
-                                                        let _e1285 = phi_3876_;
-                                                        phi_4072_ = _e681;
-                                                        phi_4041_ = _e1285;
-                                                        if _e1285 {
+                                                        let _e1648 = phi_3831_;
+                                                        phi_3989_ = _e1044;
+                                                        phi_3984_ = _e1648;
+                                                        if _e1648 {
                                                             break;
                                                         }
-                                                        let _e1288 = local_7[7u].member_3;
-                                                        if (_e1288 != 4294967295u) {
-                                                            let _e1292 = local_7[7u].member;
-                                                            phi_4168_ = _e1292;
+                                                        let _e1651 = local_7[7u].member_3;
+                                                        if (_e1651 != 4294967295u) {
+                                                            let _e1655 = local_7[7u].member;
+                                                            phi_4073_ = _e1655;
                                                         } else {
-                                                            phi_4168_ = _e681;
+                                                            phi_4073_ = _e1044;
                                                         }
-                                                        let _e1294 = phi_4168_;
-                                                        phi_4167_ = _e1294;
-                                                        phi_4044_ = _e1285;
+                                                        let _e1657 = phi_4073_;
+                                                        phi_4072_ = _e1657;
+                                                        phi_3987_ = _e1648;
                                                     } else {
-                                                        phi_4167_ = _e681;
-                                                        phi_4044_ = _e679;
+                                                        phi_4072_ = _e1044;
+                                                        phi_3987_ = _e1042;
                                                     }
-                                                    let _e1296 = phi_4167_;
-                                                    let _e1298 = phi_4044_;
-                                                    phi_4166_ = _e1296;
-                                                    phi_4043_ = _e1298;
+                                                    let _e1659 = phi_4072_;
+                                                    let _e1661 = phi_3987_;
+                                                    phi_4071_ = _e1659;
+                                                    phi_3986_ = _e1661;
                                                 } else {
-                                                    phi_4166_ = _e681;
-                                                    phi_4043_ = _e679;
+                                                    phi_4071_ = _e1044;
+                                                    phi_3986_ = _e1042;
                                                 }
-                                                let _e1300 = phi_4166_;
-                                                let _e1302 = phi_4043_;
-                                                phi_4165_ = _e1300;
-                                                phi_4042_ = _e1302;
+                                                let _e1663 = phi_4071_;
+                                                let _e1665 = phi_3986_;
+                                                phi_4070_ = _e1663;
+                                                phi_3985_ = _e1665;
                                             } else {
-                                                phi_4165_ = _e681;
-                                                phi_4042_ = _e679;
+                                                phi_4070_ = _e1044;
+                                                phi_3985_ = _e1042;
                                             }
-                                            let _e1304 = phi_4165_;
-                                            let _e1306 = phi_4042_;
+                                            let _e1667 = phi_4070_;
+                                            let _e1669 = phi_3985_;
                                             continue;
                                             continuing {
-                                                phi_3886_ = _e1306;
-                                                phi_3874_ = _e1304;
-                                                phi_1305_ = _e696;
-                                                phi_4072_ = _e1304;
-                                                phi_4041_ = _e1306;
-                                                break if !(_e702);
+                                                phi_3841_ = _e1669;
+                                                phi_3830_ = _e1667;
+                                                phi_1312_ = _e1059;
+                                                phi_3989_ = _e1667;
+                                                phi_3984_ = _e1669;
+                                                break if !(_e1065);
                                             }
                                         }
-                                        let _e1309 = phi_4072_;
-                                        let _e1311 = phi_4041_;
-                                        phi_4169_ = _e1311;
-                                        if _e1311 {
+                                        let _e1672 = phi_3989_;
+                                        let _e1674 = phi_3984_;
+                                        phi_4074_ = _e1674;
+                                        if _e1674 {
                                             break;
                                         }
-                                        phi_4228_ = _e1311;
-                                        phi_4071_ = _e1309;
+                                        phi_4160_ = _e1672;
+                                        phi_4078_ = _e1674;
+                                        phi_3326_ = false;
+                                        phi_3327_ = _e666;
+                                        phi_3328_ = select(_e668, 0u, (_e593 > _e1672));
                                     } else {
-                                        phi_4228_ = _e624;
-                                        phi_4071_ = _e626;
-                                    }
-                                    let _e1313 = phi_4228_;
-                                    let _e1315 = phi_4071_;
-                                    if _e672 {
-                                        phi_3350_ = bool();
-                                        phi_3351_ = u32();
-                                        phi_3352_ = type_52();
-                                    } else {
-                                        let _e1316 = (_e668.member_1 < _e91);
-                                        if _e1316 {
-                                            if _e1316 {
+                                        let _e677 = (_e666.member_1 < _e91);
+                                        if _e677 {
+                                            if _e677 {
                                             } else {
-                                                phi_4169_ = true;
+                                                phi_4074_ = true;
                                                 break;
                                             }
-                                            let _e1318 = global_5.member[_e668.member_1];
-                                            phi_2363_ = _e1318;
+                                            let _e679 = global_5.member[_e666.member_1];
+                                            phi_2342_ = _e679;
                                         } else {
-                                            phi_2363_ = type_45(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2342_ = type_45(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1320 = phi_2363_;
-                                        let _e1335 = ((10u * _e253) & 31u);
-                                        let _e1338 = ((_e1320.member[0] >> bitcast<u32>(_e1335)) & 1023u);
-                                        let _e1346 = bitcast<f32>((bitcast<u32>(((_e668.member.member_1[0] - _e668.member.member[0]) * 0.0009775171f)) ^ _e125));
-                                        let _e1351 = (_e668.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1338)) - 8388608f) * _e1346)) ^ _e125)));
-                                        let _e1355 = select(select(_e668.member.member_1[0], _e1351, (_e1351 < _e668.member.member_1[0])), _e668.member.member_1[0], (_e1338 == 1023u));
-                                        let _e1357 = ((10u * _e252) & 31u);
-                                        let _e1360 = ((_e1320.member[0] >> bitcast<u32>(_e1357)) & 1023u);
-                                        let _e1368 = bitcast<f32>((bitcast<u32>(((_e668.member.member_1[1] - _e668.member.member[1]) * 0.0009775171f)) ^ _e125));
-                                        let _e1373 = (_e668.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1360)) - 8388608f) * _e1368)) ^ _e125)));
-                                        let _e1377 = select(select(_e668.member.member_1[1], _e1373, (_e1373 < _e668.member.member_1[1])), _e668.member.member_1[1], (_e1360 == 1023u));
-                                        let _e1379 = ((10u * _e254) & 31u);
-                                        let _e1382 = ((_e1320.member[0] >> bitcast<u32>(_e1379)) & 1023u);
-                                        let _e1390 = bitcast<f32>((bitcast<u32>(((_e668.member.member_1[2] - _e668.member.member[2]) * 0.0009775171f)) ^ _e125));
-                                        let _e1395 = (_e668.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1382)) - 8388608f) * _e1390)) ^ _e125)));
-                                        let _e1399 = select(select(_e668.member.member_1[2], _e1395, (_e1395 < _e668.member.member_1[2])), _e668.member.member_1[2], (_e1382 == 1023u));
-                                        let _e1402 = ((_e1320.member[1] >> bitcast<u32>(_e1335)) & 1023u);
-                                        let _e1410 = (_e668.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1402)) - 8388608f) * _e1346)) ^ _e125)));
-                                        let _e1414 = select(select(_e668.member.member_1[0], _e1410, (_e1410 < _e668.member.member_1[0])), _e668.member.member_1[0], (_e1402 == 1023u));
-                                        let _e1417 = ((_e1320.member[1] >> bitcast<u32>(_e1357)) & 1023u);
-                                        let _e1425 = (_e668.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1417)) - 8388608f) * _e1368)) ^ _e125)));
-                                        let _e1429 = select(select(_e668.member.member_1[1], _e1425, (_e1425 < _e668.member.member_1[1])), _e668.member.member_1[1], (_e1417 == 1023u));
-                                        let _e1432 = ((_e1320.member[1] >> bitcast<u32>(_e1379)) & 1023u);
-                                        let _e1440 = (_e668.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1432)) - 8388608f) * _e1390)) ^ _e125)));
-                                        let _e1444 = select(select(_e668.member.member_1[2], _e1440, (_e1440 < _e668.member.member_1[2])), _e668.member.member_1[2], (_e1432 == 1023u));
-                                        let _e1450 = ((_e1320.member_1[0] >> bitcast<u32>(_e1335)) & 1023u);
-                                        let _e1458 = (_e668.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1450)) - 8388608f) * _e1346)) ^ _e125)));
-                                        let _e1462 = select(select(_e668.member.member_1[0], _e1458, (_e1458 < _e668.member.member_1[0])), _e668.member.member_1[0], (_e1450 == 1023u));
-                                        let _e1465 = ((_e1320.member_1[0] >> bitcast<u32>(_e1357)) & 1023u);
-                                        let _e1473 = (_e668.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1465)) - 8388608f) * _e1368)) ^ _e125)));
-                                        let _e1477 = select(select(_e668.member.member_1[1], _e1473, (_e1473 < _e668.member.member_1[1])), _e668.member.member_1[1], (_e1465 == 1023u));
-                                        let _e1480 = ((_e1320.member_1[0] >> bitcast<u32>(_e1379)) & 1023u);
-                                        let _e1488 = (_e668.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1480)) - 8388608f) * _e1390)) ^ _e125)));
-                                        let _e1492 = select(select(_e668.member.member_1[2], _e1488, (_e1488 < _e668.member.member_1[2])), _e668.member.member_1[2], (_e1480 == 1023u));
-                                        let _e1495 = ((_e1320.member_1[1] >> bitcast<u32>(_e1335)) & 1023u);
-                                        let _e1503 = (_e668.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1495)) - 8388608f) * _e1346)) ^ _e125)));
-                                        let _e1507 = select(select(_e668.member.member_1[0], _e1503, (_e1503 < _e668.member.member_1[0])), _e668.member.member_1[0], (_e1495 == 1023u));
-                                        let _e1510 = ((_e1320.member_1[1] >> bitcast<u32>(_e1357)) & 1023u);
-                                        let _e1518 = (_e668.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1510)) - 8388608f) * _e1368)) ^ _e125)));
-                                        let _e1522 = select(select(_e668.member.member_1[1], _e1518, (_e1518 < _e668.member.member_1[1])), _e668.member.member_1[1], (_e1510 == 1023u));
-                                        let _e1525 = ((_e1320.member_1[1] >> bitcast<u32>(_e1379)) & 1023u);
-                                        let _e1533 = (_e668.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1525)) - 8388608f) * _e1390)) ^ _e125)));
-                                        let _e1537 = select(select(_e668.member.member_1[2], _e1533, (_e1533 < _e668.member.member_1[2])), _e668.member.member_1[2], (_e1525 == 1023u));
-                                        let _e1542 = type_52(type_50(array<f32, 3>(_e1355, _e1377, _e1399), array<f32, 3>(_e1414, _e1429, _e1444)), _e1320.member_2);
-                                        let _e1547 = type_52(type_50(array<f32, 3>(_e1462, _e1477, _e1492), array<f32, 3>(_e1507, _e1522, _e1537)), _e1320.member_3);
-                                        let _e1552 = ((_e1355 - _e355) * _e358);
-                                        let _e1553 = ((_e1462 - _e355) * _e358);
-                                        let _e1554 = ((_e1414 - _e356) * _e358);
-                                        let _e1555 = ((_e1507 - _e356) * _e358);
-                                        let _e1560 = ((_e1377 - _e421) * _e424);
-                                        let _e1561 = ((_e1477 - _e421) * _e424);
-                                        let _e1562 = ((_e1429 - _e422) * _e424);
-                                        let _e1563 = ((_e1522 - _e422) * _e424);
-                                        let _e1568 = ((_e1399 - _e487) * _e490);
-                                        let _e1569 = ((_e1492 - _e487) * _e490);
-                                        let _e1570 = ((_e1444 - _e488) * _e490);
-                                        let _e1571 = ((_e1537 - _e488) * _e490);
-                                        let _e1573 = select(_e1570, _e1568, (_e1568 < _e1570));
-                                        let _e1575 = select(_e1571, _e1569, (_e1569 < _e1571));
-                                        let _e1577 = select(_e1570, _e1568, (_e1568 > _e1570));
-                                        let _e1579 = select(_e1571, _e1569, (_e1569 > _e1571));
-                                        let _e1581 = select(_e1554, _e1552, (_e1552 < _e1554));
-                                        let _e1583 = select(_e1555, _e1553, (_e1553 < _e1555));
-                                        let _e1585 = select(_e1562, _e1560, (_e1560 < _e1562));
-                                        let _e1587 = select(_e1563, _e1561, (_e1561 < _e1563));
-                                        let _e1589 = select(_e1585, _e1581, (_e1581 > _e1585));
-                                        let _e1591 = select(_e1587, _e1583, (_e1583 > _e1587));
-                                        let _e1593 = select(_e1573, _e1589, (_e1589 > _e1573));
-                                        let _e1595 = select(_e1575, _e1591, (_e1591 > _e1575));
-                                        let _e1597 = select(_e1554, _e1552, (_e1552 > _e1554));
-                                        let _e1599 = select(_e1555, _e1553, (_e1553 > _e1555));
-                                        let _e1601 = select(_e1562, _e1560, (_e1560 > _e1562));
-                                        let _e1603 = select(_e1563, _e1561, (_e1561 > _e1563));
-                                        let _e1605 = select(_e1601, _e1597, (_e1597 < _e1601));
-                                        let _e1607 = select(_e1603, _e1599, (_e1599 < _e1603));
-                                        let _e1612 = -(_e1573);
-                                        let _e1613 = -(_e1575);
-                                        let _e1620 = (select(_e1577, _e1605, (_e1605 < _e1577)) + (select(_e1612, _e1577, (_e1577 > _e1612)) * 0.0000019073523f));
-                                        let _e1621 = (select(_e1579, _e1607, (_e1607 < _e1579)) + (select(_e1613, _e1579, (_e1579 > _e1613)) * 0.0000019073523f));
-                                        let _e1623 = select(_e593, _e1593, (_e1593 > _e593));
-                                        let _e1625 = select(_e593, _e1595, (_e1595 > _e593));
-                                        let _e1630 = (_e1623 <= select(_e1315, _e1620, (_e1620 < _e1315)));
-                                        let _e1631 = (_e1625 <= select(_e1315, _e1621, (_e1621 < _e1315)));
-                                        let _e1632 = (_e1623 <= _e1625);
-                                        if _e1630 {
-                                            if _e1631 {
-                                                if _e1632 {
-                                                    phi_3250_ = _e1547;
+                                        let _e681 = phi_2342_;
+                                        let _e696 = ((10u * _e253) & 31u);
+                                        let _e699 = ((_e681.member[0] >> bitcast<u32>(_e696)) & 1023u);
+                                        let _e707 = bitcast<f32>((bitcast<u32>(((_e666.member.member_1[0] - _e666.member.member[0]) * 0.0009775171f)) ^ _e125));
+                                        let _e712 = (_e666.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e699)) - 8388608f) * _e707)) ^ _e125)));
+                                        let _e716 = select(select(_e666.member.member_1[0], _e712, (_e712 < _e666.member.member_1[0])), _e666.member.member_1[0], (_e699 == 1023u));
+                                        let _e718 = ((10u * _e252) & 31u);
+                                        let _e721 = ((_e681.member[0] >> bitcast<u32>(_e718)) & 1023u);
+                                        let _e729 = bitcast<f32>((bitcast<u32>(((_e666.member.member_1[1] - _e666.member.member[1]) * 0.0009775171f)) ^ _e125));
+                                        let _e734 = (_e666.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e721)) - 8388608f) * _e729)) ^ _e125)));
+                                        let _e738 = select(select(_e666.member.member_1[1], _e734, (_e734 < _e666.member.member_1[1])), _e666.member.member_1[1], (_e721 == 1023u));
+                                        let _e740 = ((10u * _e254) & 31u);
+                                        let _e743 = ((_e681.member[0] >> bitcast<u32>(_e740)) & 1023u);
+                                        let _e751 = bitcast<f32>((bitcast<u32>(((_e666.member.member_1[2] - _e666.member.member[2]) * 0.0009775171f)) ^ _e125));
+                                        let _e756 = (_e666.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e743)) - 8388608f) * _e751)) ^ _e125)));
+                                        let _e760 = select(select(_e666.member.member_1[2], _e756, (_e756 < _e666.member.member_1[2])), _e666.member.member_1[2], (_e743 == 1023u));
+                                        let _e763 = ((_e681.member[1] >> bitcast<u32>(_e696)) & 1023u);
+                                        let _e771 = (_e666.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e763)) - 8388608f) * _e707)) ^ _e125)));
+                                        let _e775 = select(select(_e666.member.member_1[0], _e771, (_e771 < _e666.member.member_1[0])), _e666.member.member_1[0], (_e763 == 1023u));
+                                        let _e778 = ((_e681.member[1] >> bitcast<u32>(_e718)) & 1023u);
+                                        let _e786 = (_e666.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e778)) - 8388608f) * _e729)) ^ _e125)));
+                                        let _e790 = select(select(_e666.member.member_1[1], _e786, (_e786 < _e666.member.member_1[1])), _e666.member.member_1[1], (_e778 == 1023u));
+                                        let _e793 = ((_e681.member[1] >> bitcast<u32>(_e740)) & 1023u);
+                                        let _e801 = (_e666.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e793)) - 8388608f) * _e751)) ^ _e125)));
+                                        let _e805 = select(select(_e666.member.member_1[2], _e801, (_e801 < _e666.member.member_1[2])), _e666.member.member_1[2], (_e793 == 1023u));
+                                        let _e811 = ((_e681.member_1[0] >> bitcast<u32>(_e696)) & 1023u);
+                                        let _e819 = (_e666.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e811)) - 8388608f) * _e707)) ^ _e125)));
+                                        let _e823 = select(select(_e666.member.member_1[0], _e819, (_e819 < _e666.member.member_1[0])), _e666.member.member_1[0], (_e811 == 1023u));
+                                        let _e826 = ((_e681.member_1[0] >> bitcast<u32>(_e718)) & 1023u);
+                                        let _e834 = (_e666.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e826)) - 8388608f) * _e729)) ^ _e125)));
+                                        let _e838 = select(select(_e666.member.member_1[1], _e834, (_e834 < _e666.member.member_1[1])), _e666.member.member_1[1], (_e826 == 1023u));
+                                        let _e841 = ((_e681.member_1[0] >> bitcast<u32>(_e740)) & 1023u);
+                                        let _e849 = (_e666.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e841)) - 8388608f) * _e751)) ^ _e125)));
+                                        let _e853 = select(select(_e666.member.member_1[2], _e849, (_e849 < _e666.member.member_1[2])), _e666.member.member_1[2], (_e841 == 1023u));
+                                        let _e856 = ((_e681.member_1[1] >> bitcast<u32>(_e696)) & 1023u);
+                                        let _e864 = (_e666.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e856)) - 8388608f) * _e707)) ^ _e125)));
+                                        let _e868 = select(select(_e666.member.member_1[0], _e864, (_e864 < _e666.member.member_1[0])), _e666.member.member_1[0], (_e856 == 1023u));
+                                        let _e871 = ((_e681.member_1[1] >> bitcast<u32>(_e718)) & 1023u);
+                                        let _e879 = (_e666.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e871)) - 8388608f) * _e729)) ^ _e125)));
+                                        let _e883 = select(select(_e666.member.member_1[1], _e879, (_e879 < _e666.member.member_1[1])), _e666.member.member_1[1], (_e871 == 1023u));
+                                        let _e886 = ((_e681.member_1[1] >> bitcast<u32>(_e740)) & 1023u);
+                                        let _e894 = (_e666.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e886)) - 8388608f) * _e751)) ^ _e125)));
+                                        let _e898 = select(select(_e666.member.member_1[2], _e894, (_e894 < _e666.member.member_1[2])), _e666.member.member_1[2], (_e886 == 1023u));
+                                        let _e903 = type_52(type_50(array<f32, 3>(_e716, _e738, _e760), array<f32, 3>(_e775, _e790, _e805)), _e681.member_2);
+                                        let _e908 = type_52(type_50(array<f32, 3>(_e823, _e838, _e853), array<f32, 3>(_e868, _e883, _e898)), _e681.member_3);
+                                        let _e913 = ((_e716 - _e355) * _e358);
+                                        let _e914 = ((_e823 - _e355) * _e358);
+                                        let _e915 = ((_e775 - _e356) * _e358);
+                                        let _e916 = ((_e868 - _e356) * _e358);
+                                        let _e921 = ((_e738 - _e421) * _e424);
+                                        let _e922 = ((_e838 - _e421) * _e424);
+                                        let _e923 = ((_e790 - _e422) * _e424);
+                                        let _e924 = ((_e883 - _e422) * _e424);
+                                        let _e929 = ((_e760 - _e487) * _e490);
+                                        let _e930 = ((_e853 - _e487) * _e490);
+                                        let _e931 = ((_e805 - _e488) * _e490);
+                                        let _e932 = ((_e898 - _e488) * _e490);
+                                        let _e934 = select(_e931, _e929, (_e929 < _e931));
+                                        let _e936 = select(_e932, _e930, (_e930 < _e932));
+                                        let _e938 = select(_e931, _e929, (_e929 > _e931));
+                                        let _e940 = select(_e932, _e930, (_e930 > _e932));
+                                        let _e942 = select(_e915, _e913, (_e913 < _e915));
+                                        let _e944 = select(_e916, _e914, (_e914 < _e916));
+                                        let _e946 = select(_e923, _e921, (_e921 < _e923));
+                                        let _e948 = select(_e924, _e922, (_e922 < _e924));
+                                        let _e950 = select(_e946, _e942, (_e942 > _e946));
+                                        let _e952 = select(_e948, _e944, (_e944 > _e948));
+                                        let _e954 = select(_e934, _e950, (_e950 > _e934));
+                                        let _e956 = select(_e936, _e952, (_e952 > _e936));
+                                        let _e958 = select(_e915, _e913, (_e913 > _e915));
+                                        let _e960 = select(_e916, _e914, (_e914 > _e916));
+                                        let _e962 = select(_e923, _e921, (_e921 > _e923));
+                                        let _e964 = select(_e924, _e922, (_e922 > _e924));
+                                        let _e966 = select(_e962, _e958, (_e958 < _e962));
+                                        let _e968 = select(_e964, _e960, (_e960 < _e964));
+                                        let _e973 = -(_e934);
+                                        let _e974 = -(_e936);
+                                        let _e981 = (select(_e938, _e966, (_e966 < _e938)) + (select(_e973, _e938, (_e938 > _e973)) * 0.0000019073523f));
+                                        let _e982 = (select(_e940, _e968, (_e968 < _e940)) + (select(_e974, _e940, (_e940 > _e974)) * 0.0000019073523f));
+                                        let _e984 = select(_e593, _e954, (_e954 > _e593));
+                                        let _e986 = select(_e593, _e956, (_e956 > _e593));
+                                        let _e991 = (_e984 <= select(_e626, _e981, (_e981 < _e626)));
+                                        let _e992 = (_e986 <= select(_e626, _e982, (_e982 < _e626)));
+                                        let _e993 = (_e984 <= _e986);
+                                        if _e991 {
+                                            if _e992 {
+                                                if _e993 {
+                                                    phi_3229_ = _e908;
                                                 } else {
-                                                    phi_3250_ = _e1542;
+                                                    phi_3229_ = _e903;
                                                 }
-                                                let _e1634 = phi_3250_;
-                                                let _e1641 = (_e666 % 128u);
-                                                let _e1642 = (_e1641 < 128u);
-                                                if _e1642 {
+                                                let _e995 = phi_3229_;
+                                                let _e1002 = (_e668 % 128u);
+                                                let _e1003 = (_e1002 < 128u);
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4169_ = true;
+                                                    phi_4074_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1641] = _e1634.member_1;
-                                                if _e1642 {
+                                                local_6[_e1002] = _e995.member_1;
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4169_ = true;
+                                                    phi_4074_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1641] = _e1634.member.member[0];
-                                                if _e1642 {
+                                                local_5[_e1002] = _e995.member.member[0];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4169_ = true;
+                                                    phi_4074_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1641] = _e1634.member.member[1];
-                                                if _e1642 {
+                                                local_4[_e1002] = _e995.member.member[1];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4169_ = true;
+                                                    phi_4074_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1641] = _e1634.member.member[2];
-                                                if _e1642 {
+                                                local_3[_e1002] = _e995.member.member[2];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4169_ = true;
+                                                    phi_4074_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1641] = _e1634.member.member_1[0];
-                                                if _e1642 {
+                                                local_2[_e1002] = _e995.member.member_1[0];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4169_ = true;
+                                                    phi_4074_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1641] = _e1634.member.member_1[1];
-                                                if _e1642 {
+                                                local_1[_e1002] = _e995.member.member_1[1];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4169_ = true;
+                                                    phi_4074_ = true;
                                                     break;
                                                 }
-                                                local[_e1641] = _e1634.member.member_1[2];
-                                                if _e1642 {
+                                                local[_e1002] = _e995.member.member_1[2];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4169_ = true;
+                                                    phi_4074_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1641] = select(_e1623, _e1625, _e1632);
-                                                if _e1632 {
-                                                    phi_3326_ = _e1542;
+                                                local_8[_e1002] = select(_e984, _e986, _e993);
+                                                if _e993 {
+                                                    phi_3305_ = _e903;
                                                 } else {
-                                                    phi_3326_ = _e1547;
+                                                    phi_3305_ = _e908;
                                                 }
-                                                let _e1659 = phi_3326_;
-                                                phi_3327_ = (_e666 + 1u);
-                                                phi_3328_ = _e1659;
+                                                let _e1020 = phi_3305_;
+                                                phi_3306_ = _e1020;
+                                                phi_3307_ = (_e668 + 1u);
                                             } else {
-                                                phi_3327_ = u32();
-                                                phi_3328_ = type_52();
+                                                phi_3306_ = type_52();
+                                                phi_3307_ = u32();
                                             }
-                                            let _e1661 = phi_3327_;
-                                            let _e1663 = phi_3328_;
-                                            phi_3330_ = _e1661;
-                                            phi_3331_ = _e1663;
-                                            phi_3332_ = select(true, false, _e1631);
+                                            let _e1022 = phi_3306_;
+                                            let _e1024 = phi_3307_;
+                                            phi_3309_ = _e1022;
+                                            phi_3310_ = _e1024;
+                                            phi_3311_ = select(true, false, _e992);
                                         } else {
-                                            phi_3330_ = u32();
-                                            phi_3331_ = type_52();
-                                            phi_3332_ = true;
+                                            phi_3309_ = type_52();
+                                            phi_3310_ = u32();
+                                            phi_3311_ = true;
                                         }
-                                        let _e1666 = phi_3330_;
-                                        let _e1668 = phi_3331_;
-                                        let _e1670 = phi_3332_;
-                                        if _e1670 {
-                                            if _e1630 {
-                                                phi_3339_ = _e1542;
+                                        let _e1027 = phi_3309_;
+                                        let _e1029 = phi_3310_;
+                                        let _e1031 = phi_3311_;
+                                        if _e1031 {
+                                            if _e991 {
+                                                phi_3318_ = _e903;
                                             } else {
-                                                phi_3339_ = _e1547;
+                                                phi_3318_ = _e908;
                                             }
-                                            let _e1672 = phi_3339_;
-                                            phi_3344_ = select(_e1631, true, _e1630);
-                                            phi_3346_ = _e1672;
+                                            let _e1033 = phi_3318_;
+                                            phi_3323_ = select(_e992, true, _e991);
+                                            phi_3324_ = _e1033;
                                         } else {
-                                            phi_3344_ = _e664;
-                                            phi_3346_ = _e1668;
+                                            phi_3323_ = _e664;
+                                            phi_3324_ = _e1027;
                                         }
-                                        let _e1675 = phi_3344_;
-                                        let _e1677 = phi_3346_;
-                                        phi_3350_ = _e1675;
-                                        phi_3351_ = select(_e1666, _e666, _e1670);
-                                        phi_3352_ = _e1677;
+                                        let _e1036 = phi_3323_;
+                                        let _e1038 = phi_3324_;
+                                        phi_4160_ = _e626;
+                                        phi_4078_ = _e624;
+                                        phi_3326_ = _e1036;
+                                        phi_3327_ = _e1038;
+                                        phi_3328_ = select(_e1029, _e668, _e1031);
                                     }
-                                    let _e1680 = phi_3350_;
-                                    let _e1682 = phi_3351_;
-                                    let _e1684 = phi_3352_;
-                                    if _e672 {
-                                        phi_3362_ = _e668;
-                                    } else {
-                                        phi_3362_ = _e1684;
-                                    }
-                                    let _e1686 = phi_3362_;
-                                    phi_4255_ = _e1315;
-                                    phi_4172_ = _e1313;
-                                    phi_3363_ = (_e628 - 1u);
-                                    phi_3364_ = select(_e1680, false, _e672);
-                                    phi_3365_ = select(_e1682, _e666, _e672);
-                                    phi_3366_ = _e1686;
+                                    let _e1678 = phi_4160_;
+                                    let _e1680 = phi_4078_;
+                                    let _e1682 = phi_3326_;
+                                    let _e1684 = phi_3327_;
+                                    let _e1686 = phi_3328_;
+                                    phi_4159_ = _e1678;
+                                    phi_4077_ = _e1680;
+                                    phi_3329_ = _e1682;
+                                    phi_3330_ = _e1684;
+                                    phi_3331_ = _e1686;
+                                    phi_3332_ = (_e634 - 1u);
                                 } else {
-                                    phi_4255_ = _e626;
-                                    phi_4172_ = _e624;
-                                    phi_3363_ = _e628;
-                                    phi_3364_ = _e664;
-                                    phi_3365_ = _e666;
-                                    phi_3366_ = _e668;
+                                    phi_4159_ = _e626;
+                                    phi_4077_ = _e624;
+                                    phi_3329_ = _e664;
+                                    phi_3330_ = _e666;
+                                    phi_3331_ = _e668;
+                                    phi_3332_ = _e634;
                                 }
-                                let _e1690 = phi_4255_;
-                                let _e1692 = phi_4172_;
-                                let _e1694 = phi_3363_;
-                                let _e1696 = phi_3364_;
-                                let _e1698 = phi_3365_;
-                                let _e1700 = phi_3366_;
-                                phi_4254_ = _e1690;
-                                phi_4171_ = _e1692;
-                                phi_3367_ = _e1694;
-                                phi_3368_ = _e1696;
-                                phi_3369_ = _e1698;
-                                phi_3370_ = _e1700;
+                                let _e1688 = phi_4159_;
+                                let _e1690 = phi_4077_;
+                                let _e1692 = phi_3329_;
+                                let _e1694 = phi_3330_;
+                                let _e1696 = phi_3331_;
+                                let _e1698 = phi_3332_;
+                                phi_4158_ = _e1688;
+                                phi_4076_ = _e1690;
+                                phi_3333_ = _e1692;
+                                phi_3334_ = _e1694;
+                                phi_3335_ = _e1696;
+                                phi_3336_ = _e1698;
                             } else {
-                                phi_4254_ = _e626;
-                                phi_4171_ = _e624;
-                                phi_3367_ = u32();
-                                phi_3368_ = bool();
-                                phi_3369_ = u32();
-                                phi_3370_ = type_52();
+                                phi_4158_ = _e626;
+                                phi_4076_ = _e624;
+                                phi_3333_ = bool();
+                                phi_3334_ = type_52();
+                                phi_3335_ = u32();
+                                phi_3336_ = u32();
                             }
-                            let _e1702 = phi_4254_;
-                            let _e1704 = phi_4171_;
-                            let _e1706 = phi_3367_;
-                            let _e1708 = phi_3368_;
-                            let _e1710 = phi_3369_;
-                            let _e1712 = phi_3370_;
-                            phi_4253_ = _e1702;
-                            phi_4170_ = _e1704;
-                            phi_1181_ = _e1706;
-                            phi_1184_ = _e1708;
-                            phi_1186_ = _e1710;
-                            phi_1188_ = _e1712;
-                            phi_3371_ = _e638;
+                            let _e1700 = phi_4158_;
+                            let _e1702 = phi_4076_;
+                            let _e1704 = phi_3333_;
+                            let _e1706 = phi_3334_;
+                            let _e1708 = phi_3335_;
+                            let _e1710 = phi_3336_;
+                            phi_4157_ = _e1700;
+                            phi_4075_ = _e1702;
+                            phi_1188_ = _e1704;
+                            phi_1191_ = _e1706;
+                            phi_1193_ = _e1708;
+                            phi_1195_ = _e1710;
+                            phi_3337_ = _e638;
                         } else {
-                            phi_4253_ = _e626;
-                            phi_4170_ = _e624;
-                            phi_1181_ = u32();
-                            phi_1184_ = bool();
-                            phi_1186_ = u32();
-                            phi_1188_ = type_52();
-                            phi_3371_ = false;
+                            phi_4157_ = _e626;
+                            phi_4075_ = _e624;
+                            phi_1188_ = bool();
+                            phi_1191_ = type_52();
+                            phi_1193_ = u32();
+                            phi_1195_ = u32();
+                            phi_3337_ = false;
                         }
-                        let _e1714 = phi_4253_;
-                        let _e1716 = phi_4170_;
-                        let _e1718 = phi_1181_;
-                        let _e1720 = phi_1184_;
-                        let _e1722 = phi_1186_;
-                        let _e1724 = phi_1188_;
-                        let _e1726 = phi_3371_;
+                        let _e1712 = phi_4157_;
+                        let _e1714 = phi_4075_;
+                        let _e1716 = phi_1188_;
+                        let _e1718 = phi_1191_;
+                        let _e1720 = phi_1193_;
+                        let _e1722 = phi_1195_;
+                        let _e1724 = phi_3337_;
                         continue;
                         continuing {
-                            phi_3889_ = _e1716;
-                            phi_3869_ = _e1714;
-                            phi_1180_ = _e1718;
-                            phi_1183_ = _e1720;
-                            phi_1185_ = _e1722;
-                            phi_1187_ = _e1724;
-                            phi_4169_ = _e1716;
-                            break if !(_e1726);
+                            phi_3844_ = _e1714;
+                            phi_3799_ = _e1712;
+                            phi_1187_ = _e1716;
+                            phi_1190_ = _e1718;
+                            phi_1192_ = _e1720;
+                            phi_1194_ = _e1722;
+                            phi_4074_ = _e1714;
+                            break if !(_e1724);
                         }
                     }
-                    let _e1729 = phi_4169_;
-                    if _e1729 {
+                    let _e1727 = phi_4074_;
+                    if _e1727 {
                         break;
                     }
-                    phi_3378_ = type_4(0u, 8u);
+                    phi_3344_ = type_4(0u, 8u);
                     loop {
-                        let _e1731 = phi_3378_;
-                        if (_e1731.member < _e1731.member_1) {
-                            phi_3379_ = type_4((_e1731.member + 1u), _e1731.member_1);
-                            phi_3402_ = type_4(1u, _e1731.member);
+                        let _e1729 = phi_3344_;
+                        if (_e1729.member < _e1729.member_1) {
+                            phi_3345_ = type_4((_e1729.member + 1u), _e1729.member_1);
+                            phi_3368_ = type_4(1u, _e1729.member);
                         } else {
-                            phi_3379_ = _e1731;
-                            phi_3402_ = type_4(0u, type_4().member_1);
+                            phi_3345_ = _e1729;
+                            phi_3368_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1744 = phi_3379_;
-                        let _e1746 = phi_3402_;
-                        let _e1750 = (bitcast<i32>(_e1746.member) != 0i);
-                        if _e1750 {
-                            let _e1751 = (_e1746.member_1 < 8u);
-                            if _e1751 {
+                        let _e1742 = phi_3345_;
+                        let _e1744 = phi_3368_;
+                        let _e1748 = (bitcast<i32>(_e1744.member) != 0i);
+                        if _e1748 {
+                            let _e1749 = (_e1744.member_1 < 8u);
+                            if _e1749 {
                             } else {
-                                phi_4235_ = true;
+                                phi_4139_ = true;
                                 break;
                             }
-                            let _e1753 = local_7[_e1746.member_1];
-                            if (_e1753.member_3 != 4294967295u) {
-                                let _e1759 = -(_e495);
-                                let _e1760 = bitcast<u32>(_e1753.member);
-                                let _e1764 = (bitcast<i32>((_e1760 >> bitcast<u32>(23i))) & 255i);
-                                let _e1765 = (_e1764 + _e1759);
-                                if (_e1764 == 255i) {
-                                    phi_3475_ = _e1753.member;
+                            let _e1751 = local_7[_e1744.member_1];
+                            if (_e1751.member_3 != 4294967295u) {
+                                let _e1757 = -(_e495);
+                                let _e1758 = bitcast<u32>(_e1751.member);
+                                let _e1762 = (bitcast<i32>((_e1758 >> bitcast<u32>(23i))) & 255i);
+                                let _e1763 = (_e1762 + _e1757);
+                                if (_e1762 == 255i) {
+                                    phi_3441_ = _e1751.member;
                                 } else {
-                                    if (_e1764 > 0i) {
-                                        if (_e1765 > 0i) {
-                                            let _e1769 = (_e1765 < 255i);
-                                            if _e1769 {
-                                                phi_3454_ = bitcast<f32>((_e1760 + bitcast<u32>((_e1759 << bitcast<u32>(23i)))));
+                                    if (_e1762 > 0i) {
+                                        if (_e1763 > 0i) {
+                                            let _e1767 = (_e1763 < 255i);
+                                            if _e1767 {
+                                                phi_3420_ = bitcast<f32>((_e1758 + bitcast<u32>((_e1757 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3454_ = f32();
+                                                phi_3420_ = f32();
                                             }
-                                            let _e1776 = phi_3454_;
-                                            phi_3456_ = _e1776;
-                                            phi_3457_ = select(true, false, _e1769);
+                                            let _e1774 = phi_3420_;
+                                            phi_3422_ = _e1774;
+                                            phi_3423_ = select(true, false, _e1767);
                                         } else {
-                                            phi_3456_ = f32();
-                                            phi_3457_ = true;
+                                            phi_3422_ = f32();
+                                            phi_3423_ = true;
                                         }
-                                        let _e1779 = phi_3456_;
-                                        let _e1781 = phi_3457_;
-                                        phi_3458_ = _e1779;
-                                        phi_3459_ = _e1781;
+                                        let _e1777 = phi_3422_;
+                                        let _e1779 = phi_3423_;
+                                        phi_3424_ = _e1777;
+                                        phi_3425_ = _e1779;
                                     } else {
-                                        phi_3458_ = f32();
-                                        phi_3459_ = true;
+                                        phi_3424_ = f32();
+                                        phi_3425_ = true;
                                     }
-                                    let _e1783 = phi_3458_;
-                                    let _e1785 = phi_3459_;
-                                    if _e1785 {
-                                        let _e1786 = (_e1760 & 2147483648u);
-                                        let _e1793 = ((_e1760 & 8388607u) | (select(0u, 1u, ((_e1760 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1797 = (_e1793 == 0u);
-                                        if _e1797 {
-                                            phi_3828_ = bitcast<f32>(_e1786);
+                                    let _e1781 = phi_3424_;
+                                    let _e1783 = phi_3425_;
+                                    if _e1783 {
+                                        let _e1784 = (_e1758 & 2147483648u);
+                                        let _e1791 = ((_e1758 & 8388607u) | (select(0u, 1u, ((_e1758 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1795 = (_e1791 == 0u);
+                                        if _e1795 {
+                                            phi_3758_ = bitcast<f32>(_e1784);
                                         } else {
-                                            let _e1802 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1793)), 32u, _e1797) - 8u);
-                                            let _e1805 = (_e1793 << bitcast<u32>((_e1802 & 31u)));
-                                            let _e1807 = ((_e1765 + select(0i, 1i, (_e1764 == 0i))) - bitcast<i32>(_e1802));
-                                            if (_e1807 >= 255i) {
-                                                phi_3818_ = bitcast<f32>((_e1786 | 2139095040u));
-                                                phi_3819_ = f32();
-                                                phi_3820_ = true;
+                                            let _e1800 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1791)), 32u, _e1795) - 8u);
+                                            let _e1803 = (_e1791 << bitcast<u32>((_e1800 & 31u)));
+                                            let _e1805 = ((_e1763 + select(0i, 1i, (_e1762 == 0i))) - bitcast<i32>(_e1800));
+                                            if (_e1805 >= 255i) {
+                                                phi_3748_ = bitcast<f32>((_e1784 | 2139095040u));
+                                                phi_3749_ = f32();
+                                                phi_3750_ = true;
                                             } else {
-                                                let _e1809 = (_e1807 > 0i);
-                                                if _e1809 {
-                                                    phi_3812_ = bitcast<f32>(((_e1786 | (bitcast<u32>(_e1807) << bitcast<u32>(23i))) | (_e1805 & 8388607u)));
-                                                    phi_3813_ = f32();
+                                                let _e1807 = (_e1805 > 0i);
+                                                if _e1807 {
+                                                    phi_3742_ = bitcast<f32>(((_e1784 | (bitcast<u32>(_e1805) << bitcast<u32>(23i))) | (_e1803 & 8388607u)));
+                                                    phi_3743_ = f32();
                                                 } else {
-                                                    if (_e1807 < -24i) {
-                                                        phi_3778_ = 26u;
+                                                    if (_e1805 < -24i) {
+                                                        phi_3708_ = 26u;
                                                     } else {
-                                                        phi_3778_ = bitcast<u32>((1i - _e1807));
+                                                        phi_3708_ = bitcast<u32>((1i - _e1805));
                                                     }
-                                                    let _e1814 = phi_3778_;
-                                                    let _e1815 = (_e1814 & 31u);
-                                                    let _e1817 = (_e1805 >> bitcast<u32>(_e1815));
-                                                    let _e1821 = (_e1805 & ((1u << bitcast<u32>(_e1815)) - 1u));
-                                                    let _e1825 = (1u << bitcast<u32>(((_e1814 - 1u) & 31u)));
-                                                    if (_e1821 > _e1825) {
-                                                        phi_3799_ = true;
+                                                    let _e1812 = phi_3708_;
+                                                    let _e1813 = (_e1812 & 31u);
+                                                    let _e1815 = (_e1803 >> bitcast<u32>(_e1813));
+                                                    let _e1819 = (_e1803 & ((1u << bitcast<u32>(_e1813)) - 1u));
+                                                    let _e1823 = (1u << bitcast<u32>(((_e1812 - 1u) & 31u)));
+                                                    if (_e1819 > _e1823) {
+                                                        phi_3729_ = true;
                                                     } else {
-                                                        if (_e1821 == _e1825) {
-                                                            phi_3796_ = ((_e1817 & 1u) == 1u);
+                                                        if (_e1819 == _e1823) {
+                                                            phi_3726_ = ((_e1815 & 1u) == 1u);
                                                         } else {
-                                                            phi_3796_ = false;
+                                                            phi_3726_ = false;
                                                         }
-                                                        let _e1831 = phi_3796_;
-                                                        phi_3799_ = _e1831;
+                                                        let _e1829 = phi_3726_;
+                                                        phi_3729_ = _e1829;
                                                     }
-                                                    let _e1833 = phi_3799_;
-                                                    phi_3812_ = f32();
-                                                    phi_3813_ = bitcast<f32>((_e1786 | (_e1817 + select(0u, 1u, _e1833))));
+                                                    let _e1831 = phi_3729_;
+                                                    phi_3742_ = f32();
+                                                    phi_3743_ = bitcast<f32>((_e1784 | (_e1815 + select(0u, 1u, _e1831))));
                                                 }
-                                                let _e1846 = phi_3812_;
-                                                let _e1848 = phi_3813_;
-                                                phi_3818_ = _e1846;
-                                                phi_3819_ = _e1848;
-                                                phi_3820_ = _e1809;
+                                                let _e1844 = phi_3742_;
+                                                let _e1846 = phi_3743_;
+                                                phi_3748_ = _e1844;
+                                                phi_3749_ = _e1846;
+                                                phi_3750_ = _e1807;
                                             }
-                                            let _e1852 = phi_3818_;
-                                            let _e1854 = phi_3819_;
-                                            let _e1856 = phi_3820_;
-                                            phi_3828_ = select(_e1854, _e1852, _e1856);
+                                            let _e1850 = phi_3748_;
+                                            let _e1852 = phi_3749_;
+                                            let _e1854 = phi_3750_;
+                                            phi_3758_ = select(_e1852, _e1850, _e1854);
                                         }
-                                        let _e1860 = phi_3828_;
-                                        phi_3474_ = _e1860;
+                                        let _e1858 = phi_3758_;
+                                        phi_3440_ = _e1858;
                                     } else {
-                                        phi_3474_ = _e1783;
+                                        phi_3440_ = _e1781;
                                     }
-                                    let _e1862 = phi_3474_;
-                                    phi_3475_ = _e1862;
+                                    let _e1860 = phi_3440_;
+                                    phi_3441_ = _e1860;
                                 }
-                                let _e1864 = phi_3475_;
-                                let _e1865 = bitcast<u32>(_e1864);
-                                if ((_e1865 & 2147483647u) >= 2139095040u) {
-                                    phi_3487_ = bitcast<f32>(((_e1865 & 2147483648u) | 2139095039u));
+                                let _e1862 = phi_3441_;
+                                let _e1863 = bitcast<u32>(_e1862);
+                                if ((_e1863 & 2147483647u) >= 2139095040u) {
+                                    phi_3453_ = bitcast<f32>(((_e1863 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3487_ = _e1864;
+                                    phi_3453_ = _e1862;
                                 }
-                                let _e1872 = phi_3487_;
-                                phi_3492_ = type_22(_e1872, _e1753.member_1, _e1753.member_2, _e1753.member_3);
+                                let _e1870 = phi_3453_;
+                                phi_3458_ = type_22(_e1870, _e1751.member_1, _e1751.member_2, _e1751.member_3);
                             } else {
-                                phi_3492_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3458_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1875 = phi_3492_;
-                            if _e1751 {
+                            let _e1873 = phi_3458_;
+                            if _e1749 {
                             } else {
-                                phi_4235_ = true;
+                                phi_4139_ = true;
                                 break;
                             }
-                            local_7[_e1746.member_1] = type_22(_e1875.member, _e1875.member_1, _e1875.member_2, _e1875.member_3);
+                            local_7[_e1744.member_1] = type_22(_e1873.member, _e1873.member_1, _e1873.member_2, _e1873.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3378_ = _e1744;
-                            phi_4235_ = _e1729;
-                            break if !(_e1750);
+                            phi_3344_ = _e1742;
+                            phi_4139_ = _e1727;
+                            break if !(_e1748);
                         }
                     }
-                    let _e1883 = phi_4235_;
-                    if _e1883 {
+                    let _e1881 = phi_4139_;
+                    if _e1881 {
                         break;
                     }
-                    let _e1884 = local_7;
+                    let _e1882 = local_7;
                     if _e141 {
                     } else {
                         break;
                     }
-                    global_6.member[_e139] = array<type_22, 8>(type_22(_e1884[0].member, _e1884[0].member_1, _e1884[0].member_2, _e1884[0].member_3), type_22(_e1884[1].member, _e1884[1].member_1, _e1884[1].member_2, _e1884[1].member_3), type_22(_e1884[2].member, _e1884[2].member_1, _e1884[2].member_2, _e1884[2].member_3), type_22(_e1884[3].member, _e1884[3].member_1, _e1884[3].member_2, _e1884[3].member_3), type_22(_e1884[4].member, _e1884[4].member_1, _e1884[4].member_2, _e1884[4].member_3), type_22(_e1884[5].member, _e1884[5].member_1, _e1884[5].member_2, _e1884[5].member_3), type_22(_e1884[6].member, _e1884[6].member_1, _e1884[6].member_2, _e1884[6].member_3), type_22(_e1884[7].member, _e1884[7].member_1, _e1884[7].member_2, _e1884[7].member_3));
+                    global_6.member[_e139] = array<type_22, 8>(type_22(_e1882[0].member, _e1882[0].member_1, _e1882[0].member_2, _e1882[0].member_3), type_22(_e1882[1].member, _e1882[1].member_1, _e1882[1].member_2, _e1882[1].member_3), type_22(_e1882[2].member, _e1882[2].member_1, _e1882[2].member_2, _e1882[2].member_3), type_22(_e1882[3].member, _e1882[3].member_1, _e1882[3].member_2, _e1882[3].member_3), type_22(_e1882[4].member, _e1882[4].member_1, _e1882[4].member_2, _e1882[4].member_3), type_22(_e1882[5].member, _e1882[5].member_1, _e1882[5].member_2, _e1882[5].member_3), type_22(_e1882[6].member, _e1882[6].member_1, _e1882[6].member_2, _e1882[6].member_3), type_22(_e1882[7].member, _e1882[7].member_1, _e1882[7].member_2, _e1882[7].member_3));
                 }
             }
             break;

@@ -96,157 +96,144 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_454_: i32;
-    var phi_455_: i32;
-    var phi_465_: bool;
-    var phi_475_: u32;
-    var phi_476_: u32;
-    var phi_478_: bool;
+    var phi_461_: i32;
+    var phi_462_: i32;
+    var phi_472_: bool;
+    var phi_482_: u32;
     var phi_483_: u32;
-    var phi_496_: i32;
-    var phi_516_: i32;
-    var phi_534_: f32;
-    var phi_540_: f32;
-    var phi_580_: f32;
-    var phi_586_: f32;
-    var phi_659_: f32;
-    var phi_665_: f32;
-    var phi_705_: f32;
-    var phi_711_: f32;
-    var phi_784_: f32;
-    var phi_790_: f32;
-    var phi_830_: f32;
-    var phi_836_: f32;
-    var phi_955_: i32;
-    var phi_977_: u32;
-    var phi_978_: u32;
-    var phi_1015_: i32;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1046_: f32;
-    var phi_1047_: f32;
-    var phi_4122_: bool;
-    var phi_4066_: f32;
-    var phi_1183_: u32;
-    var phi_1186_: bool;
-    var phi_1188_: u32;
-    var phi_1190_: type_53;
-    var phi_1201_: bool;
-    var phi_1288_: bool;
-    var phi_1289_: u32;
-    var phi_1290_: type_53;
-    var phi_4119_: bool;
-    var phi_4089_: f32;
-    var phi_1309_: type_4;
-    var phi_1310_: type_4;
-    var phi_1333_: type_4;
-    var phi_1358_: u32;
-    var phi_1374_: type_47;
-    var phi_3782_: bool;
-    var phi_3797_: bool;
-    var phi_3812_: bool;
-    var phi_3827_: bool;
-    var phi_3842_: bool;
-    var phi_3857_: bool;
-    var phi_2182_: f32;
-    var phi_2183_: f32;
-    var phi_2184_: f32;
-    var phi_2185_: f32;
-    var phi_2186_: vec3<f32>;
-    var phi_2187_: vec3<f32>;
-    var phi_2188_: vec3<f32>;
-    var phi_2189_: vec3<f32>;
-    var phi_3872_: bool;
-    var phi_3887_: bool;
-    var phi_3902_: bool;
-    var phi_3917_: bool;
-    var phi_3932_: bool;
-    var phi_3947_: bool;
-    var phi_2397_: f32;
-    var phi_2417_: type_26;
-    var phi_2418_: type_26;
-    var phi_2421_: type_26;
-    var phi_2422_: type_26;
-    var phi_2423_: bool;
-    var phi_2427_: type_26;
-    var phi_2436_: type_18;
-    var phi_2448_: type_4;
-    var phi_2451_: type_18;
-    var phi_2449_: type_4;
-    var phi_2474_: type_4;
-    var phi_2506_: bool;
-    var phi_2507_: bool;
-    var phi_2528_: type_18;
-    var phi_2452_: type_18;
-    var phi_4091_: bool;
-    var phi_4401_: f32;
-    var phi_4400_: f32;
-    var phi_4277_: bool;
-    var phi_4399_: f32;
-    var phi_4276_: bool;
-    var phi_4398_: f32;
-    var phi_4275_: bool;
+    var phi_485_: bool;
+    var phi_490_: u32;
+    var phi_503_: i32;
+    var phi_523_: i32;
+    var phi_541_: f32;
+    var phi_547_: f32;
+    var phi_587_: f32;
+    var phi_593_: f32;
+    var phi_666_: f32;
+    var phi_672_: f32;
+    var phi_712_: f32;
+    var phi_718_: f32;
+    var phi_791_: f32;
+    var phi_797_: f32;
+    var phi_837_: f32;
+    var phi_843_: f32;
+    var phi_962_: i32;
+    var phi_984_: u32;
+    var phi_985_: u32;
+    var phi_1022_: i32;
+    var phi_1044_: u32;
+    var phi_1045_: u32;
+    var phi_1053_: f32;
+    var phi_1054_: f32;
+    var phi_4077_: bool;
+    var phi_3996_: f32;
+    var phi_1190_: bool;
+    var phi_1193_: type_53;
+    var phi_1195_: u32;
+    var phi_1197_: u32;
+    var phi_1208_: bool;
+    var phi_1295_: bool;
+    var phi_1296_: type_53;
+    var phi_1297_: u32;
+    var phi_2539_: type_40;
+    var phi_3426_: type_53;
+    var phi_3502_: type_53;
+    var phi_3503_: type_53;
+    var phi_3504_: u32;
+    var phi_3506_: type_53;
+    var phi_3507_: u32;
+    var phi_3508_: bool;
+    var phi_3515_: type_53;
+    var phi_3520_: bool;
+    var phi_3521_: type_53;
+    var phi_4074_: bool;
+    var phi_4045_: f32;
+    var phi_1316_: type_4;
+    var phi_1317_: type_4;
+    var phi_1340_: type_4;
+    var phi_1365_: u32;
+    var phi_1381_: type_47;
+    var phi_2177_: f32;
+    var phi_2178_: f32;
+    var phi_2179_: f32;
+    var phi_2180_: f32;
+    var phi_2181_: vec3<f32>;
+    var phi_2182_: vec3<f32>;
+    var phi_2183_: vec3<f32>;
+    var phi_2184_: vec3<f32>;
+    var phi_2375_: f32;
+    var phi_2395_: type_26;
+    var phi_2396_: type_26;
+    var phi_2399_: type_26;
+    var phi_2400_: type_26;
+    var phi_2401_: bool;
+    var phi_2405_: type_26;
+    var phi_2414_: type_18;
+    var phi_2426_: type_4;
+    var phi_2429_: type_18;
+    var phi_2427_: type_4;
+    var phi_2452_: type_4;
+    var phi_2484_: bool;
+    var phi_2485_: bool;
+    var phi_2506_: type_18;
+    var phi_2430_: type_18;
+    var phi_4046_: bool;
+    var phi_4306_: f32;
     var phi_4305_: f32;
-    var phi_4274_: bool;
-    var phi_4461_: bool;
+    var phi_4220_: bool;
     var phi_4304_: f32;
-    var phi_2560_: type_40;
-    var phi_3447_: type_53;
-    var phi_3523_: type_53;
-    var phi_3524_: u32;
-    var phi_3525_: type_53;
-    var phi_3527_: u32;
-    var phi_3528_: type_53;
-    var phi_3529_: bool;
-    var phi_3536_: type_53;
-    var phi_3541_: bool;
-    var phi_3543_: type_53;
-    var phi_3547_: bool;
-    var phi_3548_: u32;
-    var phi_3549_: type_53;
-    var phi_3559_: type_53;
-    var phi_4488_: f32;
-    var phi_4405_: bool;
-    var phi_3560_: u32;
-    var phi_3561_: bool;
-    var phi_3562_: u32;
-    var phi_3563_: type_53;
-    var phi_4487_: f32;
-    var phi_4404_: bool;
-    var phi_3564_: u32;
-    var phi_3565_: bool;
-    var phi_3566_: u32;
-    var phi_3567_: type_53;
-    var phi_4486_: f32;
-    var phi_4403_: bool;
-    var phi_1184_: u32;
-    var phi_1187_: bool;
-    var phi_1189_: u32;
-    var phi_1191_: type_53;
-    var phi_3568_: bool;
-    var phi_4402_: bool;
-    var phi_3575_: type_4;
-    var phi_3576_: type_4;
-    var phi_3599_: type_4;
-    var phi_3651_: f32;
-    var phi_3653_: f32;
-    var phi_3654_: bool;
-    var phi_3655_: f32;
-    var phi_3656_: bool;
-    var phi_3975_: u32;
-    var phi_3993_: bool;
-    var phi_3996_: bool;
-    var phi_4009_: f32;
-    var phi_4010_: f32;
-    var phi_4015_: f32;
-    var phi_4016_: f32;
-    var phi_4017_: bool;
-    var phi_4025_: f32;
-    var phi_3671_: f32;
-    var phi_3672_: f32;
-    var phi_3684_: f32;
-    var phi_3689_: type_18;
-    var phi_4468_: bool;
+    var phi_4219_: bool;
+    var phi_4303_: f32;
+    var phi_4218_: bool;
+    var phi_4222_: f32;
+    var phi_4217_: bool;
+    var phi_4393_: f32;
+    var phi_4311_: bool;
+    var phi_3523_: bool;
+    var phi_3524_: type_53;
+    var phi_3525_: u32;
+    var phi_4392_: f32;
+    var phi_4310_: bool;
+    var phi_3526_: bool;
+    var phi_3527_: type_53;
+    var phi_3528_: u32;
+    var phi_3529_: u32;
+    var phi_4391_: f32;
+    var phi_4309_: bool;
+    var phi_3530_: bool;
+    var phi_3531_: type_53;
+    var phi_3532_: u32;
+    var phi_3533_: u32;
+    var phi_4390_: f32;
+    var phi_4308_: bool;
+    var phi_1191_: bool;
+    var phi_1194_: type_53;
+    var phi_1196_: u32;
+    var phi_1198_: u32;
+    var phi_3534_: bool;
+    var phi_4307_: bool;
+    var phi_3541_: type_4;
+    var phi_3542_: type_4;
+    var phi_3565_: type_4;
+    var phi_3617_: f32;
+    var phi_3619_: f32;
+    var phi_3620_: bool;
+    var phi_3621_: f32;
+    var phi_3622_: bool;
+    var phi_3905_: u32;
+    var phi_3923_: bool;
+    var phi_3926_: bool;
+    var phi_3939_: f32;
+    var phi_3940_: f32;
+    var phi_3945_: f32;
+    var phi_3946_: f32;
+    var phi_3947_: bool;
+    var phi_3955_: f32;
+    var phi_3637_: f32;
+    var phi_3638_: f32;
+    var phi_3650_: f32;
+    var phi_3655_: type_18;
+    var phi_4372_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -297,93 +284,93 @@ fn function_() {
                     if _e214 {
                         let _e217 = (bitcast<u32>(bitcast<f32>(_e189)) & 2147483647u);
                         if (_e217 >= 8388608u) {
-                            phi_454_ = (bitcast<i32>((_e217 >> bitcast<u32>(23i))) - 127i);
+                            phi_461_ = (bitcast<i32>((_e217 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_454_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e217)), 32u, (_e217 == 0u))));
+                            phi_461_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e217)), 32u, (_e217 == 0u))));
                         }
-                        let _e231 = phi_454_;
-                        phi_455_ = _e231;
+                        let _e231 = phi_461_;
+                        phi_462_ = _e231;
                     } else {
-                        phi_455_ = 0i;
+                        phi_462_ = 0i;
                     }
-                    let _e233 = phi_455_;
+                    let _e233 = phi_462_;
                     let _e234 = (_e150 == _e189);
                     if _e234 {
-                        phi_465_ = true;
+                        phi_472_ = true;
                     } else {
-                        phi_465_ = (_e157 == _e189);
+                        phi_472_ = (_e157 == _e189);
                     }
-                    let _e237 = phi_465_;
+                    let _e237 = phi_472_;
                     let _e238 = select(1u, 0u, _e234);
                     if _e237 {
                         let _e239 = (_e238 + 1u);
-                        phi_475_ = _e239;
-                        phi_476_ = _e239;
-                        phi_478_ = select(true, false, (_e239 == 2u));
+                        phi_482_ = _e239;
+                        phi_483_ = _e239;
+                        phi_485_ = select(true, false, (_e239 == 2u));
                     } else {
-                        phi_475_ = u32();
-                        phi_476_ = 0u;
-                        phi_478_ = true;
-                    }
-                    let _e243 = phi_475_;
-                    let _e245 = phi_476_;
-                    let _e247 = phi_478_;
-                    if _e247 {
-                        phi_483_ = (_e245 + 1u);
-                    } else {
+                        phi_482_ = u32();
                         phi_483_ = 0u;
+                        phi_485_ = true;
                     }
-                    let _e251 = phi_483_;
+                    let _e243 = phi_482_;
+                    let _e245 = phi_483_;
+                    let _e247 = phi_485_;
+                    if _e247 {
+                        phi_490_ = (_e245 + 1u);
+                    } else {
+                        phi_490_ = 0u;
+                    }
+                    let _e251 = phi_490_;
                     let _e252 = select(_e243, _e245, _e247);
                     let _e253 = select(_e238, select(2u, _e238, _e237), _e247);
                     if (_e128 < -126i) {
-                        phi_496_ = -126i;
+                        phi_503_ = -126i;
                     } else {
-                        phi_496_ = select(_e128, 127i, (_e128 > 127i));
+                        phi_503_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e258 = phi_496_;
+                    let _e258 = phi_503_;
                     let _e263 = bitcast<f32>((bitcast<u32>((_e258 + 127i)) << bitcast<u32>(23i)));
                     let _e269 = bitcast<f32>((bitcast<u32>(((_e128 - _e258) + 127i)) << bitcast<u32>(23i)));
                     let _e270 = -(_e233);
                     if (_e270 < -126i) {
-                        phi_516_ = -126i;
+                        phi_523_ = -126i;
                     } else {
-                        phi_516_ = select(_e270, 127i, (_e270 > 127i));
+                        phi_523_ = select(_e270, 127i, (_e270 > 127i));
                     }
-                    let _e275 = phi_516_;
+                    let _e275 = phi_523_;
                     let _e280 = bitcast<f32>((bitcast<u32>((_e275 + 127i)) << bitcast<u32>(23i)));
                     let _e286 = bitcast<f32>((bitcast<u32>(((_e270 - _e275) + 127i)) << bitcast<u32>(23i)));
                     let _e290 = global_3.member[_e138].member;
                     let _e291 = (_e252 == 0u);
                     if _e291 {
-                        phi_534_ = _e290[0];
+                        phi_541_ = _e290[0];
                     } else {
-                        phi_534_ = _e290[1];
+                        phi_541_ = _e290[1];
                     }
-                    let _e295 = phi_534_;
+                    let _e295 = phi_541_;
                     let _e296 = (_e252 == 2u);
                     if _e296 {
-                        phi_540_ = _e290[2];
+                        phi_547_ = _e290[2];
                     } else {
-                        phi_540_ = _e295;
+                        phi_547_ = _e295;
                     }
-                    let _e299 = phi_540_;
+                    let _e299 = phi_547_;
                     let _e300 = bitcast<u32>(_e299);
                     let _e302 = ((_e300 & 2139095040u) != 0u);
                     let _e316 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e300 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e300 & 2147483648u))), _e299, _e302) * _e263) * select(0.00000011920929f, 1f, _e302)) * _e269);
                     let _e317 = global_3.member[_e138].member_2;
                     if _e291 {
-                        phi_580_ = _e317[0];
+                        phi_587_ = _e317[0];
                     } else {
-                        phi_580_ = _e317[1];
+                        phi_587_ = _e317[1];
                     }
-                    let _e321 = phi_580_;
+                    let _e321 = phi_587_;
                     if _e296 {
-                        phi_586_ = _e317[2];
+                        phi_593_ = _e317[2];
                     } else {
-                        phi_586_ = _e321;
+                        phi_593_ = _e321;
                     }
-                    let _e324 = phi_586_;
+                    let _e324 = phi_593_;
                     let _e325 = bitcast<u32>(_e324);
                     let _e327 = ((_e325 & 2139095040u) != 0u);
                     let _e341 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e325 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e325 & 2147483648u))), _e324, _e327) * _e280) * select(0.00000011920929f, 1f, _e327)) * _e286);
@@ -397,33 +384,33 @@ fn function_() {
                     let _e357 = select(38685626000000000000000000f, (1f / _e341), _e345);
                     let _e358 = (_e251 == 0u);
                     if _e358 {
-                        phi_659_ = _e290[0];
+                        phi_666_ = _e290[0];
                     } else {
-                        phi_659_ = _e290[1];
+                        phi_666_ = _e290[1];
                     }
-                    let _e362 = phi_659_;
+                    let _e362 = phi_666_;
                     let _e363 = (_e251 == 2u);
                     if _e363 {
-                        phi_665_ = _e290[2];
+                        phi_672_ = _e290[2];
                     } else {
-                        phi_665_ = _e362;
+                        phi_672_ = _e362;
                     }
-                    let _e366 = phi_665_;
+                    let _e366 = phi_672_;
                     let _e367 = bitcast<u32>(_e366);
                     let _e369 = ((_e367 & 2139095040u) != 0u);
                     let _e383 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e367 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e367 & 2147483648u))), _e366, _e369) * _e263) * select(0.00000011920929f, 1f, _e369)) * _e269);
                     if _e358 {
-                        phi_705_ = _e317[0];
+                        phi_712_ = _e317[0];
                     } else {
-                        phi_705_ = _e317[1];
+                        phi_712_ = _e317[1];
                     }
-                    let _e387 = phi_705_;
+                    let _e387 = phi_712_;
                     if _e363 {
-                        phi_711_ = _e317[2];
+                        phi_718_ = _e317[2];
                     } else {
-                        phi_711_ = _e387;
+                        phi_718_ = _e387;
                     }
-                    let _e390 = phi_711_;
+                    let _e390 = phi_718_;
                     let _e391 = bitcast<u32>(_e390);
                     let _e393 = ((_e391 & 2139095040u) != 0u);
                     let _e407 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e391 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e391 & 2147483648u))), _e390, _e393) * _e280) * select(0.00000011920929f, 1f, _e393)) * _e286);
@@ -437,33 +424,33 @@ fn function_() {
                     let _e423 = select(38685626000000000000000000f, (1f / _e407), _e411);
                     let _e424 = (_e253 == 0u);
                     if _e424 {
-                        phi_784_ = _e290[0];
+                        phi_791_ = _e290[0];
                     } else {
-                        phi_784_ = _e290[1];
+                        phi_791_ = _e290[1];
                     }
-                    let _e428 = phi_784_;
+                    let _e428 = phi_791_;
                     let _e429 = (_e253 == 2u);
                     if _e429 {
-                        phi_790_ = _e290[2];
+                        phi_797_ = _e290[2];
                     } else {
-                        phi_790_ = _e428;
+                        phi_797_ = _e428;
                     }
-                    let _e432 = phi_790_;
+                    let _e432 = phi_797_;
                     let _e433 = bitcast<u32>(_e432);
                     let _e435 = ((_e433 & 2139095040u) != 0u);
                     let _e449 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e433 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e433 & 2147483648u))), _e432, _e435) * _e263) * select(0.00000011920929f, 1f, _e435)) * _e269);
                     if _e424 {
-                        phi_830_ = _e317[0];
+                        phi_837_ = _e317[0];
                     } else {
-                        phi_830_ = _e317[1];
+                        phi_837_ = _e317[1];
                     }
-                    let _e453 = phi_830_;
+                    let _e453 = phi_837_;
                     if _e429 {
-                        phi_836_ = _e317[2];
+                        phi_843_ = _e317[2];
                     } else {
-                        phi_836_ = _e453;
+                        phi_843_ = _e453;
                     }
-                    let _e456 = phi_836_;
+                    let _e456 = phi_843_;
                     let _e457 = bitcast<u32>(_e456);
                     let _e459 = ((_e457 & 2139095040u) != 0u);
                     let _e473 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e457 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e457 & 2147483648u))), _e456, _e459) * _e280) * select(0.00000011920929f, 1f, _e459)) * _e286);
@@ -483,55 +470,55 @@ fn function_() {
                         let _e511 = (_e504 == 0u);
                         let _e514 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e504)), 32u, _e511)) - 8i);
                         if (_e507 == 255i) {
-                            phi_955_ = 255i;
+                            phi_962_ = 255i;
                         } else {
-                            phi_955_ = (((_e507 + select(0i, 1i, (_e507 == 0i))) - _e514) + _e494);
+                            phi_962_ = (((_e507 + select(0i, 1i, (_e507 == 0i))) - _e514) + _e494);
                         }
-                        let _e522 = phi_955_;
+                        let _e522 = phi_962_;
                         let _e532 = (_e522 <= 0i);
                         if _e532 {
-                            phi_978_ = u32();
+                            phi_985_ = u32();
                         } else {
                             if _e511 {
-                                phi_977_ = u32();
+                                phi_984_ = u32();
                             } else {
-                                phi_977_ = select(((bitcast<u32>(_e522) << bitcast<u32>(23i)) | ((_e504 << bitcast<u32>(((_e514 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e522 >= 255i));
+                                phi_984_ = select(((bitcast<u32>(_e522) << bitcast<u32>(23i)) | ((_e504 << bitcast<u32>(((_e514 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e522 >= 255i));
                             }
-                            let _e536 = phi_977_;
-                            phi_978_ = _e536;
+                            let _e536 = phi_984_;
+                            phi_985_ = _e536;
                         }
-                        let _e538 = phi_978_;
+                        let _e538 = phi_985_;
                         let _e550 = ((_e210 & 8388607u) | (select(0u, 1u, ((_e210 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e553 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
                         let _e557 = (_e550 == 0u);
                         let _e560 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e550)), 32u, _e557)) - 8i);
                         if (_e553 == 255i) {
-                            phi_1015_ = 255i;
+                            phi_1022_ = 255i;
                         } else {
-                            phi_1015_ = (((_e553 + select(0i, 1i, (_e553 == 0i))) - _e560) + _e494);
+                            phi_1022_ = (((_e553 + select(0i, 1i, (_e553 == 0i))) - _e560) + _e494);
                         }
-                        let _e568 = phi_1015_;
+                        let _e568 = phi_1022_;
                         let _e578 = (_e568 <= 0i);
                         if _e578 {
-                            phi_1038_ = u32();
+                            phi_1045_ = u32();
                         } else {
                             if _e557 {
-                                phi_1037_ = u32();
+                                phi_1044_ = u32();
                             } else {
-                                phi_1037_ = select(((bitcast<u32>(_e568) << bitcast<u32>(23i)) | ((_e550 << bitcast<u32>(((_e560 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e568 >= 255i));
+                                phi_1044_ = select(((bitcast<u32>(_e568) << bitcast<u32>(23i)) | ((_e550 << bitcast<u32>(((_e560 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e568 >= 255i));
                             }
-                            let _e582 = phi_1037_;
-                            phi_1038_ = _e582;
+                            let _e582 = phi_1044_;
+                            phi_1045_ = _e582;
                         }
-                        let _e584 = phi_1038_;
-                        phi_1046_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e584, 0u, select(_e557, true, _e578))));
-                        phi_1047_ = bitcast<f32>(((_e200 & 2147483648u) | select(_e538, 0u, select(_e511, true, _e532))));
+                        let _e584 = phi_1045_;
+                        phi_1053_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e584, 0u, select(_e557, true, _e578))));
+                        phi_1054_ = bitcast<f32>(((_e200 & 2147483648u) | select(_e538, 0u, select(_e511, true, _e532))));
                     } else {
-                        phi_1046_ = 0f;
-                        phi_1047_ = 1f;
+                        phi_1053_ = 0f;
+                        phi_1054_ = 1f;
                     }
-                    let _e590 = phi_1046_;
-                    let _e592 = phi_1047_;
+                    let _e590 = phi_1053_;
+                    let _e592 = phi_1054_;
                     local_7 = array<type_18, 8>(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -542,1046 +529,964 @@ fn function_() {
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_8 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 3>(bitcast<f32>(_e100), bitcast<f32>(_e104), bitcast<f32>(_e108));
-                    let _e596 = (_e252 % 3u);
-                    let _e597 = (_e596 < 3u);
-                    if _e597 {
+                    let _e598 = (_e252 % 3u);
+                    let _e599 = (_e598 < 3u);
+                    if _e599 {
                     } else {
                         break;
                     }
-                    let _e599 = local_10[_e596];
-                    let _e600 = (_e251 % 3u);
-                    let _e601 = (_e600 < 3u);
-                    if _e601 {
+                    let _e601 = local_10[_e598];
+                    let _e602 = (_e251 % 3u);
+                    let _e603 = (_e602 < 3u);
+                    if _e603 {
                     } else {
                         break;
                     }
-                    let _e603 = local_10[_e600];
-                    let _e604 = (_e253 % 3u);
-                    let _e605 = (_e604 < 3u);
-                    if _e605 {
+                    let _e605 = local_10[_e602];
+                    let _e606 = (_e253 % 3u);
+                    let _e607 = (_e606 < 3u);
+                    if _e607 {
                     } else {
                         break;
                     }
-                    let _e607 = local_10[_e604];
+                    let _e609 = local_10[_e606];
                     local_9 = array<f32, 3>(bitcast<f32>(_e112), bitcast<f32>(_e116), bitcast<f32>(_e120));
-                    if _e597 {
+                    if _e599 {
                     } else {
                         break;
                     }
-                    let _e611 = local_9[_e596];
-                    if _e601 {
+                    let _e613 = local_9[_e598];
+                    if _e603 {
                     } else {
                         break;
                     }
-                    let _e613 = local_9[_e600];
-                    if _e605 {
+                    let _e615 = local_9[_e602];
+                    if _e607 {
                     } else {
                         break;
                     }
-                    let _e615 = local_9[_e604];
-                    phi_4122_ = false;
-                    phi_4066_ = _e590;
-                    phi_1183_ = ((3u * _e89) + 1u);
-                    phi_1186_ = (_e592 <= _e590);
-                    phi_1188_ = 0u;
-                    phi_1190_ = type_53(type_45(array<f32, 3>(_e599, _e603, _e607), array<f32, 3>(_e611, _e613, _e615)), select(0u, 2147483648u, (_e89 == 0u)));
+                    let _e617 = local_9[_e606];
+                    phi_4077_ = false;
+                    phi_3996_ = _e590;
+                    phi_1190_ = (_e592 <= _e590);
+                    phi_1193_ = type_53(type_45(array<f32, 3>(_e601, _e605, _e609), array<f32, 3>(_e613, _e615, _e617)), select(0u, 2147483648u, (_e89 == 0u)));
+                    phi_1195_ = 0u;
+                    phi_1197_ = ((3u * _e89) + 1u);
                     loop {
-                        let _e623 = phi_4122_;
-                        let _e625 = phi_4066_;
-                        let _e627 = phi_1183_;
-                        let _e629 = phi_1186_;
-                        let _e631 = phi_1188_;
-                        let _e633 = phi_1190_;
-                        if _e629 {
-                            phi_1201_ = true;
+                        let _e623 = phi_4077_;
+                        let _e625 = phi_3996_;
+                        let _e627 = phi_1190_;
+                        let _e629 = phi_1193_;
+                        let _e631 = phi_1195_;
+                        let _e633 = phi_1197_;
+                        if _e627 {
+                            phi_1208_ = true;
                         } else {
-                            phi_1201_ = (_e631 > 0u);
+                            phi_1208_ = (_e631 > 0u);
                         }
-                        let _e636 = phi_1201_;
+                        let _e636 = phi_1208_;
                         if _e636 {
-                            let _e637 = (_e627 > 0u);
+                            let _e637 = (_e633 > 0u);
                             if _e637 {
-                                if _e629 {
-                                    phi_1288_ = _e629;
-                                    phi_1289_ = _e631;
-                                    phi_1290_ = _e633;
+                                if _e627 {
+                                    phi_1295_ = _e627;
+                                    phi_1296_ = _e629;
+                                    phi_1297_ = _e631;
                                 } else {
                                     let _e638 = (_e631 - 1u);
                                     let _e639 = (_e638 % 128u);
                                     let _e640 = (_e639 < 128u);
                                     if _e640 {
                                     } else {
-                                        phi_4402_ = true;
+                                        phi_4307_ = true;
                                         break;
                                     }
                                     let _e642 = local_6[_e639];
                                     if _e640 {
                                     } else {
-                                        phi_4402_ = true;
+                                        phi_4307_ = true;
                                         break;
                                     }
                                     let _e644 = local_5[_e639];
                                     if _e640 {
                                     } else {
-                                        phi_4402_ = true;
+                                        phi_4307_ = true;
                                         break;
                                     }
                                     let _e646 = local_4[_e639];
                                     if _e640 {
                                     } else {
-                                        phi_4402_ = true;
+                                        phi_4307_ = true;
                                         break;
                                     }
                                     let _e648 = local_3[_e639];
                                     if _e640 {
                                     } else {
-                                        phi_4402_ = true;
+                                        phi_4307_ = true;
                                         break;
                                     }
                                     let _e651 = local_2[_e639];
                                     if _e640 {
                                     } else {
-                                        phi_4402_ = true;
+                                        phi_4307_ = true;
                                         break;
                                     }
                                     let _e653 = local_1[_e639];
                                     if _e640 {
                                     } else {
-                                        phi_4402_ = true;
+                                        phi_4307_ = true;
                                         break;
                                     }
                                     let _e655 = local[_e639];
                                     if _e640 {
                                     } else {
-                                        phi_4402_ = true;
+                                        phi_4307_ = true;
                                         break;
                                     }
                                     let _e660 = local_8[_e639];
-                                    phi_1288_ = (_e660 <= _e625);
-                                    phi_1289_ = _e638;
-                                    phi_1290_ = type_53(type_45(array<f32, 3>(_e644, _e646, _e648), array<f32, 3>(_e651, _e653, _e655)), _e642);
+                                    phi_1295_ = (_e660 <= _e625);
+                                    phi_1296_ = type_53(type_45(array<f32, 3>(_e644, _e646, _e648), array<f32, 3>(_e651, _e653, _e655)), _e642);
+                                    phi_1297_ = _e638;
                                 }
-                                let _e663 = phi_1288_;
-                                let _e665 = phi_1289_;
-                                let _e667 = phi_1290_;
+                                let _e663 = phi_1295_;
+                                let _e665 = phi_1296_;
+                                let _e667 = phi_1297_;
                                 if _e663 {
-                                    let _e671 = ((_e667.member_1 & 2147483648u) != 0u);
-                                    if _e671 {
-                                        phi_4119_ = _e623;
-                                        phi_4089_ = _e625;
-                                        phi_1309_ = type_4(0u, ((_e667.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e665.member_1 & 2147483648u) != 0u) {
+                                        phi_4074_ = _e623;
+                                        phi_4045_ = _e625;
+                                        phi_1316_ = type_4(0u, ((_e665.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e679 = phi_4119_;
-                                            let _e681 = phi_4089_;
-                                            let _e683 = phi_1309_;
-                                            if (_e683.member < _e683.member_1) {
-                                                phi_1310_ = type_4((_e683.member + 1u), _e683.member_1);
-                                                phi_1333_ = type_4(1u, _e683.member);
+                                            let _e1042 = phi_4074_;
+                                            let _e1044 = phi_4045_;
+                                            let _e1046 = phi_1316_;
+                                            if (_e1046.member < _e1046.member_1) {
+                                                phi_1317_ = type_4((_e1046.member + 1u), _e1046.member_1);
+                                                phi_1340_ = type_4(1u, _e1046.member);
                                             } else {
-                                                phi_1310_ = _e683;
-                                                phi_1333_ = type_4(0u, type_4().member_1);
+                                                phi_1317_ = _e1046;
+                                                phi_1340_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e696 = phi_1310_;
-                                            let _e698 = phi_1333_;
-                                            let _e702 = (bitcast<i32>(_e698.member) != 0i);
-                                            if _e702 {
-                                                let _e703 = ((_e667.member_1 & 268435455u) + _e698.member_1);
-                                                let _e704 = (_e703 < arrayLength((&global_6.member)));
-                                                if _e704 {
-                                                    if _e704 {
+                                            let _e1059 = phi_1317_;
+                                            let _e1061 = phi_1340_;
+                                            let _e1065 = (bitcast<i32>(_e1061.member) != 0i);
+                                            if _e1065 {
+                                                let _e1066 = ((_e665.member_1 & 268435455u) + _e1061.member_1);
+                                                let _e1067 = (_e1066 < arrayLength((&global_6.member)));
+                                                if _e1067 {
+                                                    if _e1067 {
                                                     } else {
-                                                        phi_4305_ = _e681;
-                                                        phi_4274_ = true;
+                                                        phi_4222_ = _e1044;
+                                                        phi_4217_ = true;
                                                         break;
                                                     }
-                                                    let _e707 = global_6.member[_e703].member_1;
-                                                    phi_1358_ = _e707;
+                                                    let _e1070 = global_6.member[_e1066].member_1;
+                                                    phi_1365_ = _e1070;
                                                 } else {
-                                                    phi_1358_ = 4294967295u;
+                                                    phi_1365_ = 4294967295u;
                                                 }
-                                                let _e709 = phi_1358_;
-                                                if _e704 {
-                                                    if _e704 {
+                                                let _e1072 = phi_1365_;
+                                                if _e1067 {
+                                                    if _e1067 {
                                                     } else {
-                                                        phi_4305_ = _e681;
-                                                        phi_4274_ = true;
+                                                        phi_4222_ = _e1044;
+                                                        phi_4217_ = true;
                                                         break;
                                                     }
-                                                    let _e711 = global_6.member[_e703];
-                                                    phi_1374_ = _e711;
+                                                    let _e1074 = global_6.member[_e1066];
+                                                    phi_1381_ = _e1074;
                                                 } else {
-                                                    phi_1374_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1381_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e713 = phi_1374_;
-                                                let _e725 = ((10u * _e252) & 31u);
-                                                let _e728 = ((_e713.member[0] >> bitcast<u32>(_e725)) & 1023u);
-                                                let _e736 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[0] - _e667.member.member[0]) * 0.0009775171f)) ^ _e124));
-                                                let _e741 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e728)) - 8388608f) * _e736)) ^ _e124)));
-                                                let _e745 = select(select(_e667.member.member_1[0], _e741, (_e741 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e728 == 1023u));
-                                                let _e747 = ((10u * _e251) & 31u);
-                                                let _e750 = ((_e713.member[0] >> bitcast<u32>(_e747)) & 1023u);
-                                                let _e758 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[1] - _e667.member.member[1]) * 0.0009775171f)) ^ _e124));
-                                                let _e763 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e750)) - 8388608f) * _e758)) ^ _e124)));
-                                                let _e767 = select(select(_e667.member.member_1[1], _e763, (_e763 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e750 == 1023u));
-                                                let _e769 = ((10u * _e253) & 31u);
-                                                let _e772 = ((_e713.member[0] >> bitcast<u32>(_e769)) & 1023u);
-                                                let _e780 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[2] - _e667.member.member[2]) * 0.0009775171f)) ^ _e124));
-                                                let _e785 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e772)) - 8388608f) * _e780)) ^ _e124)));
-                                                let _e789 = select(select(_e667.member.member_1[2], _e785, (_e785 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e772 == 1023u));
-                                                let _e793 = ((_e713.member[1] >> bitcast<u32>(_e725)) & 1023u);
-                                                let _e801 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e793)) - 8388608f) * _e736)) ^ _e124)));
-                                                let _e805 = select(select(_e667.member.member_1[0], _e801, (_e801 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e793 == 1023u));
-                                                let _e808 = ((_e713.member[1] >> bitcast<u32>(_e747)) & 1023u);
-                                                let _e816 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e808)) - 8388608f) * _e758)) ^ _e124)));
-                                                let _e820 = select(select(_e667.member.member_1[1], _e816, (_e816 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e808 == 1023u));
-                                                let _e823 = ((_e713.member[1] >> bitcast<u32>(_e769)) & 1023u);
-                                                let _e831 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e823)) - 8388608f) * _e780)) ^ _e124)));
-                                                let _e835 = select(select(_e667.member.member_1[2], _e831, (_e831 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e823 == 1023u));
-                                                let _e839 = ((_e713.member[2] >> bitcast<u32>(_e725)) & 1023u);
-                                                let _e847 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e736)) ^ _e124)));
-                                                let _e851 = select(select(_e667.member.member_1[0], _e847, (_e847 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e839 == 1023u));
-                                                let _e854 = ((_e713.member[2] >> bitcast<u32>(_e747)) & 1023u);
-                                                let _e862 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e758)) ^ _e124)));
-                                                let _e866 = select(select(_e667.member.member_1[1], _e862, (_e862 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e854 == 1023u));
-                                                let _e869 = ((_e713.member[2] >> bitcast<u32>(_e769)) & 1023u);
-                                                let _e877 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e780)) ^ _e124)));
-                                                let _e881 = select(select(_e667.member.member_1[2], _e877, (_e877 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e869 == 1023u));
-                                                let _e884 = (_e789 - _e449);
-                                                let _e887 = (((_e745 - _e316) * _e485) - (_e884 * _e353));
-                                                let _e890 = (((_e767 - _e383) * _e485) - (_e884 * _e419));
-                                                let _e893 = (_e835 - _e449);
-                                                let _e896 = (((_e805 - _e316) * _e485) - (_e893 * _e353));
-                                                let _e899 = (((_e820 - _e383) * _e485) - (_e893 * _e419));
-                                                let _e902 = (_e881 - _e449);
-                                                let _e905 = (((_e851 - _e316) * _e485) - (_e902 * _e353));
-                                                let _e908 = (((_e866 - _e383) * _e485) - (_e902 * _e419));
-                                                let _e909 = (_e905 * _e899);
-                                                let _e910 = (_e908 * _e896);
-                                                let _e911 = (_e887 * _e908);
-                                                let _e912 = (_e890 * _e905);
-                                                let _e913 = (_e896 * _e890);
-                                                let _e914 = (_e899 * _e887);
-                                                let _e919 = (((_e909 >= _e910) && (_e911 >= _e912)) && (_e913 >= _e914));
-                                                let _e925 = (_e919 || (((_e909 <= _e910) && (_e911 <= _e912)) && (_e913 <= _e914)));
-                                                if _e925 {
-                                                    let _e927 = select(-1f, 1f, _e919);
-                                                    let _e929 = ((_e909 - _e910) * _e927);
-                                                    let _e931 = select(0f, _e929, (_e929 > 0f));
-                                                    let _e933 = ((_e911 - _e912) * _e927);
-                                                    let _e935 = select(0f, _e933, (_e933 > 0f));
-                                                    let _e937 = ((_e913 - _e914) * _e927);
-                                                    let _e939 = select(0f, _e937, (_e937 > 0f));
-                                                    let _e941 = ((_e931 + _e935) + _e939);
-                                                    let _e943 = select(_e805, _e745, (_e745 < _e805));
-                                                    let _e947 = select(_e805, _e745, (_e745 > _e805));
-                                                    let _e951 = select(_e820, _e767, (_e767 < _e820));
-                                                    let _e955 = select(_e820, _e767, (_e767 > _e820));
-                                                    let _e959 = select(_e835, _e789, (_e789 < _e835));
-                                                    let _e963 = select(_e835, _e789, (_e789 > _e835));
-                                                    let _e968 = ((select(_e851, _e943, (_e943 < _e851)) - _e354) * _e357);
-                                                    let _e969 = ((select(_e851, _e947, (_e947 > _e851)) - _e355) * _e357);
-                                                    let _e972 = ((select(_e866, _e951, (_e951 < _e866)) - _e420) * _e423);
-                                                    let _e973 = ((select(_e866, _e955, (_e955 > _e866)) - _e421) * _e423);
-                                                    let _e976 = ((select(_e881, _e959, (_e959 < _e881)) - _e486) * _e489);
-                                                    let _e977 = ((select(_e881, _e963, (_e963 > _e881)) - _e487) * _e489);
-                                                    let _e979 = select(_e977, _e976, (_e976 < _e977));
-                                                    let _e981 = select(_e977, _e976, (_e976 > _e977));
-                                                    let _e983 = select(_e969, _e968, (_e968 < _e969));
-                                                    let _e985 = select(_e973, _e972, (_e972 < _e973));
-                                                    let _e987 = select(_e985, _e983, (_e983 > _e985));
-                                                    let _e989 = select(_e979, _e987, (_e987 > _e979));
-                                                    let _e991 = select(_e969, _e968, (_e968 > _e969));
-                                                    let _e993 = select(_e973, _e972, (_e972 > _e973));
-                                                    let _e995 = select(_e993, _e991, (_e991 < _e993));
-                                                    let _e997 = select(_e981, _e995, (_e995 < _e981));
-                                                    let _e998 = -(_e979);
-                                                    let _e1004 = select(_e592, _e989, (_e989 > _e592));
-                                                    let _e1008 = select(_e896, _e887, (_e887 < _e896));
-                                                    let _e1013 = select(_e896, _e887, (_e887 > _e896));
-                                                    let _e1020 = select(_e899, _e890, (_e890 < _e899));
-                                                    let _e1025 = select(_e899, _e890, (_e890 > _e899));
-                                                    let _e1034 = (((((_e925 && (_e941 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e905, _e1008, (_e1008 < _e905)) <= 0f) && (select(_e905, _e1013, (_e1013 > _e905)) >= 0f))) && ((select(_e908, _e1020, (_e1020 < _e908)) <= 0f) && (select(_e908, _e1025, (_e1025 > _e908)) >= 0f))) && (_e1004 <= (_e997 + (select(_e998, _e981, (_e981 > _e998)) * 0.0000019073523f)))) && (_e1004 <= _e681));
-                                                    if _e1034 {
-                                                        let _e1039 = (_e805 - _e745);
-                                                        let _e1040 = (_e820 - _e767);
-                                                        let _e1041 = (_e835 - _e789);
-                                                        let _e1042 = vec3<f32>(_e1039, _e1040, _e1041);
-                                                        let _e1043 = (_e851 - _e805);
-                                                        let _e1044 = (_e866 - _e820);
-                                                        let _e1045 = (_e881 - _e835);
-                                                        let _e1046 = vec3<f32>(_e1043, _e1044, _e1045);
-                                                        let _e1047 = (_e745 - _e851);
-                                                        let _e1048 = (_e767 - _e866);
-                                                        let _e1049 = (_e789 - _e881);
-                                                        let _e1050 = vec3<f32>(_e1047, _e1048, _e1049);
-                                                        let _e1051 = abs(_e1039);
-                                                        let _e1052 = abs(_e1040);
-                                                        if (_e1051 != _e1051) {
-                                                            phi_3782_ = true;
+                                                let _e1076 = phi_1381_;
+                                                let _e1088 = ((10u * _e252) & 31u);
+                                                let _e1091 = ((_e1076.member[0] >> bitcast<u32>(_e1088)) & 1023u);
+                                                let _e1099 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[0] - _e665.member.member[0]) * 0.0009775171f)) ^ _e124));
+                                                let _e1104 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1091)) - 8388608f) * _e1099)) ^ _e124)));
+                                                let _e1108 = select(select(_e665.member.member_1[0], _e1104, (_e1104 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e1091 == 1023u));
+                                                let _e1110 = ((10u * _e251) & 31u);
+                                                let _e1113 = ((_e1076.member[0] >> bitcast<u32>(_e1110)) & 1023u);
+                                                let _e1121 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[1] - _e665.member.member[1]) * 0.0009775171f)) ^ _e124));
+                                                let _e1126 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1113)) - 8388608f) * _e1121)) ^ _e124)));
+                                                let _e1130 = select(select(_e665.member.member_1[1], _e1126, (_e1126 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e1113 == 1023u));
+                                                let _e1132 = ((10u * _e253) & 31u);
+                                                let _e1135 = ((_e1076.member[0] >> bitcast<u32>(_e1132)) & 1023u);
+                                                let _e1143 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[2] - _e665.member.member[2]) * 0.0009775171f)) ^ _e124));
+                                                let _e1148 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1135)) - 8388608f) * _e1143)) ^ _e124)));
+                                                let _e1152 = select(select(_e665.member.member_1[2], _e1148, (_e1148 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e1135 == 1023u));
+                                                let _e1156 = ((_e1076.member[1] >> bitcast<u32>(_e1088)) & 1023u);
+                                                let _e1164 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1156)) - 8388608f) * _e1099)) ^ _e124)));
+                                                let _e1168 = select(select(_e665.member.member_1[0], _e1164, (_e1164 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e1156 == 1023u));
+                                                let _e1171 = ((_e1076.member[1] >> bitcast<u32>(_e1110)) & 1023u);
+                                                let _e1179 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1171)) - 8388608f) * _e1121)) ^ _e124)));
+                                                let _e1183 = select(select(_e665.member.member_1[1], _e1179, (_e1179 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e1171 == 1023u));
+                                                let _e1186 = ((_e1076.member[1] >> bitcast<u32>(_e1132)) & 1023u);
+                                                let _e1194 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1186)) - 8388608f) * _e1143)) ^ _e124)));
+                                                let _e1198 = select(select(_e665.member.member_1[2], _e1194, (_e1194 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e1186 == 1023u));
+                                                let _e1202 = ((_e1076.member[2] >> bitcast<u32>(_e1088)) & 1023u);
+                                                let _e1210 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1202)) - 8388608f) * _e1099)) ^ _e124)));
+                                                let _e1214 = select(select(_e665.member.member_1[0], _e1210, (_e1210 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e1202 == 1023u));
+                                                let _e1217 = ((_e1076.member[2] >> bitcast<u32>(_e1110)) & 1023u);
+                                                let _e1225 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1217)) - 8388608f) * _e1121)) ^ _e124)));
+                                                let _e1229 = select(select(_e665.member.member_1[1], _e1225, (_e1225 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e1217 == 1023u));
+                                                let _e1232 = ((_e1076.member[2] >> bitcast<u32>(_e1132)) & 1023u);
+                                                let _e1240 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1232)) - 8388608f) * _e1143)) ^ _e124)));
+                                                let _e1244 = select(select(_e665.member.member_1[2], _e1240, (_e1240 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e1232 == 1023u));
+                                                let _e1247 = (_e1152 - _e449);
+                                                let _e1250 = (((_e1108 - _e316) * _e485) - (_e1247 * _e353));
+                                                let _e1253 = (((_e1130 - _e383) * _e485) - (_e1247 * _e419));
+                                                let _e1256 = (_e1198 - _e449);
+                                                let _e1259 = (((_e1168 - _e316) * _e485) - (_e1256 * _e353));
+                                                let _e1262 = (((_e1183 - _e383) * _e485) - (_e1256 * _e419));
+                                                let _e1265 = (_e1244 - _e449);
+                                                let _e1268 = (((_e1214 - _e316) * _e485) - (_e1265 * _e353));
+                                                let _e1271 = (((_e1229 - _e383) * _e485) - (_e1265 * _e419));
+                                                let _e1272 = (_e1268 * _e1262);
+                                                let _e1273 = (_e1271 * _e1259);
+                                                let _e1274 = (_e1250 * _e1271);
+                                                let _e1275 = (_e1253 * _e1268);
+                                                let _e1276 = (_e1259 * _e1253);
+                                                let _e1277 = (_e1262 * _e1250);
+                                                let _e1282 = (((_e1272 >= _e1273) && (_e1274 >= _e1275)) && (_e1276 >= _e1277));
+                                                let _e1288 = (_e1282 || (((_e1272 <= _e1273) && (_e1274 <= _e1275)) && (_e1276 <= _e1277)));
+                                                if _e1288 {
+                                                    let _e1290 = select(-1f, 1f, _e1282);
+                                                    let _e1292 = ((_e1272 - _e1273) * _e1290);
+                                                    let _e1294 = select(0f, _e1292, (_e1292 > 0f));
+                                                    let _e1296 = ((_e1274 - _e1275) * _e1290);
+                                                    let _e1298 = select(0f, _e1296, (_e1296 > 0f));
+                                                    let _e1300 = ((_e1276 - _e1277) * _e1290);
+                                                    let _e1302 = select(0f, _e1300, (_e1300 > 0f));
+                                                    let _e1304 = ((_e1294 + _e1298) + _e1302);
+                                                    let _e1306 = select(_e1168, _e1108, (_e1108 < _e1168));
+                                                    let _e1310 = select(_e1168, _e1108, (_e1108 > _e1168));
+                                                    let _e1314 = select(_e1183, _e1130, (_e1130 < _e1183));
+                                                    let _e1318 = select(_e1183, _e1130, (_e1130 > _e1183));
+                                                    let _e1322 = select(_e1198, _e1152, (_e1152 < _e1198));
+                                                    let _e1326 = select(_e1198, _e1152, (_e1152 > _e1198));
+                                                    let _e1331 = ((select(_e1214, _e1306, (_e1306 < _e1214)) - _e354) * _e357);
+                                                    let _e1332 = ((select(_e1214, _e1310, (_e1310 > _e1214)) - _e355) * _e357);
+                                                    let _e1335 = ((select(_e1229, _e1314, (_e1314 < _e1229)) - _e420) * _e423);
+                                                    let _e1336 = ((select(_e1229, _e1318, (_e1318 > _e1229)) - _e421) * _e423);
+                                                    let _e1339 = ((select(_e1244, _e1322, (_e1322 < _e1244)) - _e486) * _e489);
+                                                    let _e1340 = ((select(_e1244, _e1326, (_e1326 > _e1244)) - _e487) * _e489);
+                                                    let _e1342 = select(_e1340, _e1339, (_e1339 < _e1340));
+                                                    let _e1344 = select(_e1340, _e1339, (_e1339 > _e1340));
+                                                    let _e1346 = select(_e1332, _e1331, (_e1331 < _e1332));
+                                                    let _e1348 = select(_e1336, _e1335, (_e1335 < _e1336));
+                                                    let _e1350 = select(_e1348, _e1346, (_e1346 > _e1348));
+                                                    let _e1352 = select(_e1342, _e1350, (_e1350 > _e1342));
+                                                    let _e1354 = select(_e1332, _e1331, (_e1331 > _e1332));
+                                                    let _e1356 = select(_e1336, _e1335, (_e1335 > _e1336));
+                                                    let _e1358 = select(_e1356, _e1354, (_e1354 < _e1356));
+                                                    let _e1360 = select(_e1344, _e1358, (_e1358 < _e1344));
+                                                    let _e1361 = -(_e1342);
+                                                    let _e1367 = select(_e592, _e1352, (_e1352 > _e592));
+                                                    let _e1371 = select(_e1259, _e1250, (_e1250 < _e1259));
+                                                    let _e1376 = select(_e1259, _e1250, (_e1250 > _e1259));
+                                                    let _e1383 = select(_e1262, _e1253, (_e1253 < _e1262));
+                                                    let _e1388 = select(_e1262, _e1253, (_e1253 > _e1262));
+                                                    let _e1397 = (((((_e1288 && (_e1304 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1268, _e1371, (_e1371 < _e1268)) <= 0f) && (select(_e1268, _e1376, (_e1376 > _e1268)) >= 0f))) && ((select(_e1271, _e1383, (_e1383 < _e1271)) <= 0f) && (select(_e1271, _e1388, (_e1388 > _e1271)) >= 0f))) && (_e1367 <= (_e1360 + (select(_e1361, _e1344, (_e1344 > _e1361)) * 0.0000019073523f)))) && (_e1367 <= _e1044));
+                                                    if _e1397 {
+                                                        let _e1402 = (_e1168 - _e1108);
+                                                        let _e1403 = (_e1183 - _e1130);
+                                                        let _e1404 = (_e1198 - _e1152);
+                                                        let _e1405 = vec3<f32>(_e1402, _e1403, _e1404);
+                                                        let _e1406 = (_e1214 - _e1168);
+                                                        let _e1407 = (_e1229 - _e1183);
+                                                        let _e1408 = (_e1244 - _e1198);
+                                                        let _e1409 = vec3<f32>(_e1406, _e1407, _e1408);
+                                                        let _e1410 = (_e1108 - _e1214);
+                                                        let _e1411 = (_e1130 - _e1229);
+                                                        let _e1412 = (_e1152 - _e1244);
+                                                        let _e1413 = vec3<f32>(_e1410, _e1411, _e1412);
+                                                        let _e1416 = bitcast<f32>((bitcast<u32>(_e1402) & 2147483647u));
+                                                        let _e1419 = bitcast<f32>((bitcast<u32>(_e1403) & 2147483647u));
+                                                        let _e1421 = select(_e1419, _e1416, (_e1416 > _e1419));
+                                                        let _e1424 = bitcast<f32>((bitcast<u32>(_e1404) & 2147483647u));
+                                                        let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
+                                                        let _e1429 = bitcast<f32>((bitcast<u32>(_e1406) & 2147483647u));
+                                                        let _e1432 = bitcast<f32>((bitcast<u32>(_e1407) & 2147483647u));
+                                                        let _e1434 = select(_e1432, _e1429, (_e1429 > _e1432));
+                                                        let _e1437 = bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u));
+                                                        let _e1439 = select(_e1437, _e1434, (_e1434 > _e1437));
+                                                        let _e1442 = bitcast<f32>((bitcast<u32>(_e1410) & 2147483647u));
+                                                        let _e1445 = bitcast<f32>((bitcast<u32>(_e1411) & 2147483647u));
+                                                        let _e1447 = select(_e1445, _e1442, (_e1442 > _e1445));
+                                                        let _e1450 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
+                                                        let _e1452 = select(_e1450, _e1447, (_e1447 > _e1450));
+                                                        let _e1454 = select(_e1439, _e1426, (_e1426 > _e1439));
+                                                        let _e1456 = select(_e1452, _e1454, (_e1454 > _e1452));
+                                                        if (_e1426 == _e1456) {
+                                                            phi_2177_ = _e1262;
+                                                            phi_2178_ = _e1259;
+                                                            phi_2179_ = _e1253;
+                                                            phi_2180_ = _e1250;
+                                                            phi_2181_ = vec3<f32>(_e1108, _e1130, _e1152);
+                                                            phi_2182_ = _e1413;
+                                                            phi_2183_ = _e1409;
+                                                            phi_2184_ = _e1405;
                                                         } else {
-                                                            phi_3782_ = (_e1052 >= _e1051);
+                                                            let _e1458 = (_e1439 == _e1456);
+                                                            let _e1463 = vec3(_e1458);
+                                                            phi_2177_ = select(_e1253, _e1271, _e1458);
+                                                            phi_2178_ = select(_e1250, _e1268, _e1458);
+                                                            phi_2179_ = select(_e1271, _e1262, _e1458);
+                                                            phi_2180_ = select(_e1268, _e1259, _e1458);
+                                                            phi_2181_ = select(vec3<f32>(_e1214, _e1229, _e1244), vec3<f32>(_e1168, _e1183, _e1198), _e1463);
+                                                            phi_2182_ = select(_e1409, _e1405, _e1463);
+                                                            phi_2183_ = select(_e1405, _e1413, _e1463);
+                                                            phi_2184_ = select(_e1413, _e1409, _e1463);
                                                         }
-                                                        let _e1056 = phi_3782_;
-                                                        let _e1057 = select(_e1051, _e1052, _e1056);
-                                                        let _e1058 = abs(_e1041);
-                                                        if (_e1057 != _e1057) {
-                                                            phi_3797_ = true;
+                                                        let _e1469 = phi_2177_;
+                                                        let _e1471 = phi_2178_;
+                                                        let _e1473 = phi_2179_;
+                                                        let _e1475 = phi_2180_;
+                                                        let _e1477 = phi_2181_;
+                                                        let _e1479 = phi_2182_;
+                                                        let _e1481 = phi_2183_;
+                                                        let _e1483 = phi_2184_;
+                                                        let _e1490 = ((_e1481.y * _e1479.z) - (_e1479.y * _e1481.z));
+                                                        let _e1495 = ((_e1481.z * _e1479.x) - (_e1479.z * _e1481.x));
+                                                        let _e1498 = ((_e1481.x * _e1479.y) - (_e1479.x * _e1481.y));
+                                                        let _e1501 = ((_e1294 >= _e1298) && (_e1294 >= _e1302));
+                                                        let _e1502 = (_e1298 >= _e1302);
+                                                        let _e1516 = (((_e1490 * (select(select(_e1214, _e1168, _e1502), _e1108, _e1501) - _e316)) + (_e1495 * (select(select(_e1229, _e1183, _e1502), _e1130, _e1501) - _e383))) + (_e1498 * (select(select(_e1244, _e1198, _e1502), _e1152, _e1501) - _e449)));
+                                                        let _e1521 = (((_e1490 * _e353) + (_e1495 * _e419)) + (_e1498 * _e485));
+                                                        let _e1522 = (_e1471 - _e1475);
+                                                        let _e1523 = (_e1469 - _e1473);
+                                                        let _e1526 = ((_e1522 * _e1522) + (_e1523 * _e1523));
+                                                        let _e1533 = (-(((_e1475 * _e1522) + (_e1473 * _e1523))) / select(0.000000000000000000000000000000000000011754944f, _e1526, (_e1526 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1535 = select(1f, _e1533, (_e1533 < 1f));
+                                                        let _e1537 = select(0f, _e1535, (_e1535 > 0f));
+                                                        let _e1546 = ((_e1477.x + (_e1483.x * _e1537)) - _e316);
+                                                        let _e1549 = ((_e1477.y + (_e1483.y * _e1537)) - _e383);
+                                                        let _e1552 = ((_e1477.z + (_e1483.z * _e1537)) - _e449);
+                                                        let _e1555 = bitcast<f32>((bitcast<u32>(_e1546) & 2147483647u));
+                                                        let _e1558 = bitcast<f32>((bitcast<u32>(_e1549) & 2147483647u));
+                                                        let _e1560 = select(_e1558, _e1555, (_e1555 > _e1558));
+                                                        let _e1563 = bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u));
+                                                        let _e1565 = select(_e1563, _e1560, (_e1560 > _e1563));
+                                                        let _e1571 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
+                                                        let _e1574 = bitcast<f32>((bitcast<u32>(_e1495) & 2147483647u));
+                                                        let _e1576 = select(_e1574, _e1571, (_e1571 > _e1574));
+                                                        let _e1579 = bitcast<f32>((bitcast<u32>(_e1498) & 2147483647u));
+                                                        let _e1598 = bitcast<f32>((bitcast<u32>(_e1481.x) & 2147483647u));
+                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1481.y) & 2147483647u));
+                                                        let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
+                                                        let _e1606 = bitcast<f32>((bitcast<u32>(_e1481.z) & 2147483647u));
+                                                        let _e1612 = bitcast<f32>((bitcast<u32>(_e1479.x) & 2147483647u));
+                                                        let _e1615 = bitcast<f32>((bitcast<u32>(_e1479.y) & 2147483647u));
+                                                        let _e1617 = select(_e1615, _e1612, (_e1612 > _e1615));
+                                                        let _e1620 = bitcast<f32>((bitcast<u32>(_e1479.z) & 2147483647u));
+                                                        let _e1626 = ((bitcast<f32>((bitcast<u32>(((((_e1490 * _e1546) + (_e1495 * _e1549)) + (_e1498 * _e1552)) - _e1516)) & 2147483647u)) <= ((0.0000009536743f * select(_e1456, _e1565, (_e1565 > _e1456))) * select(_e1579, _e1576, (_e1576 > _e1579)))) && !((bitcast<f32>((bitcast<u32>(_e1521) & 2147483647u)) <= ((0.0000038146973f * select(_e1606, _e1603, (_e1603 > _e1606))) * select(_e1620, _e1617, (_e1617 > _e1620))))));
+                                                        let _e1627 = (_e1516 / _e1521);
+                                                        if (_e1397 && !(_e1626)) {
+                                                            let _e1630 = (_e1552 / _e485);
+                                                            let _e1638 = (((_e1490 * (_e1546 - (_e353 * _e1630))) + (_e1495 * (_e1549 - (_e419 * _e1630)))) / _e1521);
+                                                            phi_2375_ = select(select(_e1630, (_e1630 + _e1638), (bitcast<f32>((bitcast<u32>(_e1638) & 2147483647u)) <= _e1456)), _e1627, _e1626);
                                                         } else {
-                                                            phi_3797_ = (_e1058 >= _e1057);
+                                                            phi_2375_ = _e1627;
                                                         }
-                                                        let _e1062 = phi_3797_;
-                                                        let _e1063 = select(_e1057, _e1058, _e1062);
-                                                        let _e1064 = abs(_e1043);
-                                                        let _e1065 = abs(_e1044);
-                                                        if (_e1064 != _e1064) {
-                                                            phi_3812_ = true;
-                                                        } else {
-                                                            phi_3812_ = (_e1065 >= _e1064);
-                                                        }
-                                                        let _e1069 = phi_3812_;
-                                                        let _e1070 = select(_e1064, _e1065, _e1069);
-                                                        let _e1071 = abs(_e1045);
-                                                        if (_e1070 != _e1070) {
-                                                            phi_3827_ = true;
-                                                        } else {
-                                                            phi_3827_ = (_e1071 >= _e1070);
-                                                        }
-                                                        let _e1075 = phi_3827_;
-                                                        let _e1076 = select(_e1070, _e1071, _e1075);
-                                                        let _e1077 = abs(_e1047);
-                                                        let _e1078 = abs(_e1048);
-                                                        if (_e1077 != _e1077) {
-                                                            phi_3842_ = true;
-                                                        } else {
-                                                            phi_3842_ = (_e1078 >= _e1077);
-                                                        }
-                                                        let _e1082 = phi_3842_;
-                                                        let _e1083 = select(_e1077, _e1078, _e1082);
-                                                        let _e1084 = abs(_e1049);
-                                                        if (_e1083 != _e1083) {
-                                                            phi_3857_ = true;
-                                                        } else {
-                                                            phi_3857_ = (_e1084 >= _e1083);
-                                                        }
-                                                        let _e1088 = phi_3857_;
-                                                        let _e1089 = select(_e1083, _e1084, _e1088);
-                                                        let _e1091 = select(_e1076, _e1063, (_e1063 > _e1076));
-                                                        let _e1093 = select(_e1089, _e1091, (_e1091 > _e1089));
-                                                        if (_e1063 == _e1093) {
-                                                            phi_2182_ = _e899;
-                                                            phi_2183_ = _e896;
-                                                            phi_2184_ = _e890;
-                                                            phi_2185_ = _e887;
-                                                            phi_2186_ = vec3<f32>(_e745, _e767, _e789);
-                                                            phi_2187_ = _e1050;
-                                                            phi_2188_ = _e1046;
-                                                            phi_2189_ = _e1042;
-                                                        } else {
-                                                            let _e1095 = (_e1076 == _e1093);
-                                                            let _e1100 = vec3(_e1095);
-                                                            phi_2182_ = select(_e890, _e908, _e1095);
-                                                            phi_2183_ = select(_e887, _e905, _e1095);
-                                                            phi_2184_ = select(_e908, _e899, _e1095);
-                                                            phi_2185_ = select(_e905, _e896, _e1095);
-                                                            phi_2186_ = select(vec3<f32>(_e851, _e866, _e881), vec3<f32>(_e805, _e820, _e835), _e1100);
-                                                            phi_2187_ = select(_e1046, _e1042, _e1100);
-                                                            phi_2188_ = select(_e1042, _e1050, _e1100);
-                                                            phi_2189_ = select(_e1050, _e1046, _e1100);
-                                                        }
-                                                        let _e1106 = phi_2182_;
-                                                        let _e1108 = phi_2183_;
-                                                        let _e1110 = phi_2184_;
-                                                        let _e1112 = phi_2185_;
-                                                        let _e1114 = phi_2186_;
-                                                        let _e1116 = phi_2187_;
-                                                        let _e1118 = phi_2188_;
-                                                        let _e1120 = phi_2189_;
-                                                        let _e1127 = ((_e1118.y * _e1116.z) - (_e1116.y * _e1118.z));
-                                                        let _e1132 = ((_e1118.z * _e1116.x) - (_e1116.z * _e1118.x));
-                                                        let _e1135 = ((_e1118.x * _e1116.y) - (_e1116.x * _e1118.y));
-                                                        let _e1138 = ((_e931 >= _e935) && (_e931 >= _e939));
-                                                        let _e1139 = (_e935 >= _e939);
-                                                        let _e1153 = (((_e1127 * (select(select(_e851, _e805, _e1139), _e745, _e1138) - _e316)) + (_e1132 * (select(select(_e866, _e820, _e1139), _e767, _e1138) - _e383))) + (_e1135 * (select(select(_e881, _e835, _e1139), _e789, _e1138) - _e449)));
-                                                        let _e1158 = (((_e1127 * _e353) + (_e1132 * _e419)) + (_e1135 * _e485));
-                                                        let _e1159 = (_e1108 - _e1112);
-                                                        let _e1160 = (_e1106 - _e1110);
-                                                        let _e1163 = ((_e1159 * _e1159) + (_e1160 * _e1160));
-                                                        let _e1170 = (-(((_e1112 * _e1159) + (_e1110 * _e1160))) / select(0.000000000000000000000000000000000000011754944f, _e1163, (_e1163 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1172 = select(1f, _e1170, (_e1170 < 1f));
-                                                        let _e1174 = select(0f, _e1172, (_e1172 > 0f));
-                                                        let _e1183 = ((_e1114.x + (_e1120.x * _e1174)) - _e316);
-                                                        let _e1186 = ((_e1114.y + (_e1120.y * _e1174)) - _e383);
-                                                        let _e1189 = ((_e1114.z + (_e1120.z * _e1174)) - _e449);
-                                                        let _e1192 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
-                                                        let _e1195 = bitcast<f32>((bitcast<u32>(_e1186) & 2147483647u));
-                                                        let _e1197 = select(_e1195, _e1192, (_e1192 > _e1195));
-                                                        let _e1200 = bitcast<f32>((bitcast<u32>(_e1189) & 2147483647u));
-                                                        let _e1202 = select(_e1200, _e1197, (_e1197 > _e1200));
-                                                        let _e1206 = abs(_e1127);
-                                                        let _e1207 = abs(_e1132);
-                                                        if (_e1206 != _e1206) {
-                                                            phi_3872_ = true;
-                                                        } else {
-                                                            phi_3872_ = (_e1207 >= _e1206);
-                                                        }
-                                                        let _e1211 = phi_3872_;
-                                                        let _e1212 = select(_e1206, _e1207, _e1211);
-                                                        let _e1213 = abs(_e1135);
-                                                        if (_e1212 != _e1212) {
-                                                            phi_3887_ = true;
-                                                        } else {
-                                                            phi_3887_ = (_e1213 >= _e1212);
-                                                        }
-                                                        let _e1217 = phi_3887_;
-                                                        let _e1233 = abs(_e1118.x);
-                                                        let _e1234 = abs(_e1118.y);
-                                                        if (_e1233 != _e1233) {
-                                                            phi_3902_ = true;
-                                                        } else {
-                                                            phi_3902_ = (_e1234 >= _e1233);
-                                                        }
-                                                        let _e1238 = phi_3902_;
-                                                        let _e1239 = select(_e1233, _e1234, _e1238);
-                                                        let _e1240 = abs(_e1118.z);
-                                                        if (_e1239 != _e1239) {
-                                                            phi_3917_ = true;
-                                                        } else {
-                                                            phi_3917_ = (_e1240 >= _e1239);
-                                                        }
-                                                        let _e1244 = phi_3917_;
-                                                        let _e1247 = abs(_e1116.x);
-                                                        let _e1248 = abs(_e1116.y);
-                                                        if (_e1247 != _e1247) {
-                                                            phi_3932_ = true;
-                                                        } else {
-                                                            phi_3932_ = (_e1248 >= _e1247);
-                                                        }
-                                                        let _e1252 = phi_3932_;
-                                                        let _e1253 = select(_e1247, _e1248, _e1252);
-                                                        let _e1254 = abs(_e1116.z);
-                                                        if (_e1253 != _e1253) {
-                                                            phi_3947_ = true;
-                                                        } else {
-                                                            phi_3947_ = (_e1254 >= _e1253);
-                                                        }
-                                                        let _e1258 = phi_3947_;
-                                                        let _e1263 = ((bitcast<f32>((bitcast<u32>(((((_e1127 * _e1183) + (_e1132 * _e1186)) + (_e1135 * _e1189)) - _e1153)) & 2147483647u)) <= ((0.0000009536743f * select(_e1093, _e1202, (_e1202 > _e1093))) * select(_e1212, _e1213, _e1217))) && !((bitcast<f32>((bitcast<u32>(_e1158) & 2147483647u)) <= ((0.0000038146973f * select(_e1239, _e1240, _e1244)) * select(_e1253, _e1254, _e1258)))));
-                                                        let _e1264 = (_e1153 / _e1158);
-                                                        if (_e1034 && !(_e1263)) {
-                                                            let _e1267 = (_e1189 / _e485);
-                                                            let _e1275 = (((_e1127 * (_e1183 - (_e353 * _e1267))) + (_e1132 * (_e1186 - (_e419 * _e1267)))) / _e1158);
-                                                            phi_2397_ = select(select(_e1267, (_e1267 + _e1275), (bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u)) <= _e1093)), _e1264, _e1263);
-                                                        } else {
-                                                            phi_2397_ = _e1264;
-                                                        }
-                                                        let _e1284 = phi_2397_;
-                                                        let _e1286 = select(_e997, _e1284, (_e1284 < _e997));
-                                                        let _e1288 = select(_e989, _e1286, (_e1286 > _e989));
-                                                        let _e1289 = (1f / _e941);
-                                                        phi_2417_ = type_26(_e1288, (_e935 * _e1289), (_e939 * _e1289), ((_e1034 && (_e1288 >= _e592)) && (_e1288 <= _e681)));
-                                                        phi_2418_ = type_26();
+                                                        let _e1647 = phi_2375_;
+                                                        let _e1649 = select(_e1360, _e1647, (_e1647 < _e1360));
+                                                        let _e1651 = select(_e1352, _e1649, (_e1649 > _e1352));
+                                                        let _e1652 = (1f / _e1304);
+                                                        phi_2395_ = type_26(_e1651, (_e1298 * _e1652), (_e1302 * _e1652), ((_e1397 && (_e1651 >= _e592)) && (_e1651 <= _e1044)));
+                                                        phi_2396_ = type_26();
                                                     } else {
-                                                        phi_2417_ = type_26();
-                                                        phi_2418_ = type_26(0f, 0f, 0f, _e1034);
+                                                        phi_2395_ = type_26();
+                                                        phi_2396_ = type_26(0f, 0f, 0f, _e1397);
                                                     }
-                                                    let _e1298 = phi_2417_;
-                                                    let _e1300 = phi_2418_;
-                                                    phi_2421_ = _e1298;
-                                                    phi_2422_ = _e1300;
-                                                    phi_2423_ = select(true, false, _e1034);
+                                                    let _e1661 = phi_2395_;
+                                                    let _e1663 = phi_2396_;
+                                                    phi_2399_ = _e1661;
+                                                    phi_2400_ = _e1663;
+                                                    phi_2401_ = select(true, false, _e1397);
                                                 } else {
-                                                    phi_2421_ = type_26();
-                                                    phi_2422_ = type_26(0f, 0f, 0f, _e925);
-                                                    phi_2423_ = true;
+                                                    phi_2399_ = type_26();
+                                                    phi_2400_ = type_26(0f, 0f, 0f, _e1288);
+                                                    phi_2401_ = true;
                                                 }
-                                                let _e1303 = phi_2421_;
-                                                let _e1305 = phi_2422_;
-                                                let _e1307 = phi_2423_;
-                                                if _e1307 {
-                                                    phi_2427_ = _e1305;
+                                                let _e1666 = phi_2399_;
+                                                let _e1668 = phi_2400_;
+                                                let _e1670 = phi_2401_;
+                                                if _e1670 {
+                                                    phi_2405_ = _e1668;
                                                 } else {
-                                                    phi_2427_ = _e1303;
+                                                    phi_2405_ = _e1666;
                                                 }
-                                                let _e1309 = phi_2427_;
-                                                if _e1309.member_3 {
-                                                    phi_2436_ = type_18(_e1309.member, _e1309.member_1, _e1309.member_2, _e709);
+                                                let _e1672 = phi_2405_;
+                                                if _e1672.member_3 {
+                                                    phi_2414_ = type_18(_e1672.member, _e1672.member_1, _e1672.member_2, _e1072);
                                                 } else {
-                                                    phi_2436_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2414_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1316 = phi_2436_;
-                                                if (_e1316.member_3 != 4294967295u) {
-                                                    if (_e709 != 4294967295u) {
-                                                        phi_2448_ = type_4(0u, 8u);
-                                                        phi_2451_ = _e1316;
+                                                let _e1679 = phi_2414_;
+                                                if (_e1679.member_3 != 4294967295u) {
+                                                    if (_e1072 != 4294967295u) {
+                                                        phi_2426_ = type_4(0u, 8u);
+                                                        phi_2429_ = _e1679;
                                                         loop {
-                                                            let _e1321 = phi_2448_;
-                                                            let _e1323 = phi_2451_;
-                                                            if (_e1321.member < _e1321.member_1) {
-                                                                phi_2449_ = type_4((_e1321.member + 1u), _e1321.member_1);
-                                                                phi_2474_ = type_4(1u, _e1321.member);
+                                                            let _e1684 = phi_2426_;
+                                                            let _e1686 = phi_2429_;
+                                                            if (_e1684.member < _e1684.member_1) {
+                                                                phi_2427_ = type_4((_e1684.member + 1u), _e1684.member_1);
+                                                                phi_2452_ = type_4(1u, _e1684.member);
                                                             } else {
-                                                                phi_2449_ = _e1321;
-                                                                phi_2474_ = type_4(0u, type_4().member_1);
+                                                                phi_2427_ = _e1684;
+                                                                phi_2452_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1336 = phi_2449_;
-                                                            let _e1338 = phi_2474_;
-                                                            let _e1342 = (bitcast<i32>(_e1338.member) != 0i);
-                                                            if _e1342 {
-                                                                let _e1343 = (_e1338.member_1 < 8u);
-                                                                if _e1343 {
+                                                            let _e1699 = phi_2427_;
+                                                            let _e1701 = phi_2452_;
+                                                            let _e1705 = (bitcast<i32>(_e1701.member) != 0i);
+                                                            if _e1705 {
+                                                                let _e1706 = (_e1701.member_1 < 8u);
+                                                                if _e1706 {
                                                                 } else {
-                                                                    phi_4091_ = true;
+                                                                    phi_4046_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1348 = local_7[_e1338.member_1].member;
-                                                                if (_e1323.member < _e1348) {
-                                                                    phi_2507_ = true;
+                                                                let _e1711 = local_7[_e1701.member_1].member;
+                                                                if (_e1686.member < _e1711) {
+                                                                    phi_2485_ = true;
                                                                 } else {
-                                                                    let _e1350 = local_7[_e1338.member_1].member;
-                                                                    if (_e1323.member == _e1350) {
-                                                                        let _e1355 = local_7[_e1338.member_1].member_3;
-                                                                        phi_2506_ = (_e1323.member_3 < _e1355);
+                                                                    let _e1713 = local_7[_e1701.member_1].member;
+                                                                    if (_e1686.member == _e1713) {
+                                                                        let _e1718 = local_7[_e1701.member_1].member_3;
+                                                                        phi_2484_ = (_e1686.member_3 < _e1718);
                                                                     } else {
-                                                                        phi_2506_ = false;
+                                                                        phi_2484_ = false;
                                                                     }
-                                                                    let _e1358 = phi_2506_;
-                                                                    phi_2507_ = _e1358;
+                                                                    let _e1721 = phi_2484_;
+                                                                    phi_2485_ = _e1721;
                                                                 }
-                                                                let _e1360 = phi_2507_;
-                                                                if _e1360 {
-                                                                    if _e1343 {
+                                                                let _e1723 = phi_2485_;
+                                                                if _e1723 {
+                                                                    if _e1706 {
                                                                     } else {
-                                                                        phi_4091_ = true;
+                                                                        phi_4046_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1361 = local_7[_e1338.member_1];
-                                                                    local_7[_e1338.member_1] = type_18(_e1323.member, _e1323.member_1, _e1323.member_2, _e1323.member_3);
-                                                                    phi_2528_ = type_18(_e1361.member, _e1361.member_1, _e1361.member_2, _e1361.member_3);
+                                                                    let _e1724 = local_7[_e1701.member_1];
+                                                                    local_7[_e1701.member_1] = type_18(_e1686.member, _e1686.member_1, _e1686.member_2, _e1686.member_3);
+                                                                    phi_2506_ = type_18(_e1724.member, _e1724.member_1, _e1724.member_2, _e1724.member_3);
                                                                 } else {
-                                                                    phi_2528_ = _e1323;
+                                                                    phi_2506_ = _e1686;
                                                                 }
-                                                                let _e1372 = phi_2528_;
-                                                                phi_2452_ = _e1372;
+                                                                let _e1735 = phi_2506_;
+                                                                phi_2430_ = _e1735;
                                                             } else {
-                                                                phi_2452_ = type_18();
+                                                                phi_2430_ = type_18();
                                                             }
-                                                            let _e1374 = phi_2452_;
+                                                            let _e1737 = phi_2430_;
                                                             continue;
                                                             continuing {
-                                                                phi_2448_ = _e1336;
-                                                                phi_2451_ = _e1374;
-                                                                phi_4091_ = _e679;
-                                                                break if !(_e1342);
+                                                                phi_2426_ = _e1699;
+                                                                phi_2429_ = _e1737;
+                                                                phi_4046_ = _e1042;
+                                                                break if !(_e1705);
                                                             }
                                                         }
-                                                        let _e1377 = phi_4091_;
-                                                        phi_4305_ = _e681;
-                                                        phi_4274_ = _e1377;
-                                                        if _e1377 {
+                                                        let _e1740 = phi_4046_;
+                                                        phi_4222_ = _e1044;
+                                                        phi_4217_ = _e1740;
+                                                        if _e1740 {
                                                             break;
                                                         }
-                                                        let _e1380 = local_7[7u].member_3;
-                                                        if (_e1380 != 4294967295u) {
-                                                            let _e1384 = local_7[7u].member;
-                                                            phi_4401_ = _e1384;
+                                                        let _e1743 = local_7[7u].member_3;
+                                                        if (_e1743 != 4294967295u) {
+                                                            let _e1747 = local_7[7u].member;
+                                                            phi_4306_ = _e1747;
                                                         } else {
-                                                            phi_4401_ = _e681;
+                                                            phi_4306_ = _e1044;
                                                         }
-                                                        let _e1386 = phi_4401_;
-                                                        phi_4400_ = _e1386;
-                                                        phi_4277_ = _e1377;
+                                                        let _e1749 = phi_4306_;
+                                                        phi_4305_ = _e1749;
+                                                        phi_4220_ = _e1740;
                                                     } else {
-                                                        phi_4400_ = _e681;
-                                                        phi_4277_ = _e679;
+                                                        phi_4305_ = _e1044;
+                                                        phi_4220_ = _e1042;
                                                     }
-                                                    let _e1388 = phi_4400_;
-                                                    let _e1390 = phi_4277_;
-                                                    phi_4399_ = _e1388;
-                                                    phi_4276_ = _e1390;
+                                                    let _e1751 = phi_4305_;
+                                                    let _e1753 = phi_4220_;
+                                                    phi_4304_ = _e1751;
+                                                    phi_4219_ = _e1753;
                                                 } else {
-                                                    phi_4399_ = _e681;
-                                                    phi_4276_ = _e679;
+                                                    phi_4304_ = _e1044;
+                                                    phi_4219_ = _e1042;
                                                 }
-                                                let _e1392 = phi_4399_;
-                                                let _e1394 = phi_4276_;
-                                                phi_4398_ = _e1392;
-                                                phi_4275_ = _e1394;
+                                                let _e1755 = phi_4304_;
+                                                let _e1757 = phi_4219_;
+                                                phi_4303_ = _e1755;
+                                                phi_4218_ = _e1757;
                                             } else {
-                                                phi_4398_ = _e681;
-                                                phi_4275_ = _e679;
+                                                phi_4303_ = _e1044;
+                                                phi_4218_ = _e1042;
                                             }
-                                            let _e1396 = phi_4398_;
-                                            let _e1398 = phi_4275_;
+                                            let _e1759 = phi_4303_;
+                                            let _e1761 = phi_4218_;
                                             continue;
                                             continuing {
-                                                phi_4119_ = _e1398;
-                                                phi_4089_ = _e1396;
-                                                phi_1309_ = _e696;
-                                                phi_4305_ = _e1396;
-                                                phi_4274_ = _e1398;
-                                                break if !(_e702);
+                                                phi_4074_ = _e1761;
+                                                phi_4045_ = _e1759;
+                                                phi_1316_ = _e1059;
+                                                phi_4222_ = _e1759;
+                                                phi_4217_ = _e1761;
+                                                break if !(_e1065);
                                             }
                                         }
-                                        let _e1401 = phi_4305_;
-                                        let _e1403 = phi_4274_;
-                                        phi_4402_ = _e1403;
-                                        if _e1403 {
+                                        let _e1764 = phi_4222_;
+                                        let _e1766 = phi_4217_;
+                                        phi_4307_ = _e1766;
+                                        if _e1766 {
                                             break;
                                         }
-                                        phi_4461_ = _e1403;
-                                        phi_4304_ = _e1401;
+                                        phi_4393_ = _e1764;
+                                        phi_4311_ = _e1766;
+                                        phi_3523_ = false;
+                                        phi_3524_ = _e665;
+                                        phi_3525_ = select(_e667, 0u, (_e592 > _e1764));
                                     } else {
-                                        phi_4461_ = _e623;
-                                        phi_4304_ = _e625;
-                                    }
-                                    let _e1405 = phi_4461_;
-                                    let _e1407 = phi_4304_;
-                                    if _e671 {
-                                        phi_3547_ = bool();
-                                        phi_3548_ = u32();
-                                        phi_3549_ = type_53();
-                                    } else {
-                                        let _e1408 = (_e667.member_1 < _e89);
-                                        if _e1408 {
-                                            if _e1408 {
+                                        let _e677 = (_e665.member_1 < _e89);
+                                        if _e677 {
+                                            if _e677 {
                                             } else {
-                                                phi_4402_ = true;
+                                                phi_4307_ = true;
                                                 break;
                                             }
-                                            let _e1410 = global_4.member[_e667.member_1];
-                                            phi_2560_ = _e1410;
+                                            let _e679 = global_4.member[_e665.member_1];
+                                            phi_2539_ = _e679;
                                         } else {
-                                            phi_2560_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2539_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1412 = phi_2560_;
-                                        let _e1427 = ((10u * _e252) & 31u);
-                                        let _e1430 = ((_e1412.member[0] >> bitcast<u32>(_e1427)) & 1023u);
-                                        let _e1438 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[0] - _e667.member.member[0]) * 0.0009775171f)) ^ _e124));
-                                        let _e1443 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1430)) - 8388608f) * _e1438)) ^ _e124)));
-                                        let _e1447 = select(select(_e667.member.member_1[0], _e1443, (_e1443 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e1430 == 1023u));
-                                        let _e1449 = ((10u * _e251) & 31u);
-                                        let _e1452 = ((_e1412.member[0] >> bitcast<u32>(_e1449)) & 1023u);
-                                        let _e1460 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[1] - _e667.member.member[1]) * 0.0009775171f)) ^ _e124));
-                                        let _e1465 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1452)) - 8388608f) * _e1460)) ^ _e124)));
-                                        let _e1469 = select(select(_e667.member.member_1[1], _e1465, (_e1465 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e1452 == 1023u));
-                                        let _e1471 = ((10u * _e253) & 31u);
-                                        let _e1474 = ((_e1412.member[0] >> bitcast<u32>(_e1471)) & 1023u);
-                                        let _e1482 = bitcast<f32>((bitcast<u32>(((_e667.member.member_1[2] - _e667.member.member[2]) * 0.0009775171f)) ^ _e124));
-                                        let _e1487 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1474)) - 8388608f) * _e1482)) ^ _e124)));
-                                        let _e1491 = select(select(_e667.member.member_1[2], _e1487, (_e1487 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e1474 == 1023u));
-                                        let _e1494 = ((_e1412.member[1] >> bitcast<u32>(_e1427)) & 1023u);
-                                        let _e1502 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1494)) - 8388608f) * _e1438)) ^ _e124)));
-                                        let _e1506 = select(select(_e667.member.member_1[0], _e1502, (_e1502 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e1494 == 1023u));
-                                        let _e1509 = ((_e1412.member[1] >> bitcast<u32>(_e1449)) & 1023u);
-                                        let _e1517 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1509)) - 8388608f) * _e1460)) ^ _e124)));
-                                        let _e1521 = select(select(_e667.member.member_1[1], _e1517, (_e1517 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e1509 == 1023u));
-                                        let _e1524 = ((_e1412.member[1] >> bitcast<u32>(_e1471)) & 1023u);
-                                        let _e1532 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1524)) - 8388608f) * _e1482)) ^ _e124)));
-                                        let _e1536 = select(select(_e667.member.member_1[2], _e1532, (_e1532 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e1524 == 1023u));
-                                        let _e1542 = ((_e1412.member_1[0] >> bitcast<u32>(_e1427)) & 1023u);
-                                        let _e1550 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1542)) - 8388608f) * _e1438)) ^ _e124)));
-                                        let _e1554 = select(select(_e667.member.member_1[0], _e1550, (_e1550 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e1542 == 1023u));
-                                        let _e1557 = ((_e1412.member_1[0] >> bitcast<u32>(_e1449)) & 1023u);
-                                        let _e1565 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1557)) - 8388608f) * _e1460)) ^ _e124)));
-                                        let _e1569 = select(select(_e667.member.member_1[1], _e1565, (_e1565 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e1557 == 1023u));
-                                        let _e1572 = ((_e1412.member_1[0] >> bitcast<u32>(_e1471)) & 1023u);
-                                        let _e1580 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1572)) - 8388608f) * _e1482)) ^ _e124)));
-                                        let _e1584 = select(select(_e667.member.member_1[2], _e1580, (_e1580 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e1572 == 1023u));
-                                        let _e1587 = ((_e1412.member_1[1] >> bitcast<u32>(_e1427)) & 1023u);
-                                        let _e1595 = (_e667.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1587)) - 8388608f) * _e1438)) ^ _e124)));
-                                        let _e1599 = select(select(_e667.member.member_1[0], _e1595, (_e1595 < _e667.member.member_1[0])), _e667.member.member_1[0], (_e1587 == 1023u));
-                                        let _e1602 = ((_e1412.member_1[1] >> bitcast<u32>(_e1449)) & 1023u);
-                                        let _e1610 = (_e667.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1602)) - 8388608f) * _e1460)) ^ _e124)));
-                                        let _e1614 = select(select(_e667.member.member_1[1], _e1610, (_e1610 < _e667.member.member_1[1])), _e667.member.member_1[1], (_e1602 == 1023u));
-                                        let _e1617 = ((_e1412.member_1[1] >> bitcast<u32>(_e1471)) & 1023u);
-                                        let _e1625 = (_e667.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1617)) - 8388608f) * _e1482)) ^ _e124)));
-                                        let _e1629 = select(select(_e667.member.member_1[2], _e1625, (_e1625 < _e667.member.member_1[2])), _e667.member.member_1[2], (_e1617 == 1023u));
-                                        let _e1634 = type_53(type_45(array<f32, 3>(_e1447, _e1469, _e1491), array<f32, 3>(_e1506, _e1521, _e1536)), _e1412.member_2);
-                                        let _e1639 = type_53(type_45(array<f32, 3>(_e1554, _e1569, _e1584), array<f32, 3>(_e1599, _e1614, _e1629)), _e1412.member_3);
-                                        let _e1644 = ((_e1447 - _e354) * _e357);
-                                        let _e1645 = ((_e1554 - _e354) * _e357);
-                                        let _e1646 = ((_e1506 - _e355) * _e357);
-                                        let _e1647 = ((_e1599 - _e355) * _e357);
-                                        let _e1652 = ((_e1469 - _e420) * _e423);
-                                        let _e1653 = ((_e1569 - _e420) * _e423);
-                                        let _e1654 = ((_e1521 - _e421) * _e423);
-                                        let _e1655 = ((_e1614 - _e421) * _e423);
-                                        let _e1660 = ((_e1491 - _e486) * _e489);
-                                        let _e1661 = ((_e1584 - _e486) * _e489);
-                                        let _e1662 = ((_e1536 - _e487) * _e489);
-                                        let _e1663 = ((_e1629 - _e487) * _e489);
-                                        let _e1665 = select(_e1662, _e1660, (_e1660 < _e1662));
-                                        let _e1667 = select(_e1663, _e1661, (_e1661 < _e1663));
-                                        let _e1669 = select(_e1662, _e1660, (_e1660 > _e1662));
-                                        let _e1671 = select(_e1663, _e1661, (_e1661 > _e1663));
-                                        let _e1673 = select(_e1646, _e1644, (_e1644 < _e1646));
-                                        let _e1675 = select(_e1647, _e1645, (_e1645 < _e1647));
-                                        let _e1677 = select(_e1654, _e1652, (_e1652 < _e1654));
-                                        let _e1679 = select(_e1655, _e1653, (_e1653 < _e1655));
-                                        let _e1681 = select(_e1677, _e1673, (_e1673 > _e1677));
-                                        let _e1683 = select(_e1679, _e1675, (_e1675 > _e1679));
-                                        let _e1685 = select(_e1665, _e1681, (_e1681 > _e1665));
-                                        let _e1687 = select(_e1667, _e1683, (_e1683 > _e1667));
-                                        let _e1689 = select(_e1646, _e1644, (_e1644 > _e1646));
-                                        let _e1691 = select(_e1647, _e1645, (_e1645 > _e1647));
-                                        let _e1693 = select(_e1654, _e1652, (_e1652 > _e1654));
-                                        let _e1695 = select(_e1655, _e1653, (_e1653 > _e1655));
-                                        let _e1697 = select(_e1693, _e1689, (_e1689 < _e1693));
-                                        let _e1699 = select(_e1695, _e1691, (_e1691 < _e1695));
-                                        let _e1704 = -(_e1665);
-                                        let _e1705 = -(_e1667);
-                                        let _e1712 = (select(_e1669, _e1697, (_e1697 < _e1669)) + (select(_e1704, _e1669, (_e1669 > _e1704)) * 0.0000019073523f));
-                                        let _e1713 = (select(_e1671, _e1699, (_e1699 < _e1671)) + (select(_e1705, _e1671, (_e1671 > _e1705)) * 0.0000019073523f));
-                                        let _e1715 = select(_e592, _e1685, (_e1685 > _e592));
-                                        let _e1717 = select(_e592, _e1687, (_e1687 > _e592));
-                                        let _e1722 = (_e1715 <= select(_e1407, _e1712, (_e1712 < _e1407)));
-                                        let _e1723 = (_e1717 <= select(_e1407, _e1713, (_e1713 < _e1407)));
-                                        let _e1724 = (_e1715 <= _e1717);
-                                        if _e1722 {
-                                            if _e1723 {
-                                                if _e1724 {
-                                                    phi_3447_ = _e1639;
+                                        let _e681 = phi_2539_;
+                                        let _e696 = ((10u * _e252) & 31u);
+                                        let _e699 = ((_e681.member[0] >> bitcast<u32>(_e696)) & 1023u);
+                                        let _e707 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[0] - _e665.member.member[0]) * 0.0009775171f)) ^ _e124));
+                                        let _e712 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e699)) - 8388608f) * _e707)) ^ _e124)));
+                                        let _e716 = select(select(_e665.member.member_1[0], _e712, (_e712 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e699 == 1023u));
+                                        let _e718 = ((10u * _e251) & 31u);
+                                        let _e721 = ((_e681.member[0] >> bitcast<u32>(_e718)) & 1023u);
+                                        let _e729 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[1] - _e665.member.member[1]) * 0.0009775171f)) ^ _e124));
+                                        let _e734 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e721)) - 8388608f) * _e729)) ^ _e124)));
+                                        let _e738 = select(select(_e665.member.member_1[1], _e734, (_e734 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e721 == 1023u));
+                                        let _e740 = ((10u * _e253) & 31u);
+                                        let _e743 = ((_e681.member[0] >> bitcast<u32>(_e740)) & 1023u);
+                                        let _e751 = bitcast<f32>((bitcast<u32>(((_e665.member.member_1[2] - _e665.member.member[2]) * 0.0009775171f)) ^ _e124));
+                                        let _e756 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e743)) - 8388608f) * _e751)) ^ _e124)));
+                                        let _e760 = select(select(_e665.member.member_1[2], _e756, (_e756 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e743 == 1023u));
+                                        let _e763 = ((_e681.member[1] >> bitcast<u32>(_e696)) & 1023u);
+                                        let _e771 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e763)) - 8388608f) * _e707)) ^ _e124)));
+                                        let _e775 = select(select(_e665.member.member_1[0], _e771, (_e771 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e763 == 1023u));
+                                        let _e778 = ((_e681.member[1] >> bitcast<u32>(_e718)) & 1023u);
+                                        let _e786 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e778)) - 8388608f) * _e729)) ^ _e124)));
+                                        let _e790 = select(select(_e665.member.member_1[1], _e786, (_e786 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e778 == 1023u));
+                                        let _e793 = ((_e681.member[1] >> bitcast<u32>(_e740)) & 1023u);
+                                        let _e801 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e793)) - 8388608f) * _e751)) ^ _e124)));
+                                        let _e805 = select(select(_e665.member.member_1[2], _e801, (_e801 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e793 == 1023u));
+                                        let _e811 = ((_e681.member_1[0] >> bitcast<u32>(_e696)) & 1023u);
+                                        let _e819 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e811)) - 8388608f) * _e707)) ^ _e124)));
+                                        let _e823 = select(select(_e665.member.member_1[0], _e819, (_e819 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e811 == 1023u));
+                                        let _e826 = ((_e681.member_1[0] >> bitcast<u32>(_e718)) & 1023u);
+                                        let _e834 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e826)) - 8388608f) * _e729)) ^ _e124)));
+                                        let _e838 = select(select(_e665.member.member_1[1], _e834, (_e834 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e826 == 1023u));
+                                        let _e841 = ((_e681.member_1[0] >> bitcast<u32>(_e740)) & 1023u);
+                                        let _e849 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e841)) - 8388608f) * _e751)) ^ _e124)));
+                                        let _e853 = select(select(_e665.member.member_1[2], _e849, (_e849 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e841 == 1023u));
+                                        let _e856 = ((_e681.member_1[1] >> bitcast<u32>(_e696)) & 1023u);
+                                        let _e864 = (_e665.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e856)) - 8388608f) * _e707)) ^ _e124)));
+                                        let _e868 = select(select(_e665.member.member_1[0], _e864, (_e864 < _e665.member.member_1[0])), _e665.member.member_1[0], (_e856 == 1023u));
+                                        let _e871 = ((_e681.member_1[1] >> bitcast<u32>(_e718)) & 1023u);
+                                        let _e879 = (_e665.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e871)) - 8388608f) * _e729)) ^ _e124)));
+                                        let _e883 = select(select(_e665.member.member_1[1], _e879, (_e879 < _e665.member.member_1[1])), _e665.member.member_1[1], (_e871 == 1023u));
+                                        let _e886 = ((_e681.member_1[1] >> bitcast<u32>(_e740)) & 1023u);
+                                        let _e894 = (_e665.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e886)) - 8388608f) * _e751)) ^ _e124)));
+                                        let _e898 = select(select(_e665.member.member_1[2], _e894, (_e894 < _e665.member.member_1[2])), _e665.member.member_1[2], (_e886 == 1023u));
+                                        let _e903 = type_53(type_45(array<f32, 3>(_e716, _e738, _e760), array<f32, 3>(_e775, _e790, _e805)), _e681.member_2);
+                                        let _e908 = type_53(type_45(array<f32, 3>(_e823, _e838, _e853), array<f32, 3>(_e868, _e883, _e898)), _e681.member_3);
+                                        let _e913 = ((_e716 - _e354) * _e357);
+                                        let _e914 = ((_e823 - _e354) * _e357);
+                                        let _e915 = ((_e775 - _e355) * _e357);
+                                        let _e916 = ((_e868 - _e355) * _e357);
+                                        let _e921 = ((_e738 - _e420) * _e423);
+                                        let _e922 = ((_e838 - _e420) * _e423);
+                                        let _e923 = ((_e790 - _e421) * _e423);
+                                        let _e924 = ((_e883 - _e421) * _e423);
+                                        let _e929 = ((_e760 - _e486) * _e489);
+                                        let _e930 = ((_e853 - _e486) * _e489);
+                                        let _e931 = ((_e805 - _e487) * _e489);
+                                        let _e932 = ((_e898 - _e487) * _e489);
+                                        let _e934 = select(_e931, _e929, (_e929 < _e931));
+                                        let _e936 = select(_e932, _e930, (_e930 < _e932));
+                                        let _e938 = select(_e931, _e929, (_e929 > _e931));
+                                        let _e940 = select(_e932, _e930, (_e930 > _e932));
+                                        let _e942 = select(_e915, _e913, (_e913 < _e915));
+                                        let _e944 = select(_e916, _e914, (_e914 < _e916));
+                                        let _e946 = select(_e923, _e921, (_e921 < _e923));
+                                        let _e948 = select(_e924, _e922, (_e922 < _e924));
+                                        let _e950 = select(_e946, _e942, (_e942 > _e946));
+                                        let _e952 = select(_e948, _e944, (_e944 > _e948));
+                                        let _e954 = select(_e934, _e950, (_e950 > _e934));
+                                        let _e956 = select(_e936, _e952, (_e952 > _e936));
+                                        let _e958 = select(_e915, _e913, (_e913 > _e915));
+                                        let _e960 = select(_e916, _e914, (_e914 > _e916));
+                                        let _e962 = select(_e923, _e921, (_e921 > _e923));
+                                        let _e964 = select(_e924, _e922, (_e922 > _e924));
+                                        let _e966 = select(_e962, _e958, (_e958 < _e962));
+                                        let _e968 = select(_e964, _e960, (_e960 < _e964));
+                                        let _e973 = -(_e934);
+                                        let _e974 = -(_e936);
+                                        let _e981 = (select(_e938, _e966, (_e966 < _e938)) + (select(_e973, _e938, (_e938 > _e973)) * 0.0000019073523f));
+                                        let _e982 = (select(_e940, _e968, (_e968 < _e940)) + (select(_e974, _e940, (_e940 > _e974)) * 0.0000019073523f));
+                                        let _e984 = select(_e592, _e954, (_e954 > _e592));
+                                        let _e986 = select(_e592, _e956, (_e956 > _e592));
+                                        let _e991 = (_e984 <= select(_e625, _e981, (_e981 < _e625)));
+                                        let _e992 = (_e986 <= select(_e625, _e982, (_e982 < _e625)));
+                                        let _e993 = (_e984 <= _e986);
+                                        if _e991 {
+                                            if _e992 {
+                                                if _e993 {
+                                                    phi_3426_ = _e908;
                                                 } else {
-                                                    phi_3447_ = _e1634;
+                                                    phi_3426_ = _e903;
                                                 }
-                                                let _e1726 = phi_3447_;
-                                                let _e1733 = (_e665 % 128u);
-                                                let _e1734 = (_e1733 < 128u);
-                                                if _e1734 {
+                                                let _e995 = phi_3426_;
+                                                let _e1002 = (_e667 % 128u);
+                                                let _e1003 = (_e1002 < 128u);
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4402_ = true;
+                                                    phi_4307_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1733] = _e1726.member_1;
-                                                if _e1734 {
+                                                local_6[_e1002] = _e995.member_1;
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4402_ = true;
+                                                    phi_4307_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1733] = _e1726.member.member[0];
-                                                if _e1734 {
+                                                local_5[_e1002] = _e995.member.member[0];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4402_ = true;
+                                                    phi_4307_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1733] = _e1726.member.member[1];
-                                                if _e1734 {
+                                                local_4[_e1002] = _e995.member.member[1];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4402_ = true;
+                                                    phi_4307_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1733] = _e1726.member.member[2];
-                                                if _e1734 {
+                                                local_3[_e1002] = _e995.member.member[2];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4402_ = true;
+                                                    phi_4307_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1733] = _e1726.member.member_1[0];
-                                                if _e1734 {
+                                                local_2[_e1002] = _e995.member.member_1[0];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4402_ = true;
+                                                    phi_4307_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1733] = _e1726.member.member_1[1];
-                                                if _e1734 {
+                                                local_1[_e1002] = _e995.member.member_1[1];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4402_ = true;
+                                                    phi_4307_ = true;
                                                     break;
                                                 }
-                                                local[_e1733] = _e1726.member.member_1[2];
-                                                if _e1734 {
+                                                local[_e1002] = _e995.member.member_1[2];
+                                                if _e1003 {
                                                 } else {
-                                                    phi_4402_ = true;
+                                                    phi_4307_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1733] = select(_e1715, _e1717, _e1724);
-                                                if _e1724 {
-                                                    phi_3523_ = _e1634;
+                                                local_8[_e1002] = select(_e984, _e986, _e993);
+                                                if _e993 {
+                                                    phi_3502_ = _e903;
                                                 } else {
-                                                    phi_3523_ = _e1639;
+                                                    phi_3502_ = _e908;
                                                 }
-                                                let _e1751 = phi_3523_;
-                                                phi_3524_ = (_e665 + 1u);
-                                                phi_3525_ = _e1751;
+                                                let _e1020 = phi_3502_;
+                                                phi_3503_ = _e1020;
+                                                phi_3504_ = (_e667 + 1u);
                                             } else {
-                                                phi_3524_ = u32();
-                                                phi_3525_ = type_53();
+                                                phi_3503_ = type_53();
+                                                phi_3504_ = u32();
                                             }
-                                            let _e1753 = phi_3524_;
-                                            let _e1755 = phi_3525_;
-                                            phi_3527_ = _e1753;
-                                            phi_3528_ = _e1755;
-                                            phi_3529_ = select(true, false, _e1723);
+                                            let _e1022 = phi_3503_;
+                                            let _e1024 = phi_3504_;
+                                            phi_3506_ = _e1022;
+                                            phi_3507_ = _e1024;
+                                            phi_3508_ = select(true, false, _e992);
                                         } else {
-                                            phi_3527_ = u32();
-                                            phi_3528_ = type_53();
-                                            phi_3529_ = true;
+                                            phi_3506_ = type_53();
+                                            phi_3507_ = u32();
+                                            phi_3508_ = true;
                                         }
-                                        let _e1758 = phi_3527_;
-                                        let _e1760 = phi_3528_;
-                                        let _e1762 = phi_3529_;
-                                        if _e1762 {
-                                            if _e1722 {
-                                                phi_3536_ = _e1634;
+                                        let _e1027 = phi_3506_;
+                                        let _e1029 = phi_3507_;
+                                        let _e1031 = phi_3508_;
+                                        if _e1031 {
+                                            if _e991 {
+                                                phi_3515_ = _e903;
                                             } else {
-                                                phi_3536_ = _e1639;
+                                                phi_3515_ = _e908;
                                             }
-                                            let _e1764 = phi_3536_;
-                                            phi_3541_ = select(_e1723, true, _e1722);
-                                            phi_3543_ = _e1764;
+                                            let _e1033 = phi_3515_;
+                                            phi_3520_ = select(_e992, true, _e991);
+                                            phi_3521_ = _e1033;
                                         } else {
-                                            phi_3541_ = _e663;
-                                            phi_3543_ = _e1760;
+                                            phi_3520_ = _e663;
+                                            phi_3521_ = _e1027;
                                         }
-                                        let _e1767 = phi_3541_;
-                                        let _e1769 = phi_3543_;
-                                        phi_3547_ = _e1767;
-                                        phi_3548_ = select(_e1758, _e665, _e1762);
-                                        phi_3549_ = _e1769;
+                                        let _e1036 = phi_3520_;
+                                        let _e1038 = phi_3521_;
+                                        phi_4393_ = _e625;
+                                        phi_4311_ = _e623;
+                                        phi_3523_ = _e1036;
+                                        phi_3524_ = _e1038;
+                                        phi_3525_ = select(_e1029, _e667, _e1031);
                                     }
-                                    let _e1772 = phi_3547_;
-                                    let _e1774 = phi_3548_;
-                                    let _e1776 = phi_3549_;
-                                    if _e671 {
-                                        phi_3559_ = _e667;
-                                    } else {
-                                        phi_3559_ = _e1776;
-                                    }
-                                    let _e1778 = phi_3559_;
-                                    phi_4488_ = _e1407;
-                                    phi_4405_ = _e1405;
-                                    phi_3560_ = (_e627 - 1u);
-                                    phi_3561_ = select(_e1772, false, _e671);
-                                    phi_3562_ = select(_e1774, _e665, _e671);
-                                    phi_3563_ = _e1778;
+                                    let _e1770 = phi_4393_;
+                                    let _e1772 = phi_4311_;
+                                    let _e1774 = phi_3523_;
+                                    let _e1776 = phi_3524_;
+                                    let _e1778 = phi_3525_;
+                                    phi_4392_ = _e1770;
+                                    phi_4310_ = _e1772;
+                                    phi_3526_ = _e1774;
+                                    phi_3527_ = _e1776;
+                                    phi_3528_ = _e1778;
+                                    phi_3529_ = (_e633 - 1u);
                                 } else {
-                                    phi_4488_ = _e625;
-                                    phi_4405_ = _e623;
-                                    phi_3560_ = _e627;
-                                    phi_3561_ = _e663;
-                                    phi_3562_ = _e665;
-                                    phi_3563_ = _e667;
+                                    phi_4392_ = _e625;
+                                    phi_4310_ = _e623;
+                                    phi_3526_ = _e663;
+                                    phi_3527_ = _e665;
+                                    phi_3528_ = _e667;
+                                    phi_3529_ = _e633;
                                 }
-                                let _e1782 = phi_4488_;
-                                let _e1784 = phi_4405_;
-                                let _e1786 = phi_3560_;
-                                let _e1788 = phi_3561_;
-                                let _e1790 = phi_3562_;
-                                let _e1792 = phi_3563_;
-                                phi_4487_ = _e1782;
-                                phi_4404_ = _e1784;
-                                phi_3564_ = _e1786;
-                                phi_3565_ = _e1788;
-                                phi_3566_ = _e1790;
-                                phi_3567_ = _e1792;
+                                let _e1780 = phi_4392_;
+                                let _e1782 = phi_4310_;
+                                let _e1784 = phi_3526_;
+                                let _e1786 = phi_3527_;
+                                let _e1788 = phi_3528_;
+                                let _e1790 = phi_3529_;
+                                phi_4391_ = _e1780;
+                                phi_4309_ = _e1782;
+                                phi_3530_ = _e1784;
+                                phi_3531_ = _e1786;
+                                phi_3532_ = _e1788;
+                                phi_3533_ = _e1790;
                             } else {
-                                phi_4487_ = _e625;
-                                phi_4404_ = _e623;
-                                phi_3564_ = u32();
-                                phi_3565_ = bool();
-                                phi_3566_ = u32();
-                                phi_3567_ = type_53();
+                                phi_4391_ = _e625;
+                                phi_4309_ = _e623;
+                                phi_3530_ = bool();
+                                phi_3531_ = type_53();
+                                phi_3532_ = u32();
+                                phi_3533_ = u32();
                             }
-                            let _e1794 = phi_4487_;
-                            let _e1796 = phi_4404_;
-                            let _e1798 = phi_3564_;
-                            let _e1800 = phi_3565_;
-                            let _e1802 = phi_3566_;
-                            let _e1804 = phi_3567_;
-                            phi_4486_ = _e1794;
-                            phi_4403_ = _e1796;
-                            phi_1184_ = _e1798;
-                            phi_1187_ = _e1800;
-                            phi_1189_ = _e1802;
-                            phi_1191_ = _e1804;
-                            phi_3568_ = _e637;
+                            let _e1792 = phi_4391_;
+                            let _e1794 = phi_4309_;
+                            let _e1796 = phi_3530_;
+                            let _e1798 = phi_3531_;
+                            let _e1800 = phi_3532_;
+                            let _e1802 = phi_3533_;
+                            phi_4390_ = _e1792;
+                            phi_4308_ = _e1794;
+                            phi_1191_ = _e1796;
+                            phi_1194_ = _e1798;
+                            phi_1196_ = _e1800;
+                            phi_1198_ = _e1802;
+                            phi_3534_ = _e637;
                         } else {
-                            phi_4486_ = _e625;
-                            phi_4403_ = _e623;
-                            phi_1184_ = u32();
-                            phi_1187_ = bool();
-                            phi_1189_ = u32();
-                            phi_1191_ = type_53();
-                            phi_3568_ = false;
+                            phi_4390_ = _e625;
+                            phi_4308_ = _e623;
+                            phi_1191_ = bool();
+                            phi_1194_ = type_53();
+                            phi_1196_ = u32();
+                            phi_1198_ = u32();
+                            phi_3534_ = false;
                         }
-                        let _e1806 = phi_4486_;
-                        let _e1808 = phi_4403_;
-                        let _e1810 = phi_1184_;
-                        let _e1812 = phi_1187_;
-                        let _e1814 = phi_1189_;
-                        let _e1816 = phi_1191_;
-                        let _e1818 = phi_3568_;
+                        let _e1804 = phi_4390_;
+                        let _e1806 = phi_4308_;
+                        let _e1808 = phi_1191_;
+                        let _e1810 = phi_1194_;
+                        let _e1812 = phi_1196_;
+                        let _e1814 = phi_1198_;
+                        let _e1816 = phi_3534_;
                         continue;
                         continuing {
-                            phi_4122_ = _e1808;
-                            phi_4066_ = _e1806;
-                            phi_1183_ = _e1810;
-                            phi_1186_ = _e1812;
-                            phi_1188_ = _e1814;
-                            phi_1190_ = _e1816;
-                            phi_4402_ = _e1808;
-                            break if !(_e1818);
+                            phi_4077_ = _e1806;
+                            phi_3996_ = _e1804;
+                            phi_1190_ = _e1808;
+                            phi_1193_ = _e1810;
+                            phi_1195_ = _e1812;
+                            phi_1197_ = _e1814;
+                            phi_4307_ = _e1806;
+                            break if !(_e1816);
                         }
                     }
-                    let _e1821 = phi_4402_;
-                    if _e1821 {
+                    let _e1819 = phi_4307_;
+                    if _e1819 {
                         break;
                     }
-                    phi_3575_ = type_4(0u, 8u);
+                    phi_3541_ = type_4(0u, 8u);
                     loop {
-                        let _e1823 = phi_3575_;
-                        if (_e1823.member < _e1823.member_1) {
-                            phi_3576_ = type_4((_e1823.member + 1u), _e1823.member_1);
-                            phi_3599_ = type_4(1u, _e1823.member);
+                        let _e1821 = phi_3541_;
+                        if (_e1821.member < _e1821.member_1) {
+                            phi_3542_ = type_4((_e1821.member + 1u), _e1821.member_1);
+                            phi_3565_ = type_4(1u, _e1821.member);
                         } else {
-                            phi_3576_ = _e1823;
-                            phi_3599_ = type_4(0u, type_4().member_1);
+                            phi_3542_ = _e1821;
+                            phi_3565_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1836 = phi_3576_;
-                        let _e1838 = phi_3599_;
-                        let _e1842 = (bitcast<i32>(_e1838.member) != 0i);
-                        if _e1842 {
-                            let _e1843 = (_e1838.member_1 < 8u);
-                            if _e1843 {
+                        let _e1834 = phi_3542_;
+                        let _e1836 = phi_3565_;
+                        let _e1840 = (bitcast<i32>(_e1836.member) != 0i);
+                        if _e1840 {
+                            let _e1841 = (_e1836.member_1 < 8u);
+                            if _e1841 {
                             } else {
-                                phi_4468_ = true;
+                                phi_4372_ = true;
                                 break;
                             }
-                            let _e1845 = local_7[_e1838.member_1];
-                            if (_e1845.member_3 != 4294967295u) {
-                                let _e1851 = -(_e494);
-                                let _e1852 = bitcast<u32>(_e1845.member);
-                                let _e1856 = (bitcast<i32>((_e1852 >> bitcast<u32>(23i))) & 255i);
-                                let _e1857 = (_e1856 + _e1851);
-                                if (_e1856 == 255i) {
-                                    phi_3672_ = _e1845.member;
+                            let _e1843 = local_7[_e1836.member_1];
+                            if (_e1843.member_3 != 4294967295u) {
+                                let _e1849 = -(_e494);
+                                let _e1850 = bitcast<u32>(_e1843.member);
+                                let _e1854 = (bitcast<i32>((_e1850 >> bitcast<u32>(23i))) & 255i);
+                                let _e1855 = (_e1854 + _e1849);
+                                if (_e1854 == 255i) {
+                                    phi_3638_ = _e1843.member;
                                 } else {
-                                    if (_e1856 > 0i) {
-                                        if (_e1857 > 0i) {
-                                            let _e1861 = (_e1857 < 255i);
-                                            if _e1861 {
-                                                phi_3651_ = bitcast<f32>((_e1852 + bitcast<u32>((_e1851 << bitcast<u32>(23i)))));
+                                    if (_e1854 > 0i) {
+                                        if (_e1855 > 0i) {
+                                            let _e1859 = (_e1855 < 255i);
+                                            if _e1859 {
+                                                phi_3617_ = bitcast<f32>((_e1850 + bitcast<u32>((_e1849 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3651_ = f32();
+                                                phi_3617_ = f32();
                                             }
-                                            let _e1868 = phi_3651_;
-                                            phi_3653_ = _e1868;
-                                            phi_3654_ = select(true, false, _e1861);
+                                            let _e1866 = phi_3617_;
+                                            phi_3619_ = _e1866;
+                                            phi_3620_ = select(true, false, _e1859);
                                         } else {
-                                            phi_3653_ = f32();
-                                            phi_3654_ = true;
+                                            phi_3619_ = f32();
+                                            phi_3620_ = true;
                                         }
-                                        let _e1871 = phi_3653_;
-                                        let _e1873 = phi_3654_;
-                                        phi_3655_ = _e1871;
-                                        phi_3656_ = _e1873;
+                                        let _e1869 = phi_3619_;
+                                        let _e1871 = phi_3620_;
+                                        phi_3621_ = _e1869;
+                                        phi_3622_ = _e1871;
                                     } else {
-                                        phi_3655_ = f32();
-                                        phi_3656_ = true;
+                                        phi_3621_ = f32();
+                                        phi_3622_ = true;
                                     }
-                                    let _e1875 = phi_3655_;
-                                    let _e1877 = phi_3656_;
-                                    if _e1877 {
-                                        let _e1878 = (_e1852 & 2147483648u);
-                                        let _e1885 = ((_e1852 & 8388607u) | (select(0u, 1u, ((_e1852 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1889 = (_e1885 == 0u);
-                                        if _e1889 {
-                                            phi_4025_ = bitcast<f32>(_e1878);
+                                    let _e1873 = phi_3621_;
+                                    let _e1875 = phi_3622_;
+                                    if _e1875 {
+                                        let _e1876 = (_e1850 & 2147483648u);
+                                        let _e1883 = ((_e1850 & 8388607u) | (select(0u, 1u, ((_e1850 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1887 = (_e1883 == 0u);
+                                        if _e1887 {
+                                            phi_3955_ = bitcast<f32>(_e1876);
                                         } else {
-                                            let _e1894 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1885)), 32u, _e1889) - 8u);
-                                            let _e1897 = (_e1885 << bitcast<u32>((_e1894 & 31u)));
-                                            let _e1899 = ((_e1857 + select(0i, 1i, (_e1856 == 0i))) - bitcast<i32>(_e1894));
-                                            if (_e1899 >= 255i) {
-                                                phi_4015_ = bitcast<f32>((_e1878 | 2139095040u));
-                                                phi_4016_ = f32();
-                                                phi_4017_ = true;
+                                            let _e1892 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1883)), 32u, _e1887) - 8u);
+                                            let _e1895 = (_e1883 << bitcast<u32>((_e1892 & 31u)));
+                                            let _e1897 = ((_e1855 + select(0i, 1i, (_e1854 == 0i))) - bitcast<i32>(_e1892));
+                                            if (_e1897 >= 255i) {
+                                                phi_3945_ = bitcast<f32>((_e1876 | 2139095040u));
+                                                phi_3946_ = f32();
+                                                phi_3947_ = true;
                                             } else {
-                                                let _e1901 = (_e1899 > 0i);
-                                                if _e1901 {
-                                                    phi_4009_ = bitcast<f32>(((_e1878 | (bitcast<u32>(_e1899) << bitcast<u32>(23i))) | (_e1897 & 8388607u)));
-                                                    phi_4010_ = f32();
+                                                let _e1899 = (_e1897 > 0i);
+                                                if _e1899 {
+                                                    phi_3939_ = bitcast<f32>(((_e1876 | (bitcast<u32>(_e1897) << bitcast<u32>(23i))) | (_e1895 & 8388607u)));
+                                                    phi_3940_ = f32();
                                                 } else {
-                                                    if (_e1899 < -24i) {
-                                                        phi_3975_ = 26u;
+                                                    if (_e1897 < -24i) {
+                                                        phi_3905_ = 26u;
                                                     } else {
-                                                        phi_3975_ = bitcast<u32>((1i - _e1899));
+                                                        phi_3905_ = bitcast<u32>((1i - _e1897));
                                                     }
-                                                    let _e1906 = phi_3975_;
-                                                    let _e1907 = (_e1906 & 31u);
-                                                    let _e1909 = (_e1897 >> bitcast<u32>(_e1907));
-                                                    let _e1913 = (_e1897 & ((1u << bitcast<u32>(_e1907)) - 1u));
-                                                    let _e1917 = (1u << bitcast<u32>(((_e1906 - 1u) & 31u)));
-                                                    if (_e1913 > _e1917) {
-                                                        phi_3996_ = true;
+                                                    let _e1904 = phi_3905_;
+                                                    let _e1905 = (_e1904 & 31u);
+                                                    let _e1907 = (_e1895 >> bitcast<u32>(_e1905));
+                                                    let _e1911 = (_e1895 & ((1u << bitcast<u32>(_e1905)) - 1u));
+                                                    let _e1915 = (1u << bitcast<u32>(((_e1904 - 1u) & 31u)));
+                                                    if (_e1911 > _e1915) {
+                                                        phi_3926_ = true;
                                                     } else {
-                                                        if (_e1913 == _e1917) {
-                                                            phi_3993_ = ((_e1909 & 1u) == 1u);
+                                                        if (_e1911 == _e1915) {
+                                                            phi_3923_ = ((_e1907 & 1u) == 1u);
                                                         } else {
-                                                            phi_3993_ = false;
+                                                            phi_3923_ = false;
                                                         }
-                                                        let _e1923 = phi_3993_;
-                                                        phi_3996_ = _e1923;
+                                                        let _e1921 = phi_3923_;
+                                                        phi_3926_ = _e1921;
                                                     }
-                                                    let _e1925 = phi_3996_;
-                                                    phi_4009_ = f32();
-                                                    phi_4010_ = bitcast<f32>((_e1878 | (_e1909 + select(0u, 1u, _e1925))));
+                                                    let _e1923 = phi_3926_;
+                                                    phi_3939_ = f32();
+                                                    phi_3940_ = bitcast<f32>((_e1876 | (_e1907 + select(0u, 1u, _e1923))));
                                                 }
-                                                let _e1938 = phi_4009_;
-                                                let _e1940 = phi_4010_;
-                                                phi_4015_ = _e1938;
-                                                phi_4016_ = _e1940;
-                                                phi_4017_ = _e1901;
+                                                let _e1936 = phi_3939_;
+                                                let _e1938 = phi_3940_;
+                                                phi_3945_ = _e1936;
+                                                phi_3946_ = _e1938;
+                                                phi_3947_ = _e1899;
                                             }
-                                            let _e1944 = phi_4015_;
-                                            let _e1946 = phi_4016_;
-                                            let _e1948 = phi_4017_;
-                                            phi_4025_ = select(_e1946, _e1944, _e1948);
+                                            let _e1942 = phi_3945_;
+                                            let _e1944 = phi_3946_;
+                                            let _e1946 = phi_3947_;
+                                            phi_3955_ = select(_e1944, _e1942, _e1946);
                                         }
-                                        let _e1952 = phi_4025_;
-                                        phi_3671_ = _e1952;
+                                        let _e1950 = phi_3955_;
+                                        phi_3637_ = _e1950;
                                     } else {
-                                        phi_3671_ = _e1875;
+                                        phi_3637_ = _e1873;
                                     }
-                                    let _e1954 = phi_3671_;
-                                    phi_3672_ = _e1954;
+                                    let _e1952 = phi_3637_;
+                                    phi_3638_ = _e1952;
                                 }
-                                let _e1956 = phi_3672_;
-                                let _e1957 = bitcast<u32>(_e1956);
-                                if ((_e1957 & 2147483647u) >= 2139095040u) {
-                                    phi_3684_ = bitcast<f32>(((_e1957 & 2147483648u) | 2139095039u));
+                                let _e1954 = phi_3638_;
+                                let _e1955 = bitcast<u32>(_e1954);
+                                if ((_e1955 & 2147483647u) >= 2139095040u) {
+                                    phi_3650_ = bitcast<f32>(((_e1955 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3684_ = _e1956;
+                                    phi_3650_ = _e1954;
                                 }
-                                let _e1964 = phi_3684_;
-                                phi_3689_ = type_18(_e1964, _e1845.member_1, _e1845.member_2, _e1845.member_3);
+                                let _e1962 = phi_3650_;
+                                phi_3655_ = type_18(_e1962, _e1843.member_1, _e1843.member_2, _e1843.member_3);
                             } else {
-                                phi_3689_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3655_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1967 = phi_3689_;
-                            if _e1843 {
+                            let _e1965 = phi_3655_;
+                            if _e1841 {
                             } else {
-                                phi_4468_ = true;
+                                phi_4372_ = true;
                                 break;
                             }
-                            local_7[_e1838.member_1] = type_18(_e1967.member, _e1967.member_1, _e1967.member_2, _e1967.member_3);
+                            local_7[_e1836.member_1] = type_18(_e1965.member, _e1965.member_1, _e1965.member_2, _e1965.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3575_ = _e1836;
-                            phi_4468_ = _e1821;
-                            break if !(_e1842);
+                            phi_3541_ = _e1834;
+                            phi_4372_ = _e1819;
+                            break if !(_e1840);
                         }
                     }
-                    let _e1975 = phi_4468_;
-                    if _e1975 {
+                    let _e1973 = phi_4372_;
+                    if _e1973 {
                         break;
                     }
-                    let _e1976 = local_7;
+                    let _e1974 = local_7;
                     if _e140 {
                     } else {
                         break;
                     }
-                    global_5.member[_e138] = array<type_18, 8>(type_18(_e1976[0].member, _e1976[0].member_1, _e1976[0].member_2, _e1976[0].member_3), type_18(_e1976[1].member, _e1976[1].member_1, _e1976[1].member_2, _e1976[1].member_3), type_18(_e1976[2].member, _e1976[2].member_1, _e1976[2].member_2, _e1976[2].member_3), type_18(_e1976[3].member, _e1976[3].member_1, _e1976[3].member_2, _e1976[3].member_3), type_18(_e1976[4].member, _e1976[4].member_1, _e1976[4].member_2, _e1976[4].member_3), type_18(_e1976[5].member, _e1976[5].member_1, _e1976[5].member_2, _e1976[5].member_3), type_18(_e1976[6].member, _e1976[6].member_1, _e1976[6].member_2, _e1976[6].member_3), type_18(_e1976[7].member, _e1976[7].member_1, _e1976[7].member_2, _e1976[7].member_3));
+                    global_5.member[_e138] = array<type_18, 8>(type_18(_e1974[0].member, _e1974[0].member_1, _e1974[0].member_2, _e1974[0].member_3), type_18(_e1974[1].member, _e1974[1].member_1, _e1974[1].member_2, _e1974[1].member_3), type_18(_e1974[2].member, _e1974[2].member_1, _e1974[2].member_2, _e1974[2].member_3), type_18(_e1974[3].member, _e1974[3].member_1, _e1974[3].member_2, _e1974[3].member_3), type_18(_e1974[4].member, _e1974[4].member_1, _e1974[4].member_2, _e1974[4].member_3), type_18(_e1974[5].member, _e1974[5].member_1, _e1974[5].member_2, _e1974[5].member_3), type_18(_e1974[6].member, _e1974[6].member_1, _e1974[6].member_2, _e1974[6].member_3), type_18(_e1974[7].member, _e1974[7].member_1, _e1974[7].member_2, _e1974[7].member_3));
                 }
             }
             break;

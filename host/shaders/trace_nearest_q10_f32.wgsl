@@ -95,164 +95,151 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_25, 8>;
     var local_10: array<f32, 128>;
-    var phi_501_: i32;
-    var phi_502_: i32;
-    var phi_512_: bool;
-    var phi_522_: u32;
-    var phi_523_: u32;
-    var phi_525_: bool;
+    var phi_508_: i32;
+    var phi_509_: i32;
+    var phi_519_: bool;
+    var phi_529_: u32;
     var phi_530_: u32;
-    var phi_543_: i32;
-    var phi_563_: i32;
-    var phi_581_: f32;
-    var phi_587_: f32;
-    var phi_627_: f32;
-    var phi_633_: f32;
-    var phi_706_: f32;
-    var phi_712_: f32;
-    var phi_752_: f32;
-    var phi_758_: f32;
-    var phi_831_: f32;
-    var phi_837_: f32;
-    var phi_877_: f32;
-    var phi_883_: f32;
-    var phi_1002_: i32;
-    var phi_1024_: u32;
-    var phi_1025_: u32;
-    var phi_1062_: i32;
-    var phi_1084_: u32;
-    var phi_1085_: u32;
-    var phi_1093_: f32;
-    var phi_1094_: f32;
-    var phi_4335_: bool;
-    var phi_4315_: f32;
-    var phi_1243_: u32;
-    var phi_1246_: bool;
-    var phi_1248_: u32;
-    var phi_1250_: type_53;
-    var phi_1261_: bool;
-    var phi_1348_: bool;
-    var phi_1349_: u32;
-    var phi_1350_: type_53;
-    var phi_4332_: bool;
-    var phi_4320_: f32;
-    var phi_1368_: type_4;
-    var phi_1369_: type_4;
-    var phi_1392_: type_4;
-    var phi_1413_: u32;
-    var phi_1505_: array<array<f32, 3>, 3>;
-    var phi_3871_: bool;
-    var phi_3886_: bool;
-    var phi_3901_: bool;
-    var phi_3916_: bool;
-    var phi_3931_: bool;
-    var phi_3946_: bool;
-    var phi_2048_: f32;
-    var phi_2049_: f32;
-    var phi_2050_: f32;
-    var phi_2051_: f32;
-    var phi_2052_: vec3<f32>;
-    var phi_2053_: vec3<f32>;
-    var phi_2054_: vec3<f32>;
-    var phi_2055_: vec3<f32>;
-    var phi_3961_: bool;
-    var phi_3976_: bool;
-    var phi_3991_: bool;
-    var phi_4006_: bool;
-    var phi_4021_: bool;
-    var phi_4036_: bool;
-    var phi_2263_: f32;
-    var phi_2283_: type_36;
-    var phi_2284_: type_36;
-    var phi_2287_: type_36;
-    var phi_2288_: type_36;
-    var phi_2289_: bool;
-    var phi_2293_: type_36;
-    var phi_2302_: type_25;
-    var phi_2314_: type_4;
-    var phi_2317_: type_25;
-    var phi_2315_: type_4;
-    var phi_2340_: type_4;
-    var phi_2372_: bool;
-    var phi_2373_: bool;
-    var phi_2394_: type_25;
-    var phi_2318_: type_25;
-    var phi_4322_: bool;
-    var phi_4641_: f32;
-    var phi_4640_: f32;
-    var phi_4490_: bool;
-    var phi_4639_: f32;
-    var phi_4489_: bool;
-    var phi_4638_: f32;
-    var phi_4488_: bool;
-    var phi_4545_: f32;
-    var phi_4487_: bool;
-    var phi_4729_: bool;
-    var phi_4544_: f32;
-    var phi_3132_: u32;
-    var phi_3133_: u32;
-    var phi_3143_: u32;
+    var phi_532_: bool;
+    var phi_537_: u32;
+    var phi_550_: i32;
+    var phi_570_: i32;
+    var phi_588_: f32;
+    var phi_594_: f32;
+    var phi_634_: f32;
+    var phi_640_: f32;
+    var phi_713_: f32;
+    var phi_719_: f32;
+    var phi_759_: f32;
+    var phi_765_: f32;
+    var phi_838_: f32;
+    var phi_844_: f32;
+    var phi_884_: f32;
+    var phi_890_: f32;
+    var phi_1009_: i32;
+    var phi_1031_: u32;
+    var phi_1032_: u32;
+    var phi_1069_: i32;
+    var phi_1091_: u32;
+    var phi_1092_: u32;
+    var phi_1100_: f32;
+    var phi_1101_: f32;
+    var phi_4318_: bool;
+    var phi_4245_: f32;
+    var phi_1250_: bool;
+    var phi_1253_: type_53;
+    var phi_1255_: u32;
+    var phi_1257_: u32;
+    var phi_1268_: bool;
+    var phi_1355_: bool;
+    var phi_1356_: type_53;
+    var phi_1357_: u32;
+    var phi_3111_: u32;
+    var phi_3112_: u32;
+    var phi_3122_: u32;
+    var phi_3124_: u32;
+    var phi_3125_: bool;
     var phi_3145_: u32;
-    var phi_3146_: bool;
-    var phi_3166_: u32;
-    var phi_3167_: u32;
-    var phi_3171_: type_54;
-    var phi_3534_: type_53;
+    var phi_3146_: u32;
+    var phi_3150_: type_54;
+    var phi_3513_: type_53;
+    var phi_3589_: type_53;
+    var phi_3590_: type_53;
+    var phi_3591_: u32;
+    var phi_3593_: type_53;
+    var phi_3594_: u32;
+    var phi_3595_: bool;
+    var phi_3604_: type_53;
+    var phi_3609_: bool;
     var phi_3610_: type_53;
-    var phi_3611_: u32;
-    var phi_3612_: type_53;
+    var phi_4315_: bool;
+    var phi_4304_: f32;
+    var phi_1375_: type_4;
+    var phi_1376_: type_4;
+    var phi_1399_: type_4;
+    var phi_1420_: u32;
+    var phi_1512_: array<array<f32, 3>, 3>;
+    var phi_2043_: f32;
+    var phi_2044_: f32;
+    var phi_2045_: f32;
+    var phi_2046_: f32;
+    var phi_2047_: vec3<f32>;
+    var phi_2048_: vec3<f32>;
+    var phi_2049_: vec3<f32>;
+    var phi_2050_: vec3<f32>;
+    var phi_2241_: f32;
+    var phi_2261_: type_36;
+    var phi_2262_: type_36;
+    var phi_2265_: type_36;
+    var phi_2266_: type_36;
+    var phi_2267_: bool;
+    var phi_2271_: type_36;
+    var phi_2280_: type_25;
+    var phi_2292_: type_4;
+    var phi_2295_: type_25;
+    var phi_2293_: type_4;
+    var phi_2318_: type_4;
+    var phi_2350_: bool;
+    var phi_2351_: bool;
+    var phi_2372_: type_25;
+    var phi_2296_: type_25;
+    var phi_4305_: bool;
+    var phi_4547_: f32;
+    var phi_4546_: f32;
+    var phi_4461_: bool;
+    var phi_4545_: f32;
+    var phi_4460_: bool;
+    var phi_4544_: f32;
+    var phi_4459_: bool;
+    var phi_4463_: f32;
+    var phi_4458_: bool;
+    var phi_4662_: f32;
+    var phi_4552_: bool;
+    var phi_3612_: bool;
+    var phi_3613_: type_53;
     var phi_3614_: u32;
-    var phi_3615_: type_53;
-    var phi_3616_: bool;
-    var phi_3625_: type_53;
-    var phi_3630_: bool;
-    var phi_3632_: type_53;
-    var phi_3636_: bool;
-    var phi_3637_: u32;
-    var phi_3638_: type_53;
-    var phi_3648_: type_53;
-    var phi_4757_: f32;
-    var phi_4646_: bool;
-    var phi_3649_: u32;
-    var phi_3650_: bool;
-    var phi_3651_: u32;
-    var phi_3652_: type_53;
-    var phi_4756_: f32;
-    var phi_4645_: bool;
-    var phi_3653_: u32;
-    var phi_3654_: bool;
-    var phi_3655_: u32;
-    var phi_3656_: type_53;
-    var phi_4755_: f32;
-    var phi_4644_: bool;
-    var phi_1244_: u32;
-    var phi_1247_: bool;
-    var phi_1249_: u32;
-    var phi_1251_: type_53;
-    var phi_3657_: bool;
-    var phi_4643_: bool;
-    var phi_3664_: type_4;
-    var phi_3665_: type_4;
-    var phi_3688_: type_4;
-    var phi_3740_: f32;
-    var phi_3742_: f32;
-    var phi_3743_: bool;
-    var phi_3744_: f32;
-    var phi_3745_: bool;
-    var phi_4212_: u32;
-    var phi_4230_: bool;
-    var phi_4233_: bool;
-    var phi_4246_: f32;
-    var phi_4247_: f32;
-    var phi_4252_: f32;
-    var phi_4253_: f32;
-    var phi_4254_: bool;
-    var phi_4262_: f32;
-    var phi_3760_: f32;
-    var phi_3761_: f32;
-    var phi_3773_: f32;
-    var phi_3778_: type_25;
-    var phi_4737_: bool;
+    var phi_4661_: f32;
+    var phi_4551_: bool;
+    var phi_3615_: bool;
+    var phi_3616_: type_53;
+    var phi_3617_: u32;
+    var phi_3618_: u32;
+    var phi_4660_: f32;
+    var phi_4550_: bool;
+    var phi_3619_: bool;
+    var phi_3620_: type_53;
+    var phi_3621_: u32;
+    var phi_3622_: u32;
+    var phi_4659_: f32;
+    var phi_4549_: bool;
+    var phi_1251_: bool;
+    var phi_1254_: type_53;
+    var phi_1256_: u32;
+    var phi_1258_: u32;
+    var phi_3623_: bool;
+    var phi_4548_: bool;
+    var phi_3630_: type_4;
+    var phi_3631_: type_4;
+    var phi_3654_: type_4;
+    var phi_3706_: f32;
+    var phi_3708_: f32;
+    var phi_3709_: bool;
+    var phi_3710_: f32;
+    var phi_3711_: bool;
+    var phi_4142_: u32;
+    var phi_4160_: bool;
+    var phi_4163_: bool;
+    var phi_4176_: f32;
+    var phi_4177_: f32;
+    var phi_4182_: f32;
+    var phi_4183_: f32;
+    var phi_4184_: bool;
+    var phi_4192_: f32;
+    var phi_3726_: f32;
+    var phi_3727_: f32;
+    var phi_3739_: f32;
+    var phi_3744_: type_25;
+    var phi_4641_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -307,93 +294,93 @@ fn function_() {
                     if _e230 {
                         let _e233 = (bitcast<u32>(bitcast<f32>(_e205)) & 2147483647u);
                         if (_e233 >= 8388608u) {
-                            phi_501_ = (bitcast<i32>((_e233 >> bitcast<u32>(23i))) - 127i);
+                            phi_508_ = (bitcast<i32>((_e233 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_501_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e233)), 32u, (_e233 == 0u))));
+                            phi_508_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e233)), 32u, (_e233 == 0u))));
                         }
-                        let _e247 = phi_501_;
-                        phi_502_ = _e247;
+                        let _e247 = phi_508_;
+                        phi_509_ = _e247;
                     } else {
-                        phi_502_ = 0i;
+                        phi_509_ = 0i;
                     }
-                    let _e249 = phi_502_;
+                    let _e249 = phi_509_;
                     let _e250 = (_e166 == _e205);
                     if _e250 {
-                        phi_512_ = true;
+                        phi_519_ = true;
                     } else {
-                        phi_512_ = (_e173 == _e205);
+                        phi_519_ = (_e173 == _e205);
                     }
-                    let _e253 = phi_512_;
+                    let _e253 = phi_519_;
                     let _e254 = select(1u, 0u, _e250);
                     if _e253 {
                         let _e255 = (_e254 + 1u);
-                        phi_522_ = _e255;
-                        phi_523_ = _e255;
-                        phi_525_ = select(true, false, (_e255 == 2u));
+                        phi_529_ = _e255;
+                        phi_530_ = _e255;
+                        phi_532_ = select(true, false, (_e255 == 2u));
                     } else {
-                        phi_522_ = u32();
-                        phi_523_ = 0u;
-                        phi_525_ = true;
-                    }
-                    let _e259 = phi_522_;
-                    let _e261 = phi_523_;
-                    let _e263 = phi_525_;
-                    if _e263 {
-                        phi_530_ = (_e261 + 1u);
-                    } else {
+                        phi_529_ = u32();
                         phi_530_ = 0u;
+                        phi_532_ = true;
                     }
-                    let _e267 = phi_530_;
+                    let _e259 = phi_529_;
+                    let _e261 = phi_530_;
+                    let _e263 = phi_532_;
+                    if _e263 {
+                        phi_537_ = (_e261 + 1u);
+                    } else {
+                        phi_537_ = 0u;
+                    }
+                    let _e267 = phi_537_;
                     let _e268 = select(_e259, _e261, _e263);
                     let _e269 = select(_e254, select(2u, _e254, _e253), _e263);
                     if (_e136 < -126i) {
-                        phi_543_ = -126i;
+                        phi_550_ = -126i;
                     } else {
-                        phi_543_ = select(_e136, 127i, (_e136 > 127i));
+                        phi_550_ = select(_e136, 127i, (_e136 > 127i));
                     }
-                    let _e274 = phi_543_;
+                    let _e274 = phi_550_;
                     let _e279 = bitcast<f32>((bitcast<u32>((_e274 + 127i)) << bitcast<u32>(23i)));
                     let _e285 = bitcast<f32>((bitcast<u32>(((_e136 - _e274) + 127i)) << bitcast<u32>(23i)));
                     let _e286 = -(_e249);
                     if (_e286 < -126i) {
-                        phi_563_ = -126i;
+                        phi_570_ = -126i;
                     } else {
-                        phi_563_ = select(_e286, 127i, (_e286 > 127i));
+                        phi_570_ = select(_e286, 127i, (_e286 > 127i));
                     }
-                    let _e291 = phi_563_;
+                    let _e291 = phi_570_;
                     let _e296 = bitcast<f32>((bitcast<u32>((_e291 + 127i)) << bitcast<u32>(23i)));
                     let _e302 = bitcast<f32>((bitcast<u32>(((_e286 - _e291) + 127i)) << bitcast<u32>(23i)));
                     let _e306 = global_5.member[_e154].member;
                     let _e307 = (_e268 == 0u);
                     if _e307 {
-                        phi_581_ = _e306[0];
+                        phi_588_ = _e306[0];
                     } else {
-                        phi_581_ = _e306[1];
+                        phi_588_ = _e306[1];
                     }
-                    let _e311 = phi_581_;
+                    let _e311 = phi_588_;
                     let _e312 = (_e268 == 2u);
                     if _e312 {
-                        phi_587_ = _e306[2];
+                        phi_594_ = _e306[2];
                     } else {
-                        phi_587_ = _e311;
+                        phi_594_ = _e311;
                     }
-                    let _e315 = phi_587_;
+                    let _e315 = phi_594_;
                     let _e316 = bitcast<u32>(_e315);
                     let _e318 = ((_e316 & 2139095040u) != 0u);
                     let _e332 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e316 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e316 & 2147483648u))), _e315, _e318) * _e279) * select(0.00000011920929f, 1f, _e318)) * _e285);
                     let _e333 = global_5.member[_e154].member_2;
                     if _e307 {
-                        phi_627_ = _e333[0];
+                        phi_634_ = _e333[0];
                     } else {
-                        phi_627_ = _e333[1];
+                        phi_634_ = _e333[1];
                     }
-                    let _e337 = phi_627_;
+                    let _e337 = phi_634_;
                     if _e312 {
-                        phi_633_ = _e333[2];
+                        phi_640_ = _e333[2];
                     } else {
-                        phi_633_ = _e337;
+                        phi_640_ = _e337;
                     }
-                    let _e340 = phi_633_;
+                    let _e340 = phi_640_;
                     let _e341 = bitcast<u32>(_e340);
                     let _e343 = ((_e341 & 2139095040u) != 0u);
                     let _e357 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e341 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e341 & 2147483648u))), _e340, _e343) * _e296) * select(0.00000011920929f, 1f, _e343)) * _e302);
@@ -407,33 +394,33 @@ fn function_() {
                     let _e373 = select(38685626000000000000000000f, (1f / _e357), _e361);
                     let _e374 = (_e267 == 0u);
                     if _e374 {
-                        phi_706_ = _e306[0];
+                        phi_713_ = _e306[0];
                     } else {
-                        phi_706_ = _e306[1];
+                        phi_713_ = _e306[1];
                     }
-                    let _e378 = phi_706_;
+                    let _e378 = phi_713_;
                     let _e379 = (_e267 == 2u);
                     if _e379 {
-                        phi_712_ = _e306[2];
+                        phi_719_ = _e306[2];
                     } else {
-                        phi_712_ = _e378;
+                        phi_719_ = _e378;
                     }
-                    let _e382 = phi_712_;
+                    let _e382 = phi_719_;
                     let _e383 = bitcast<u32>(_e382);
                     let _e385 = ((_e383 & 2139095040u) != 0u);
                     let _e399 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e383 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e383 & 2147483648u))), _e382, _e385) * _e279) * select(0.00000011920929f, 1f, _e385)) * _e285);
                     if _e374 {
-                        phi_752_ = _e333[0];
+                        phi_759_ = _e333[0];
                     } else {
-                        phi_752_ = _e333[1];
+                        phi_759_ = _e333[1];
                     }
-                    let _e403 = phi_752_;
+                    let _e403 = phi_759_;
                     if _e379 {
-                        phi_758_ = _e333[2];
+                        phi_765_ = _e333[2];
                     } else {
-                        phi_758_ = _e403;
+                        phi_765_ = _e403;
                     }
-                    let _e406 = phi_758_;
+                    let _e406 = phi_765_;
                     let _e407 = bitcast<u32>(_e406);
                     let _e409 = ((_e407 & 2139095040u) != 0u);
                     let _e423 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e407 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e407 & 2147483648u))), _e406, _e409) * _e296) * select(0.00000011920929f, 1f, _e409)) * _e302);
@@ -447,33 +434,33 @@ fn function_() {
                     let _e439 = select(38685626000000000000000000f, (1f / _e423), _e427);
                     let _e440 = (_e269 == 0u);
                     if _e440 {
-                        phi_831_ = _e306[0];
+                        phi_838_ = _e306[0];
                     } else {
-                        phi_831_ = _e306[1];
+                        phi_838_ = _e306[1];
                     }
-                    let _e444 = phi_831_;
+                    let _e444 = phi_838_;
                     let _e445 = (_e269 == 2u);
                     if _e445 {
-                        phi_837_ = _e306[2];
+                        phi_844_ = _e306[2];
                     } else {
-                        phi_837_ = _e444;
+                        phi_844_ = _e444;
                     }
-                    let _e448 = phi_837_;
+                    let _e448 = phi_844_;
                     let _e449 = bitcast<u32>(_e448);
                     let _e451 = ((_e449 & 2139095040u) != 0u);
                     let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e279) * select(0.00000011920929f, 1f, _e451)) * _e285);
                     if _e440 {
-                        phi_877_ = _e333[0];
+                        phi_884_ = _e333[0];
                     } else {
-                        phi_877_ = _e333[1];
+                        phi_884_ = _e333[1];
                     }
-                    let _e469 = phi_877_;
+                    let _e469 = phi_884_;
                     if _e445 {
-                        phi_883_ = _e333[2];
+                        phi_890_ = _e333[2];
                     } else {
-                        phi_883_ = _e469;
+                        phi_890_ = _e469;
                     }
-                    let _e472 = phi_883_;
+                    let _e472 = phi_890_;
                     let _e473 = bitcast<u32>(_e472);
                     let _e475 = ((_e473 & 2139095040u) != 0u);
                     let _e489 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e473 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e473 & 2147483648u))), _e472, _e475) * _e296) * select(0.00000011920929f, 1f, _e475)) * _e302);
@@ -493,55 +480,55 @@ fn function_() {
                         let _e527 = (_e520 == 0u);
                         let _e530 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e520)), 32u, _e527)) - 8i);
                         if (_e523 == 255i) {
-                            phi_1002_ = 255i;
+                            phi_1009_ = 255i;
                         } else {
-                            phi_1002_ = (((_e523 + select(0i, 1i, (_e523 == 0i))) - _e530) + _e510);
+                            phi_1009_ = (((_e523 + select(0i, 1i, (_e523 == 0i))) - _e530) + _e510);
                         }
-                        let _e538 = phi_1002_;
+                        let _e538 = phi_1009_;
                         let _e548 = (_e538 <= 0i);
                         if _e548 {
-                            phi_1025_ = u32();
+                            phi_1032_ = u32();
                         } else {
                             if _e527 {
-                                phi_1024_ = u32();
+                                phi_1031_ = u32();
                             } else {
-                                phi_1024_ = select(((bitcast<u32>(_e538) << bitcast<u32>(23i)) | ((_e520 << bitcast<u32>(((_e530 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e538 >= 255i));
+                                phi_1031_ = select(((bitcast<u32>(_e538) << bitcast<u32>(23i)) | ((_e520 << bitcast<u32>(((_e530 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e538 >= 255i));
                             }
-                            let _e552 = phi_1024_;
-                            phi_1025_ = _e552;
+                            let _e552 = phi_1031_;
+                            phi_1032_ = _e552;
                         }
-                        let _e554 = phi_1025_;
+                        let _e554 = phi_1032_;
                         let _e566 = ((_e226 & 8388607u) | (select(0u, 1u, ((_e226 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e569 = bitcast<i32>((_e226 >> bitcast<u32>(23i)));
                         let _e573 = (_e566 == 0u);
                         let _e576 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e566)), 32u, _e573)) - 8i);
                         if (_e569 == 255i) {
-                            phi_1062_ = 255i;
+                            phi_1069_ = 255i;
                         } else {
-                            phi_1062_ = (((_e569 + select(0i, 1i, (_e569 == 0i))) - _e576) + _e510);
+                            phi_1069_ = (((_e569 + select(0i, 1i, (_e569 == 0i))) - _e576) + _e510);
                         }
-                        let _e584 = phi_1062_;
+                        let _e584 = phi_1069_;
                         let _e594 = (_e584 <= 0i);
                         if _e594 {
-                            phi_1085_ = u32();
+                            phi_1092_ = u32();
                         } else {
                             if _e573 {
-                                phi_1084_ = u32();
+                                phi_1091_ = u32();
                             } else {
-                                phi_1084_ = select(((bitcast<u32>(_e584) << bitcast<u32>(23i)) | ((_e566 << bitcast<u32>(((_e576 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e584 >= 255i));
+                                phi_1091_ = select(((bitcast<u32>(_e584) << bitcast<u32>(23i)) | ((_e566 << bitcast<u32>(((_e576 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e584 >= 255i));
                             }
-                            let _e598 = phi_1084_;
-                            phi_1085_ = _e598;
+                            let _e598 = phi_1091_;
+                            phi_1092_ = _e598;
                         }
-                        let _e600 = phi_1085_;
-                        phi_1093_ = bitcast<f32>(((_e225 & 2147483648u) | select(_e600, 0u, select(_e573, true, _e594))));
-                        phi_1094_ = bitcast<f32>(((_e216 & 2147483648u) | select(_e554, 0u, select(_e527, true, _e548))));
+                        let _e600 = phi_1092_;
+                        phi_1100_ = bitcast<f32>(((_e225 & 2147483648u) | select(_e600, 0u, select(_e573, true, _e594))));
+                        phi_1101_ = bitcast<f32>(((_e216 & 2147483648u) | select(_e554, 0u, select(_e527, true, _e548))));
                     } else {
-                        phi_1093_ = 0f;
-                        phi_1094_ = 1f;
+                        phi_1100_ = 0f;
+                        phi_1101_ = 1f;
                     }
-                    let _e606 = phi_1093_;
-                    let _e608 = phi_1094_;
+                    let _e606 = phi_1100_;
+                    let _e608 = phi_1101_;
                     local_9 = array<type_25, 8>(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -551,1138 +538,1056 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e611 = (_e268 % 3u);
-                    let _e612 = (_e611 < 3u);
-                    if _e612 {
+                    let _e613 = (_e268 % 3u);
+                    let _e614 = (_e613 < 3u);
+                    if _e614 {
                     } else {
                         break;
                     }
-                    let _e614 = local_1[_e611];
-                    let _e617 = (_e267 % 3u);
-                    let _e618 = (_e617 < 3u);
-                    if _e618 {
+                    let _e616 = local_1[_e613];
+                    let _e619 = (_e267 % 3u);
+                    let _e620 = (_e619 < 3u);
+                    if _e620 {
                     } else {
                         break;
                     }
-                    let _e620 = local_1[_e617];
-                    let _e623 = (_e269 % 3u);
-                    let _e624 = (_e623 < 3u);
-                    if _e624 {
+                    let _e622 = local_1[_e619];
+                    let _e625 = (_e269 % 3u);
+                    let _e626 = (_e625 < 3u);
+                    if _e626 {
                     } else {
                         break;
                     }
-                    let _e626 = local_1[_e623];
-                    if _e612 {
+                    let _e628 = local_1[_e625];
+                    if _e614 {
                     } else {
                         break;
                     }
-                    let _e631 = local[_e611];
-                    if _e618 {
+                    let _e633 = local[_e613];
+                    if _e620 {
                     } else {
                         break;
                     }
-                    let _e635 = local[_e617];
-                    if _e624 {
+                    let _e637 = local[_e619];
+                    if _e626 {
                     } else {
                         break;
                     }
-                    let _e639 = local[_e623];
-                    phi_4335_ = false;
-                    phi_4315_ = _e606;
-                    phi_1243_ = ((3u * _e98) + 1u);
-                    phi_1246_ = (_e608 <= _e606);
-                    phi_1248_ = 0u;
-                    phi_1250_ = type_53(type_29(vec4<f32>((f32(_e614) * _e148), (f32(_e620) * _e148), (f32(_e626) * _e148), 0f), vec4<f32>((f32(_e631) * _e148), (f32(_e635) * _e148), (f32(_e639) * _e148), 0f)), select(0u, 2147483648u, (_e98 == 0u)));
+                    let _e641 = local[_e625];
+                    phi_4318_ = false;
+                    phi_4245_ = _e606;
+                    phi_1250_ = (_e608 <= _e606);
+                    phi_1253_ = type_53(type_29(vec4<f32>((f32(_e616) * _e148), (f32(_e622) * _e148), (f32(_e628) * _e148), 0f), vec4<f32>((f32(_e633) * _e148), (f32(_e637) * _e148), (f32(_e641) * _e148), 0f)), select(0u, 2147483648u, (_e98 == 0u)));
+                    phi_1255_ = 0u;
+                    phi_1257_ = ((3u * _e98) + 1u);
                     loop {
-                        let _e649 = phi_4335_;
-                        let _e651 = phi_4315_;
-                        let _e653 = phi_1243_;
-                        let _e655 = phi_1246_;
-                        let _e657 = phi_1248_;
-                        let _e659 = phi_1250_;
-                        if _e655 {
-                            phi_1261_ = true;
+                        let _e649 = phi_4318_;
+                        let _e651 = phi_4245_;
+                        let _e653 = phi_1250_;
+                        let _e655 = phi_1253_;
+                        let _e657 = phi_1255_;
+                        let _e659 = phi_1257_;
+                        if _e653 {
+                            phi_1268_ = true;
                         } else {
-                            phi_1261_ = (_e657 > 0u);
+                            phi_1268_ = (_e657 > 0u);
                         }
-                        let _e662 = phi_1261_;
+                        let _e662 = phi_1268_;
                         if _e662 {
-                            let _e663 = (_e653 > 0u);
+                            let _e663 = (_e659 > 0u);
                             if _e663 {
-                                if _e655 {
-                                    phi_1348_ = _e655;
-                                    phi_1349_ = _e657;
-                                    phi_1350_ = _e659;
+                                if _e653 {
+                                    phi_1355_ = _e653;
+                                    phi_1356_ = _e655;
+                                    phi_1357_ = _e657;
                                 } else {
                                     let _e664 = (_e657 - 1u);
                                     let _e665 = (_e664 % 128u);
                                     let _e666 = (_e665 < 128u);
                                     if _e666 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e668 = local_7[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e670 = local_6[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e672 = local_5[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e674 = local_4[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e676 = local_3[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e678 = local_2[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e683 = local_8[_e665];
                                     if _e666 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e686 = local_10[_e665];
-                                    phi_1348_ = (_e686 <= _e651);
-                                    phi_1349_ = _e664;
-                                    phi_1350_ = type_53(type_29(vec4<f32>(_e668, _e670, _e672, 0f), vec4<f32>(_e674, _e676, _e678, 0f)), _e683);
+                                    phi_1355_ = (_e686 <= _e651);
+                                    phi_1356_ = type_53(type_29(vec4<f32>(_e668, _e670, _e672, 0f), vec4<f32>(_e674, _e676, _e678, 0f)), _e683);
+                                    phi_1357_ = _e664;
                                 }
-                                let _e689 = phi_1348_;
-                                let _e691 = phi_1349_;
-                                let _e693 = phi_1350_;
+                                let _e689 = phi_1355_;
+                                let _e691 = phi_1356_;
+                                let _e693 = phi_1357_;
                                 if _e689 {
-                                    let _e697 = ((_e693.member_1 & 2147483648u) != 0u);
-                                    if _e697 {
-                                        phi_4332_ = _e649;
-                                        phi_4320_ = _e651;
-                                        phi_1368_ = type_4(0u, ((_e693.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e691.member_1 & 2147483648u) != 0u) {
+                                        phi_4315_ = _e649;
+                                        phi_4304_ = _e651;
+                                        phi_1375_ = type_4(0u, ((_e691.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e704 = phi_4332_;
-                                            let _e706 = phi_4320_;
-                                            let _e708 = phi_1368_;
-                                            if (_e708.member < _e708.member_1) {
-                                                phi_1369_ = type_4((_e708.member + 1u), _e708.member_1);
-                                                phi_1392_ = type_4(1u, _e708.member);
+                                            let _e1141 = phi_4315_;
+                                            let _e1143 = phi_4304_;
+                                            let _e1145 = phi_1375_;
+                                            if (_e1145.member < _e1145.member_1) {
+                                                phi_1376_ = type_4((_e1145.member + 1u), _e1145.member_1);
+                                                phi_1399_ = type_4(1u, _e1145.member);
                                             } else {
-                                                phi_1369_ = _e708;
-                                                phi_1392_ = type_4(0u, type_4().member_1);
+                                                phi_1376_ = _e1145;
+                                                phi_1399_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e721 = phi_1369_;
-                                            let _e723 = phi_1392_;
-                                            let _e727 = (bitcast<i32>(_e723.member) != 0i);
-                                            if _e727 {
-                                                let _e728 = ((_e693.member_1 & 268435455u) + _e723.member_1);
-                                                let _e729 = (_e728 < _e100);
-                                                if _e729 {
-                                                    if _e729 {
+                                            let _e1158 = phi_1376_;
+                                            let _e1160 = phi_1399_;
+                                            let _e1164 = (bitcast<i32>(_e1160.member) != 0i);
+                                            if _e1164 {
+                                                let _e1165 = ((_e691.member_1 & 268435455u) + _e1160.member_1);
+                                                let _e1166 = (_e1165 < _e100);
+                                                if _e1166 {
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e733 = global_2.member[_e728].member_1;
-                                                    phi_1413_ = _e733;
+                                                    let _e1170 = global_2.member[_e1165].member_1;
+                                                    phi_1420_ = _e1170;
                                                 } else {
-                                                    phi_1413_ = 4294967295u;
+                                                    phi_1420_ = 4294967295u;
                                                 }
-                                                let _e735 = phi_1413_;
-                                                if (_e728 >= _e100) {
-                                                    phi_1505_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1172 = phi_1420_;
+                                                if (_e1165 >= _e100) {
+                                                    phi_1512_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e729 {
+                                                    if _e1166 {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    if (_e611 < 9u) {
+                                                    if (_e613 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e742 = global_2.member[_e728].member[_e611];
-                                                    if (_e617 < 9u) {
+                                                    let _e1179 = global_2.member[_e1165].member[_e613];
+                                                    if (_e619 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e748 = global_2.member[_e728].member[_e617];
-                                                    if (_e623 < 9u) {
+                                                    let _e1185 = global_2.member[_e1165].member[_e619];
+                                                    if (_e625 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e754 = global_2.member[_e728].member[_e623];
-                                                    let _e756 = (3u + _e611);
-                                                    if (_e756 < 9u) {
+                                                    let _e1191 = global_2.member[_e1165].member[_e625];
+                                                    let _e1193 = (3u + _e613);
+                                                    if (_e1193 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e762 = global_2.member[_e728].member[_e756];
-                                                    let _e763 = (3u + _e617);
-                                                    if (_e763 < 9u) {
+                                                    let _e1199 = global_2.member[_e1165].member[_e1193];
+                                                    let _e1200 = (3u + _e619);
+                                                    if (_e1200 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e769 = global_2.member[_e728].member[_e763];
-                                                    let _e770 = (3u + _e623);
-                                                    if (_e770 < 9u) {
+                                                    let _e1206 = global_2.member[_e1165].member[_e1200];
+                                                    let _e1207 = (3u + _e625);
+                                                    if (_e1207 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e776 = global_2.member[_e728].member[_e770];
-                                                    let _e778 = (6u + _e611);
-                                                    if (_e778 < 9u) {
+                                                    let _e1213 = global_2.member[_e1165].member[_e1207];
+                                                    let _e1215 = (6u + _e613);
+                                                    if (_e1215 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e784 = global_2.member[_e728].member[_e778];
-                                                    let _e785 = (6u + _e617);
-                                                    if (_e785 < 9u) {
+                                                    let _e1221 = global_2.member[_e1165].member[_e1215];
+                                                    let _e1222 = (6u + _e619);
+                                                    if (_e1222 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e791 = global_2.member[_e728].member[_e785];
-                                                    let _e792 = (6u + _e623);
-                                                    if (_e792 < 9u) {
+                                                    let _e1228 = global_2.member[_e1165].member[_e1222];
+                                                    let _e1229 = (6u + _e625);
+                                                    if (_e1229 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e798 = global_2.member[_e728].member[_e792];
-                                                    phi_1505_ = array<array<f32, 3>, 3>(array<f32, 3>(_e742, _e748, _e754), array<f32, 3>(_e762, _e769, _e776), array<f32, 3>(_e784, _e791, _e798));
+                                                    let _e1235 = global_2.member[_e1165].member[_e1229];
+                                                    phi_1512_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1179, _e1185, _e1191), array<f32, 3>(_e1199, _e1206, _e1213), array<f32, 3>(_e1221, _e1228, _e1235));
                                                 }
-                                                let _e802 = phi_1505_;
-                                                let _e817 = (_e802[0][2] - _e465);
-                                                let _e820 = (((_e802[0][0] - _e332) * _e501) - (_e817 * _e369));
-                                                let _e823 = (((_e802[0][1] - _e399) * _e501) - (_e817 * _e435));
-                                                let _e826 = (_e802[1][2] - _e465);
-                                                let _e829 = (((_e802[1][0] - _e332) * _e501) - (_e826 * _e369));
-                                                let _e832 = (((_e802[1][1] - _e399) * _e501) - (_e826 * _e435));
-                                                let _e835 = (_e802[2][2] - _e465);
-                                                let _e838 = (((_e802[2][0] - _e332) * _e501) - (_e835 * _e369));
-                                                let _e841 = (((_e802[2][1] - _e399) * _e501) - (_e835 * _e435));
-                                                let _e842 = (_e838 * _e832);
-                                                let _e843 = (_e841 * _e829);
-                                                let _e844 = (_e820 * _e841);
-                                                let _e845 = (_e823 * _e838);
-                                                let _e846 = (_e829 * _e823);
-                                                let _e847 = (_e832 * _e820);
-                                                let _e852 = (((_e842 >= _e843) && (_e844 >= _e845)) && (_e846 >= _e847));
-                                                let _e858 = (_e852 || (((_e842 <= _e843) && (_e844 <= _e845)) && (_e846 <= _e847)));
-                                                if _e858 {
-                                                    let _e860 = select(-1f, 1f, _e852);
-                                                    let _e862 = ((_e842 - _e843) * _e860);
-                                                    let _e864 = select(0f, _e862, (_e862 > 0f));
-                                                    let _e866 = ((_e844 - _e845) * _e860);
-                                                    let _e868 = select(0f, _e866, (_e866 > 0f));
-                                                    let _e870 = ((_e846 - _e847) * _e860);
-                                                    let _e872 = select(0f, _e870, (_e870 > 0f));
-                                                    let _e874 = ((_e864 + _e868) + _e872);
-                                                    let _e876 = select(_e802[1][0], _e802[0][0], (_e802[0][0] < _e802[1][0]));
-                                                    let _e880 = select(_e802[1][0], _e802[0][0], (_e802[0][0] > _e802[1][0]));
-                                                    let _e884 = select(_e802[1][1], _e802[0][1], (_e802[0][1] < _e802[1][1]));
-                                                    let _e888 = select(_e802[1][1], _e802[0][1], (_e802[0][1] > _e802[1][1]));
-                                                    let _e892 = select(_e802[1][2], _e802[0][2], (_e802[0][2] < _e802[1][2]));
-                                                    let _e896 = select(_e802[1][2], _e802[0][2], (_e802[0][2] > _e802[1][2]));
-                                                    let _e901 = ((select(_e802[2][0], _e876, (_e876 < _e802[2][0])) - _e370) * _e373);
-                                                    let _e902 = ((select(_e802[2][0], _e880, (_e880 > _e802[2][0])) - _e371) * _e373);
-                                                    let _e905 = ((select(_e802[2][1], _e884, (_e884 < _e802[2][1])) - _e436) * _e439);
-                                                    let _e906 = ((select(_e802[2][1], _e888, (_e888 > _e802[2][1])) - _e437) * _e439);
-                                                    let _e909 = ((select(_e802[2][2], _e892, (_e892 < _e802[2][2])) - _e502) * _e505);
-                                                    let _e910 = ((select(_e802[2][2], _e896, (_e896 > _e802[2][2])) - _e503) * _e505);
-                                                    let _e912 = select(_e910, _e909, (_e909 < _e910));
-                                                    let _e914 = select(_e910, _e909, (_e909 > _e910));
-                                                    let _e916 = select(_e902, _e901, (_e901 < _e902));
-                                                    let _e918 = select(_e906, _e905, (_e905 < _e906));
-                                                    let _e920 = select(_e918, _e916, (_e916 > _e918));
-                                                    let _e922 = select(_e912, _e920, (_e920 > _e912));
-                                                    let _e924 = select(_e902, _e901, (_e901 > _e902));
-                                                    let _e926 = select(_e906, _e905, (_e905 > _e906));
-                                                    let _e928 = select(_e926, _e924, (_e924 < _e926));
-                                                    let _e930 = select(_e914, _e928, (_e928 < _e914));
-                                                    let _e931 = -(_e912);
-                                                    let _e937 = select(_e608, _e922, (_e922 > _e608));
-                                                    let _e941 = select(_e829, _e820, (_e820 < _e829));
-                                                    let _e946 = select(_e829, _e820, (_e820 > _e829));
-                                                    let _e953 = select(_e832, _e823, (_e823 < _e832));
-                                                    let _e958 = select(_e832, _e823, (_e823 > _e832));
-                                                    let _e967 = (((((_e858 && (_e874 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e838, _e941, (_e941 < _e838)) <= 0f) && (select(_e838, _e946, (_e946 > _e838)) >= 0f))) && ((select(_e841, _e953, (_e953 < _e841)) <= 0f) && (select(_e841, _e958, (_e958 > _e841)) >= 0f))) && (_e937 <= (_e930 + (select(_e931, _e914, (_e914 > _e931)) * 0.0000019073523f)))) && (_e937 <= _e706));
-                                                    if _e967 {
-                                                        let _e972 = (_e802[1][0] - _e802[0][0]);
-                                                        let _e973 = (_e802[1][1] - _e802[0][1]);
-                                                        let _e974 = (_e802[1][2] - _e802[0][2]);
-                                                        let _e975 = vec3<f32>(_e972, _e973, _e974);
-                                                        let _e976 = (_e802[2][0] - _e802[1][0]);
-                                                        let _e977 = (_e802[2][1] - _e802[1][1]);
-                                                        let _e978 = (_e802[2][2] - _e802[1][2]);
-                                                        let _e979 = vec3<f32>(_e976, _e977, _e978);
-                                                        let _e980 = (_e802[0][0] - _e802[2][0]);
-                                                        let _e981 = (_e802[0][1] - _e802[2][1]);
-                                                        let _e982 = (_e802[0][2] - _e802[2][2]);
-                                                        let _e983 = vec3<f32>(_e980, _e981, _e982);
-                                                        let _e984 = abs(_e972);
-                                                        let _e985 = abs(_e973);
-                                                        if (_e984 != _e984) {
-                                                            phi_3871_ = true;
+                                                let _e1239 = phi_1512_;
+                                                let _e1254 = (_e1239[0][2] - _e465);
+                                                let _e1257 = (((_e1239[0][0] - _e332) * _e501) - (_e1254 * _e369));
+                                                let _e1260 = (((_e1239[0][1] - _e399) * _e501) - (_e1254 * _e435));
+                                                let _e1263 = (_e1239[1][2] - _e465);
+                                                let _e1266 = (((_e1239[1][0] - _e332) * _e501) - (_e1263 * _e369));
+                                                let _e1269 = (((_e1239[1][1] - _e399) * _e501) - (_e1263 * _e435));
+                                                let _e1272 = (_e1239[2][2] - _e465);
+                                                let _e1275 = (((_e1239[2][0] - _e332) * _e501) - (_e1272 * _e369));
+                                                let _e1278 = (((_e1239[2][1] - _e399) * _e501) - (_e1272 * _e435));
+                                                let _e1279 = (_e1275 * _e1269);
+                                                let _e1280 = (_e1278 * _e1266);
+                                                let _e1281 = (_e1257 * _e1278);
+                                                let _e1282 = (_e1260 * _e1275);
+                                                let _e1283 = (_e1266 * _e1260);
+                                                let _e1284 = (_e1269 * _e1257);
+                                                let _e1289 = (((_e1279 >= _e1280) && (_e1281 >= _e1282)) && (_e1283 >= _e1284));
+                                                let _e1295 = (_e1289 || (((_e1279 <= _e1280) && (_e1281 <= _e1282)) && (_e1283 <= _e1284)));
+                                                if _e1295 {
+                                                    let _e1297 = select(-1f, 1f, _e1289);
+                                                    let _e1299 = ((_e1279 - _e1280) * _e1297);
+                                                    let _e1301 = select(0f, _e1299, (_e1299 > 0f));
+                                                    let _e1303 = ((_e1281 - _e1282) * _e1297);
+                                                    let _e1305 = select(0f, _e1303, (_e1303 > 0f));
+                                                    let _e1307 = ((_e1283 - _e1284) * _e1297);
+                                                    let _e1309 = select(0f, _e1307, (_e1307 > 0f));
+                                                    let _e1311 = ((_e1301 + _e1305) + _e1309);
+                                                    let _e1313 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] < _e1239[1][0]));
+                                                    let _e1317 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] > _e1239[1][0]));
+                                                    let _e1321 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] < _e1239[1][1]));
+                                                    let _e1325 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] > _e1239[1][1]));
+                                                    let _e1329 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] < _e1239[1][2]));
+                                                    let _e1333 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] > _e1239[1][2]));
+                                                    let _e1338 = ((select(_e1239[2][0], _e1313, (_e1313 < _e1239[2][0])) - _e370) * _e373);
+                                                    let _e1339 = ((select(_e1239[2][0], _e1317, (_e1317 > _e1239[2][0])) - _e371) * _e373);
+                                                    let _e1342 = ((select(_e1239[2][1], _e1321, (_e1321 < _e1239[2][1])) - _e436) * _e439);
+                                                    let _e1343 = ((select(_e1239[2][1], _e1325, (_e1325 > _e1239[2][1])) - _e437) * _e439);
+                                                    let _e1346 = ((select(_e1239[2][2], _e1329, (_e1329 < _e1239[2][2])) - _e502) * _e505);
+                                                    let _e1347 = ((select(_e1239[2][2], _e1333, (_e1333 > _e1239[2][2])) - _e503) * _e505);
+                                                    let _e1349 = select(_e1347, _e1346, (_e1346 < _e1347));
+                                                    let _e1351 = select(_e1347, _e1346, (_e1346 > _e1347));
+                                                    let _e1353 = select(_e1339, _e1338, (_e1338 < _e1339));
+                                                    let _e1355 = select(_e1343, _e1342, (_e1342 < _e1343));
+                                                    let _e1357 = select(_e1355, _e1353, (_e1353 > _e1355));
+                                                    let _e1359 = select(_e1349, _e1357, (_e1357 > _e1349));
+                                                    let _e1361 = select(_e1339, _e1338, (_e1338 > _e1339));
+                                                    let _e1363 = select(_e1343, _e1342, (_e1342 > _e1343));
+                                                    let _e1365 = select(_e1363, _e1361, (_e1361 < _e1363));
+                                                    let _e1367 = select(_e1351, _e1365, (_e1365 < _e1351));
+                                                    let _e1368 = -(_e1349);
+                                                    let _e1374 = select(_e608, _e1359, (_e1359 > _e608));
+                                                    let _e1378 = select(_e1266, _e1257, (_e1257 < _e1266));
+                                                    let _e1383 = select(_e1266, _e1257, (_e1257 > _e1266));
+                                                    let _e1390 = select(_e1269, _e1260, (_e1260 < _e1269));
+                                                    let _e1395 = select(_e1269, _e1260, (_e1260 > _e1269));
+                                                    let _e1404 = (((((_e1295 && (_e1311 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1275, _e1378, (_e1378 < _e1275)) <= 0f) && (select(_e1275, _e1383, (_e1383 > _e1275)) >= 0f))) && ((select(_e1278, _e1390, (_e1390 < _e1278)) <= 0f) && (select(_e1278, _e1395, (_e1395 > _e1278)) >= 0f))) && (_e1374 <= (_e1367 + (select(_e1368, _e1351, (_e1351 > _e1368)) * 0.0000019073523f)))) && (_e1374 <= _e1143));
+                                                    if _e1404 {
+                                                        let _e1409 = (_e1239[1][0] - _e1239[0][0]);
+                                                        let _e1410 = (_e1239[1][1] - _e1239[0][1]);
+                                                        let _e1411 = (_e1239[1][2] - _e1239[0][2]);
+                                                        let _e1412 = vec3<f32>(_e1409, _e1410, _e1411);
+                                                        let _e1413 = (_e1239[2][0] - _e1239[1][0]);
+                                                        let _e1414 = (_e1239[2][1] - _e1239[1][1]);
+                                                        let _e1415 = (_e1239[2][2] - _e1239[1][2]);
+                                                        let _e1416 = vec3<f32>(_e1413, _e1414, _e1415);
+                                                        let _e1417 = (_e1239[0][0] - _e1239[2][0]);
+                                                        let _e1418 = (_e1239[0][1] - _e1239[2][1]);
+                                                        let _e1419 = (_e1239[0][2] - _e1239[2][2]);
+                                                        let _e1420 = vec3<f32>(_e1417, _e1418, _e1419);
+                                                        let _e1423 = bitcast<f32>((bitcast<u32>(_e1409) & 2147483647u));
+                                                        let _e1426 = bitcast<f32>((bitcast<u32>(_e1410) & 2147483647u));
+                                                        let _e1428 = select(_e1426, _e1423, (_e1423 > _e1426));
+                                                        let _e1431 = bitcast<f32>((bitcast<u32>(_e1411) & 2147483647u));
+                                                        let _e1433 = select(_e1431, _e1428, (_e1428 > _e1431));
+                                                        let _e1436 = bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u));
+                                                        let _e1439 = bitcast<f32>((bitcast<u32>(_e1414) & 2147483647u));
+                                                        let _e1441 = select(_e1439, _e1436, (_e1436 > _e1439));
+                                                        let _e1444 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
+                                                        let _e1446 = select(_e1444, _e1441, (_e1441 > _e1444));
+                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
+                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
+                                                        let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
+                                                        let _e1457 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
+                                                        let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
+                                                        let _e1461 = select(_e1446, _e1433, (_e1433 > _e1446));
+                                                        let _e1463 = select(_e1459, _e1461, (_e1461 > _e1459));
+                                                        if (_e1433 == _e1463) {
+                                                            phi_2043_ = _e1269;
+                                                            phi_2044_ = _e1266;
+                                                            phi_2045_ = _e1260;
+                                                            phi_2046_ = _e1257;
+                                                            phi_2047_ = vec3<f32>(_e1239[0][0], _e1239[0][1], _e1239[0][2]);
+                                                            phi_2048_ = _e1420;
+                                                            phi_2049_ = _e1416;
+                                                            phi_2050_ = _e1412;
                                                         } else {
-                                                            phi_3871_ = (_e985 >= _e984);
+                                                            let _e1465 = (_e1446 == _e1463);
+                                                            let _e1470 = vec3(_e1465);
+                                                            phi_2043_ = select(_e1260, _e1278, _e1465);
+                                                            phi_2044_ = select(_e1257, _e1275, _e1465);
+                                                            phi_2045_ = select(_e1278, _e1269, _e1465);
+                                                            phi_2046_ = select(_e1275, _e1266, _e1465);
+                                                            phi_2047_ = select(vec3<f32>(_e1239[2][0], _e1239[2][1], _e1239[2][2]), vec3<f32>(_e1239[1][0], _e1239[1][1], _e1239[1][2]), _e1470);
+                                                            phi_2048_ = select(_e1416, _e1412, _e1470);
+                                                            phi_2049_ = select(_e1412, _e1420, _e1470);
+                                                            phi_2050_ = select(_e1420, _e1416, _e1470);
                                                         }
-                                                        let _e989 = phi_3871_;
-                                                        let _e990 = select(_e984, _e985, _e989);
-                                                        let _e991 = abs(_e974);
-                                                        if (_e990 != _e990) {
-                                                            phi_3886_ = true;
+                                                        let _e1476 = phi_2043_;
+                                                        let _e1478 = phi_2044_;
+                                                        let _e1480 = phi_2045_;
+                                                        let _e1482 = phi_2046_;
+                                                        let _e1484 = phi_2047_;
+                                                        let _e1486 = phi_2048_;
+                                                        let _e1488 = phi_2049_;
+                                                        let _e1490 = phi_2050_;
+                                                        let _e1497 = ((_e1488.y * _e1486.z) - (_e1486.y * _e1488.z));
+                                                        let _e1502 = ((_e1488.z * _e1486.x) - (_e1486.z * _e1488.x));
+                                                        let _e1505 = ((_e1488.x * _e1486.y) - (_e1486.x * _e1488.y));
+                                                        let _e1508 = ((_e1301 >= _e1305) && (_e1301 >= _e1309));
+                                                        let _e1509 = (_e1305 >= _e1309);
+                                                        let _e1523 = (((_e1497 * (select(select(_e1239[2][0], _e1239[1][0], _e1509), _e1239[0][0], _e1508) - _e332)) + (_e1502 * (select(select(_e1239[2][1], _e1239[1][1], _e1509), _e1239[0][1], _e1508) - _e399))) + (_e1505 * (select(select(_e1239[2][2], _e1239[1][2], _e1509), _e1239[0][2], _e1508) - _e465)));
+                                                        let _e1528 = (((_e1497 * _e369) + (_e1502 * _e435)) + (_e1505 * _e501));
+                                                        let _e1529 = (_e1478 - _e1482);
+                                                        let _e1530 = (_e1476 - _e1480);
+                                                        let _e1533 = ((_e1529 * _e1529) + (_e1530 * _e1530));
+                                                        let _e1540 = (-(((_e1482 * _e1529) + (_e1480 * _e1530))) / select(0.000000000000000000000000000000000000011754944f, _e1533, (_e1533 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1542 = select(1f, _e1540, (_e1540 < 1f));
+                                                        let _e1544 = select(0f, _e1542, (_e1542 > 0f));
+                                                        let _e1553 = ((_e1484.x + (_e1490.x * _e1544)) - _e332);
+                                                        let _e1556 = ((_e1484.y + (_e1490.y * _e1544)) - _e399);
+                                                        let _e1559 = ((_e1484.z + (_e1490.z * _e1544)) - _e465);
+                                                        let _e1562 = bitcast<f32>((bitcast<u32>(_e1553) & 2147483647u));
+                                                        let _e1565 = bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u));
+                                                        let _e1567 = select(_e1565, _e1562, (_e1562 > _e1565));
+                                                        let _e1570 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
+                                                        let _e1572 = select(_e1570, _e1567, (_e1567 > _e1570));
+                                                        let _e1578 = bitcast<f32>((bitcast<u32>(_e1497) & 2147483647u));
+                                                        let _e1581 = bitcast<f32>((bitcast<u32>(_e1502) & 2147483647u));
+                                                        let _e1583 = select(_e1581, _e1578, (_e1578 > _e1581));
+                                                        let _e1586 = bitcast<f32>((bitcast<u32>(_e1505) & 2147483647u));
+                                                        let _e1605 = bitcast<f32>((bitcast<u32>(_e1488.x) & 2147483647u));
+                                                        let _e1608 = bitcast<f32>((bitcast<u32>(_e1488.y) & 2147483647u));
+                                                        let _e1610 = select(_e1608, _e1605, (_e1605 > _e1608));
+                                                        let _e1613 = bitcast<f32>((bitcast<u32>(_e1488.z) & 2147483647u));
+                                                        let _e1619 = bitcast<f32>((bitcast<u32>(_e1486.x) & 2147483647u));
+                                                        let _e1622 = bitcast<f32>((bitcast<u32>(_e1486.y) & 2147483647u));
+                                                        let _e1624 = select(_e1622, _e1619, (_e1619 > _e1622));
+                                                        let _e1627 = bitcast<f32>((bitcast<u32>(_e1486.z) & 2147483647u));
+                                                        let _e1633 = ((bitcast<f32>((bitcast<u32>(((((_e1497 * _e1553) + (_e1502 * _e1556)) + (_e1505 * _e1559)) - _e1523)) & 2147483647u)) <= ((0.0000009536743f * select(_e1463, _e1572, (_e1572 > _e1463))) * select(_e1586, _e1583, (_e1583 > _e1586)))) && !((bitcast<f32>((bitcast<u32>(_e1528) & 2147483647u)) <= ((0.0000038146973f * select(_e1613, _e1610, (_e1610 > _e1613))) * select(_e1627, _e1624, (_e1624 > _e1627))))));
+                                                        let _e1634 = (_e1523 / _e1528);
+                                                        if (_e1404 && !(_e1633)) {
+                                                            let _e1637 = (_e1559 / _e501);
+                                                            let _e1645 = (((_e1497 * (_e1553 - (_e369 * _e1637))) + (_e1502 * (_e1556 - (_e435 * _e1637)))) / _e1528);
+                                                            phi_2241_ = select(select(_e1637, (_e1637 + _e1645), (bitcast<f32>((bitcast<u32>(_e1645) & 2147483647u)) <= _e1463)), _e1634, _e1633);
                                                         } else {
-                                                            phi_3886_ = (_e991 >= _e990);
+                                                            phi_2241_ = _e1634;
                                                         }
-                                                        let _e995 = phi_3886_;
-                                                        let _e996 = select(_e990, _e991, _e995);
-                                                        let _e997 = abs(_e976);
-                                                        let _e998 = abs(_e977);
-                                                        if (_e997 != _e997) {
-                                                            phi_3901_ = true;
-                                                        } else {
-                                                            phi_3901_ = (_e998 >= _e997);
-                                                        }
-                                                        let _e1002 = phi_3901_;
-                                                        let _e1003 = select(_e997, _e998, _e1002);
-                                                        let _e1004 = abs(_e978);
-                                                        if (_e1003 != _e1003) {
-                                                            phi_3916_ = true;
-                                                        } else {
-                                                            phi_3916_ = (_e1004 >= _e1003);
-                                                        }
-                                                        let _e1008 = phi_3916_;
-                                                        let _e1009 = select(_e1003, _e1004, _e1008);
-                                                        let _e1010 = abs(_e980);
-                                                        let _e1011 = abs(_e981);
-                                                        if (_e1010 != _e1010) {
-                                                            phi_3931_ = true;
-                                                        } else {
-                                                            phi_3931_ = (_e1011 >= _e1010);
-                                                        }
-                                                        let _e1015 = phi_3931_;
-                                                        let _e1016 = select(_e1010, _e1011, _e1015);
-                                                        let _e1017 = abs(_e982);
-                                                        if (_e1016 != _e1016) {
-                                                            phi_3946_ = true;
-                                                        } else {
-                                                            phi_3946_ = (_e1017 >= _e1016);
-                                                        }
-                                                        let _e1021 = phi_3946_;
-                                                        let _e1022 = select(_e1016, _e1017, _e1021);
-                                                        let _e1024 = select(_e1009, _e996, (_e996 > _e1009));
-                                                        let _e1026 = select(_e1022, _e1024, (_e1024 > _e1022));
-                                                        if (_e996 == _e1026) {
-                                                            phi_2048_ = _e832;
-                                                            phi_2049_ = _e829;
-                                                            phi_2050_ = _e823;
-                                                            phi_2051_ = _e820;
-                                                            phi_2052_ = vec3<f32>(_e802[0][0], _e802[0][1], _e802[0][2]);
-                                                            phi_2053_ = _e983;
-                                                            phi_2054_ = _e979;
-                                                            phi_2055_ = _e975;
-                                                        } else {
-                                                            let _e1028 = (_e1009 == _e1026);
-                                                            let _e1033 = vec3(_e1028);
-                                                            phi_2048_ = select(_e823, _e841, _e1028);
-                                                            phi_2049_ = select(_e820, _e838, _e1028);
-                                                            phi_2050_ = select(_e841, _e832, _e1028);
-                                                            phi_2051_ = select(_e838, _e829, _e1028);
-                                                            phi_2052_ = select(vec3<f32>(_e802[2][0], _e802[2][1], _e802[2][2]), vec3<f32>(_e802[1][0], _e802[1][1], _e802[1][2]), _e1033);
-                                                            phi_2053_ = select(_e979, _e975, _e1033);
-                                                            phi_2054_ = select(_e975, _e983, _e1033);
-                                                            phi_2055_ = select(_e983, _e979, _e1033);
-                                                        }
-                                                        let _e1039 = phi_2048_;
-                                                        let _e1041 = phi_2049_;
-                                                        let _e1043 = phi_2050_;
-                                                        let _e1045 = phi_2051_;
-                                                        let _e1047 = phi_2052_;
-                                                        let _e1049 = phi_2053_;
-                                                        let _e1051 = phi_2054_;
-                                                        let _e1053 = phi_2055_;
-                                                        let _e1060 = ((_e1051.y * _e1049.z) - (_e1049.y * _e1051.z));
-                                                        let _e1065 = ((_e1051.z * _e1049.x) - (_e1049.z * _e1051.x));
-                                                        let _e1068 = ((_e1051.x * _e1049.y) - (_e1049.x * _e1051.y));
-                                                        let _e1071 = ((_e864 >= _e868) && (_e864 >= _e872));
-                                                        let _e1072 = (_e868 >= _e872);
-                                                        let _e1086 = (((_e1060 * (select(select(_e802[2][0], _e802[1][0], _e1072), _e802[0][0], _e1071) - _e332)) + (_e1065 * (select(select(_e802[2][1], _e802[1][1], _e1072), _e802[0][1], _e1071) - _e399))) + (_e1068 * (select(select(_e802[2][2], _e802[1][2], _e1072), _e802[0][2], _e1071) - _e465)));
-                                                        let _e1091 = (((_e1060 * _e369) + (_e1065 * _e435)) + (_e1068 * _e501));
-                                                        let _e1092 = (_e1041 - _e1045);
-                                                        let _e1093 = (_e1039 - _e1043);
-                                                        let _e1096 = ((_e1092 * _e1092) + (_e1093 * _e1093));
-                                                        let _e1103 = (-(((_e1045 * _e1092) + (_e1043 * _e1093))) / select(0.000000000000000000000000000000000000011754944f, _e1096, (_e1096 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1105 = select(1f, _e1103, (_e1103 < 1f));
-                                                        let _e1107 = select(0f, _e1105, (_e1105 > 0f));
-                                                        let _e1116 = ((_e1047.x + (_e1053.x * _e1107)) - _e332);
-                                                        let _e1119 = ((_e1047.y + (_e1053.y * _e1107)) - _e399);
-                                                        let _e1122 = ((_e1047.z + (_e1053.z * _e1107)) - _e465);
-                                                        let _e1125 = bitcast<f32>((bitcast<u32>(_e1116) & 2147483647u));
-                                                        let _e1128 = bitcast<f32>((bitcast<u32>(_e1119) & 2147483647u));
-                                                        let _e1130 = select(_e1128, _e1125, (_e1125 > _e1128));
-                                                        let _e1133 = bitcast<f32>((bitcast<u32>(_e1122) & 2147483647u));
-                                                        let _e1135 = select(_e1133, _e1130, (_e1130 > _e1133));
-                                                        let _e1139 = abs(_e1060);
-                                                        let _e1140 = abs(_e1065);
-                                                        if (_e1139 != _e1139) {
-                                                            phi_3961_ = true;
-                                                        } else {
-                                                            phi_3961_ = (_e1140 >= _e1139);
-                                                        }
-                                                        let _e1144 = phi_3961_;
-                                                        let _e1145 = select(_e1139, _e1140, _e1144);
-                                                        let _e1146 = abs(_e1068);
-                                                        if (_e1145 != _e1145) {
-                                                            phi_3976_ = true;
-                                                        } else {
-                                                            phi_3976_ = (_e1146 >= _e1145);
-                                                        }
-                                                        let _e1150 = phi_3976_;
-                                                        let _e1166 = abs(_e1051.x);
-                                                        let _e1167 = abs(_e1051.y);
-                                                        if (_e1166 != _e1166) {
-                                                            phi_3991_ = true;
-                                                        } else {
-                                                            phi_3991_ = (_e1167 >= _e1166);
-                                                        }
-                                                        let _e1171 = phi_3991_;
-                                                        let _e1172 = select(_e1166, _e1167, _e1171);
-                                                        let _e1173 = abs(_e1051.z);
-                                                        if (_e1172 != _e1172) {
-                                                            phi_4006_ = true;
-                                                        } else {
-                                                            phi_4006_ = (_e1173 >= _e1172);
-                                                        }
-                                                        let _e1177 = phi_4006_;
-                                                        let _e1180 = abs(_e1049.x);
-                                                        let _e1181 = abs(_e1049.y);
-                                                        if (_e1180 != _e1180) {
-                                                            phi_4021_ = true;
-                                                        } else {
-                                                            phi_4021_ = (_e1181 >= _e1180);
-                                                        }
-                                                        let _e1185 = phi_4021_;
-                                                        let _e1186 = select(_e1180, _e1181, _e1185);
-                                                        let _e1187 = abs(_e1049.z);
-                                                        if (_e1186 != _e1186) {
-                                                            phi_4036_ = true;
-                                                        } else {
-                                                            phi_4036_ = (_e1187 >= _e1186);
-                                                        }
-                                                        let _e1191 = phi_4036_;
-                                                        let _e1196 = ((bitcast<f32>((bitcast<u32>(((((_e1060 * _e1116) + (_e1065 * _e1119)) + (_e1068 * _e1122)) - _e1086)) & 2147483647u)) <= ((0.0000009536743f * select(_e1026, _e1135, (_e1135 > _e1026))) * select(_e1145, _e1146, _e1150))) && !((bitcast<f32>((bitcast<u32>(_e1091) & 2147483647u)) <= ((0.0000038146973f * select(_e1172, _e1173, _e1177)) * select(_e1186, _e1187, _e1191)))));
-                                                        let _e1197 = (_e1086 / _e1091);
-                                                        if (_e967 && !(_e1196)) {
-                                                            let _e1200 = (_e1122 / _e501);
-                                                            let _e1208 = (((_e1060 * (_e1116 - (_e369 * _e1200))) + (_e1065 * (_e1119 - (_e435 * _e1200)))) / _e1091);
-                                                            phi_2263_ = select(select(_e1200, (_e1200 + _e1208), (bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u)) <= _e1026)), _e1197, _e1196);
-                                                        } else {
-                                                            phi_2263_ = _e1197;
-                                                        }
-                                                        let _e1217 = phi_2263_;
-                                                        let _e1219 = select(_e930, _e1217, (_e1217 < _e930));
-                                                        let _e1221 = select(_e922, _e1219, (_e1219 > _e922));
-                                                        let _e1222 = (1f / _e874);
-                                                        phi_2283_ = type_36(_e1221, (_e868 * _e1222), (_e872 * _e1222), ((_e967 && (_e1221 >= _e608)) && (_e1221 <= _e706)));
-                                                        phi_2284_ = type_36();
+                                                        let _e1654 = phi_2241_;
+                                                        let _e1656 = select(_e1367, _e1654, (_e1654 < _e1367));
+                                                        let _e1658 = select(_e1359, _e1656, (_e1656 > _e1359));
+                                                        let _e1659 = (1f / _e1311);
+                                                        phi_2261_ = type_36(_e1658, (_e1305 * _e1659), (_e1309 * _e1659), ((_e1404 && (_e1658 >= _e608)) && (_e1658 <= _e1143)));
+                                                        phi_2262_ = type_36();
                                                     } else {
-                                                        phi_2283_ = type_36();
-                                                        phi_2284_ = type_36(0f, 0f, 0f, _e967);
+                                                        phi_2261_ = type_36();
+                                                        phi_2262_ = type_36(0f, 0f, 0f, _e1404);
                                                     }
-                                                    let _e1231 = phi_2283_;
-                                                    let _e1233 = phi_2284_;
-                                                    phi_2287_ = _e1231;
-                                                    phi_2288_ = _e1233;
-                                                    phi_2289_ = select(true, false, _e967);
+                                                    let _e1668 = phi_2261_;
+                                                    let _e1670 = phi_2262_;
+                                                    phi_2265_ = _e1668;
+                                                    phi_2266_ = _e1670;
+                                                    phi_2267_ = select(true, false, _e1404);
                                                 } else {
-                                                    phi_2287_ = type_36();
-                                                    phi_2288_ = type_36(0f, 0f, 0f, _e858);
-                                                    phi_2289_ = true;
+                                                    phi_2265_ = type_36();
+                                                    phi_2266_ = type_36(0f, 0f, 0f, _e1295);
+                                                    phi_2267_ = true;
                                                 }
-                                                let _e1236 = phi_2287_;
-                                                let _e1238 = phi_2288_;
-                                                let _e1240 = phi_2289_;
-                                                if _e1240 {
-                                                    phi_2293_ = _e1238;
+                                                let _e1673 = phi_2265_;
+                                                let _e1675 = phi_2266_;
+                                                let _e1677 = phi_2267_;
+                                                if _e1677 {
+                                                    phi_2271_ = _e1675;
                                                 } else {
-                                                    phi_2293_ = _e1236;
+                                                    phi_2271_ = _e1673;
                                                 }
-                                                let _e1242 = phi_2293_;
-                                                if _e1242.member_3 {
-                                                    phi_2302_ = type_25(_e1242.member, _e1242.member_1, _e1242.member_2, _e735);
+                                                let _e1679 = phi_2271_;
+                                                if _e1679.member_3 {
+                                                    phi_2280_ = type_25(_e1679.member, _e1679.member_1, _e1679.member_2, _e1172);
                                                 } else {
-                                                    phi_2302_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2280_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1249 = phi_2302_;
-                                                if (_e1249.member_3 != 4294967295u) {
-                                                    if (_e735 != 4294967295u) {
-                                                        phi_2314_ = type_4(0u, 8u);
-                                                        phi_2317_ = _e1249;
+                                                let _e1686 = phi_2280_;
+                                                if (_e1686.member_3 != 4294967295u) {
+                                                    if (_e1172 != 4294967295u) {
+                                                        phi_2292_ = type_4(0u, 8u);
+                                                        phi_2295_ = _e1686;
                                                         loop {
-                                                            let _e1254 = phi_2314_;
-                                                            let _e1256 = phi_2317_;
-                                                            if (_e1254.member < _e1254.member_1) {
-                                                                phi_2315_ = type_4((_e1254.member + 1u), _e1254.member_1);
-                                                                phi_2340_ = type_4(1u, _e1254.member);
+                                                            let _e1691 = phi_2292_;
+                                                            let _e1693 = phi_2295_;
+                                                            if (_e1691.member < _e1691.member_1) {
+                                                                phi_2293_ = type_4((_e1691.member + 1u), _e1691.member_1);
+                                                                phi_2318_ = type_4(1u, _e1691.member);
                                                             } else {
-                                                                phi_2315_ = _e1254;
-                                                                phi_2340_ = type_4(0u, type_4().member_1);
+                                                                phi_2293_ = _e1691;
+                                                                phi_2318_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1269 = phi_2315_;
-                                                            let _e1271 = phi_2340_;
-                                                            let _e1275 = (bitcast<i32>(_e1271.member) != 0i);
-                                                            if _e1275 {
-                                                                let _e1276 = (_e1271.member_1 < 8u);
-                                                                if _e1276 {
+                                                            let _e1706 = phi_2293_;
+                                                            let _e1708 = phi_2318_;
+                                                            let _e1712 = (bitcast<i32>(_e1708.member) != 0i);
+                                                            if _e1712 {
+                                                                let _e1713 = (_e1708.member_1 < 8u);
+                                                                if _e1713 {
                                                                 } else {
-                                                                    phi_4322_ = true;
+                                                                    phi_4305_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1281 = local_9[_e1271.member_1].member;
-                                                                if (_e1256.member < _e1281) {
-                                                                    phi_2373_ = true;
+                                                                let _e1718 = local_9[_e1708.member_1].member;
+                                                                if (_e1693.member < _e1718) {
+                                                                    phi_2351_ = true;
                                                                 } else {
-                                                                    let _e1283 = local_9[_e1271.member_1].member;
-                                                                    if (_e1256.member == _e1283) {
-                                                                        let _e1288 = local_9[_e1271.member_1].member_3;
-                                                                        phi_2372_ = (_e1256.member_3 < _e1288);
+                                                                    let _e1720 = local_9[_e1708.member_1].member;
+                                                                    if (_e1693.member == _e1720) {
+                                                                        let _e1725 = local_9[_e1708.member_1].member_3;
+                                                                        phi_2350_ = (_e1693.member_3 < _e1725);
                                                                     } else {
-                                                                        phi_2372_ = false;
+                                                                        phi_2350_ = false;
                                                                     }
-                                                                    let _e1291 = phi_2372_;
-                                                                    phi_2373_ = _e1291;
+                                                                    let _e1728 = phi_2350_;
+                                                                    phi_2351_ = _e1728;
                                                                 }
-                                                                let _e1293 = phi_2373_;
-                                                                if _e1293 {
-                                                                    if _e1276 {
+                                                                let _e1730 = phi_2351_;
+                                                                if _e1730 {
+                                                                    if _e1713 {
                                                                     } else {
-                                                                        phi_4322_ = true;
+                                                                        phi_4305_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1294 = local_9[_e1271.member_1];
-                                                                    local_9[_e1271.member_1] = type_25(_e1256.member, _e1256.member_1, _e1256.member_2, _e1256.member_3);
-                                                                    phi_2394_ = type_25(_e1294.member, _e1294.member_1, _e1294.member_2, _e1294.member_3);
+                                                                    let _e1731 = local_9[_e1708.member_1];
+                                                                    local_9[_e1708.member_1] = type_25(_e1693.member, _e1693.member_1, _e1693.member_2, _e1693.member_3);
+                                                                    phi_2372_ = type_25(_e1731.member, _e1731.member_1, _e1731.member_2, _e1731.member_3);
                                                                 } else {
-                                                                    phi_2394_ = _e1256;
+                                                                    phi_2372_ = _e1693;
                                                                 }
-                                                                let _e1305 = phi_2394_;
-                                                                phi_2318_ = _e1305;
+                                                                let _e1742 = phi_2372_;
+                                                                phi_2296_ = _e1742;
                                                             } else {
-                                                                phi_2318_ = type_25();
+                                                                phi_2296_ = type_25();
                                                             }
-                                                            let _e1307 = phi_2318_;
+                                                            let _e1744 = phi_2296_;
                                                             continue;
                                                             continuing {
-                                                                phi_2314_ = _e1269;
-                                                                phi_2317_ = _e1307;
-                                                                phi_4322_ = _e704;
-                                                                break if !(_e1275);
+                                                                phi_2292_ = _e1706;
+                                                                phi_2295_ = _e1744;
+                                                                phi_4305_ = _e1141;
+                                                                break if !(_e1712);
                                                             }
                                                         }
-                                                        let _e1310 = phi_4322_;
-                                                        phi_4545_ = _e706;
-                                                        phi_4487_ = _e1310;
-                                                        if _e1310 {
+                                                        let _e1747 = phi_4305_;
+                                                        phi_4463_ = _e1143;
+                                                        phi_4458_ = _e1747;
+                                                        if _e1747 {
                                                             break;
                                                         }
-                                                        let _e1313 = local_9[7u].member_3;
-                                                        if (_e1313 != 4294967295u) {
-                                                            let _e1317 = local_9[7u].member;
-                                                            phi_4641_ = _e1317;
+                                                        let _e1750 = local_9[7u].member_3;
+                                                        if (_e1750 != 4294967295u) {
+                                                            let _e1754 = local_9[7u].member;
+                                                            phi_4547_ = _e1754;
                                                         } else {
-                                                            phi_4641_ = _e706;
+                                                            phi_4547_ = _e1143;
                                                         }
-                                                        let _e1319 = phi_4641_;
-                                                        phi_4640_ = _e1319;
-                                                        phi_4490_ = _e1310;
+                                                        let _e1756 = phi_4547_;
+                                                        phi_4546_ = _e1756;
+                                                        phi_4461_ = _e1747;
                                                     } else {
-                                                        phi_4640_ = _e706;
-                                                        phi_4490_ = _e704;
+                                                        phi_4546_ = _e1143;
+                                                        phi_4461_ = _e1141;
                                                     }
-                                                    let _e1321 = phi_4640_;
-                                                    let _e1323 = phi_4490_;
-                                                    phi_4639_ = _e1321;
-                                                    phi_4489_ = _e1323;
+                                                    let _e1758 = phi_4546_;
+                                                    let _e1760 = phi_4461_;
+                                                    phi_4545_ = _e1758;
+                                                    phi_4460_ = _e1760;
                                                 } else {
-                                                    phi_4639_ = _e706;
-                                                    phi_4489_ = _e704;
+                                                    phi_4545_ = _e1143;
+                                                    phi_4460_ = _e1141;
                                                 }
-                                                let _e1325 = phi_4639_;
-                                                let _e1327 = phi_4489_;
-                                                phi_4638_ = _e1325;
-                                                phi_4488_ = _e1327;
+                                                let _e1762 = phi_4545_;
+                                                let _e1764 = phi_4460_;
+                                                phi_4544_ = _e1762;
+                                                phi_4459_ = _e1764;
                                             } else {
-                                                phi_4638_ = _e706;
-                                                phi_4488_ = _e704;
+                                                phi_4544_ = _e1143;
+                                                phi_4459_ = _e1141;
                                             }
-                                            let _e1329 = phi_4638_;
-                                            let _e1331 = phi_4488_;
+                                            let _e1766 = phi_4544_;
+                                            let _e1768 = phi_4459_;
                                             continue;
                                             continuing {
-                                                phi_4332_ = _e1331;
-                                                phi_4320_ = _e1329;
-                                                phi_1368_ = _e721;
-                                                phi_4545_ = _e1329;
-                                                phi_4487_ = _e1331;
-                                                break if !(_e727);
+                                                phi_4315_ = _e1768;
+                                                phi_4304_ = _e1766;
+                                                phi_1375_ = _e1158;
+                                                phi_4463_ = _e1766;
+                                                phi_4458_ = _e1768;
+                                                break if !(_e1164);
                                             }
                                         }
-                                        let _e1334 = phi_4545_;
-                                        let _e1336 = phi_4487_;
-                                        phi_4643_ = _e1336;
-                                        if _e1336 {
+                                        let _e1771 = phi_4463_;
+                                        let _e1773 = phi_4458_;
+                                        phi_4548_ = _e1773;
+                                        if _e1773 {
                                             break;
                                         }
-                                        phi_4729_ = _e1336;
-                                        phi_4544_ = _e1334;
+                                        phi_4662_ = _e1771;
+                                        phi_4552_ = _e1773;
+                                        phi_3612_ = false;
+                                        phi_3613_ = _e691;
+                                        phi_3614_ = select(_e693, 0u, (_e608 > _e1771));
                                     } else {
-                                        phi_4729_ = _e649;
-                                        phi_4544_ = _e651;
-                                    }
-                                    let _e1338 = phi_4729_;
-                                    let _e1340 = phi_4544_;
-                                    if _e697 {
-                                        phi_3636_ = bool();
-                                        phi_3637_ = u32();
-                                        phi_3638_ = type_53();
-                                    } else {
-                                        if (_e693.member_1 >= _e98) {
-                                            phi_3171_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e691.member_1 >= _e98) {
+                                            phi_3150_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e693.member_1 < _e98) {
+                                            if (_e691.member_1 < _e98) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1344 = ((1u + _e268) % 4u);
-                                            if (_e1344 < 4u) {
+                                            let _e705 = ((1u + _e268) % 4u);
+                                            if (_e705 < 4u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1349 = global_4.member[_e693.member_1][_e1344];
-                                            let _e1351 = (_e1349 >> bitcast<u32>(11u));
-                                            let _e1353 = ((1u + _e267) % 4u);
-                                            if (_e1353 < 4u) {
+                                            let _e710 = global_4.member[_e691.member_1][_e705];
+                                            let _e712 = (_e710 >> bitcast<u32>(11u));
+                                            let _e714 = ((1u + _e267) % 4u);
+                                            if (_e714 < 4u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1358 = global_4.member[_e693.member_1][_e1353];
-                                            let _e1360 = (_e1358 >> bitcast<u32>(11u));
-                                            let _e1362 = ((1u + _e269) % 4u);
-                                            if (_e1362 < 4u) {
+                                            let _e719 = global_4.member[_e691.member_1][_e714];
+                                            let _e721 = (_e719 >> bitcast<u32>(11u));
+                                            let _e723 = ((1u + _e269) % 4u);
+                                            if (_e723 < 4u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1367 = global_4.member[_e693.member_1][_e1362];
-                                            let _e1369 = (_e1367 >> bitcast<u32>(11u));
-                                            let _e1392 = (bitcast<f32>((bitcast<u32>((_e693.member.member_1.x - _e693.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e1393 = (bitcast<f32>((bitcast<u32>((_e693.member.member_1.y - _e693.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e1394 = (bitcast<f32>((bitcast<u32>((_e693.member.member_1.z - _e693.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e1396 = select(_e148, _e1392, (_e1392 > _e148));
-                                            let _e1398 = select(_e148, _e1393, (_e1393 > _e148));
-                                            let _e1400 = select(_e148, _e1394, (_e1394 > _e148));
-                                            let _e1431 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1349 & 1023u))) - 8388608f) * _e1396));
-                                            let _e1436 = (bitcast<i32>((_e1349 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1439 = bitcast<f32>((_e1431 & bitcast<u32>(_e1436)));
-                                            let _e1440 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1358 & 1023u))) - 8388608f) * _e1398));
-                                            let _e1445 = (bitcast<i32>((_e1358 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1448 = bitcast<f32>((_e1440 & bitcast<u32>(_e1445)));
-                                            let _e1449 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1367 & 1023u))) - 8388608f) * _e1400));
-                                            let _e1454 = (bitcast<i32>((_e1367 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1457 = bitcast<f32>((_e1449 & bitcast<u32>(_e1454)));
-                                            let _e1461 = bitcast<f32>((_e1431 & bitcast<u32>(~(_e1436))));
-                                            let _e1465 = bitcast<f32>((_e1440 & bitcast<u32>(~(_e1445))));
-                                            let _e1469 = bitcast<f32>((_e1449 & bitcast<u32>(~(_e1454))));
-                                            let _e1470 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1351 & 1023u))) - 8388608f) * _e1396));
-                                            let _e1475 = (bitcast<i32>((_e1351 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1478 = bitcast<f32>((_e1470 & bitcast<u32>(_e1475)));
-                                            let _e1479 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1360 & 1023u))) - 8388608f) * _e1398));
-                                            let _e1484 = (bitcast<i32>((_e1360 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1487 = bitcast<f32>((_e1479 & bitcast<u32>(_e1484)));
-                                            let _e1488 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1369 & 1023u))) - 8388608f) * _e1400));
-                                            let _e1493 = (bitcast<i32>((_e1369 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e1496 = bitcast<f32>((_e1488 & bitcast<u32>(_e1493)));
-                                            let _e1500 = bitcast<f32>((_e1470 & bitcast<u32>(~(_e1475))));
-                                            let _e1504 = bitcast<f32>((_e1479 & bitcast<u32>(~(_e1484))));
-                                            let _e1508 = bitcast<f32>((_e1488 & bitcast<u32>(~(_e1493))));
-                                            let _e1538 = global_4.member[_e693.member_1][0u];
-                                            let _e1542 = global_4.member[_e693.member_1][1u];
-                                            let _e1546 = global_4.member[_e693.member_1][2u];
-                                            let _e1550 = global_4.member[_e693.member_1][3u];
-                                            let _e1562 = (((_e1542 >> bitcast<u32>(22i)) | ((_e1546 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1550 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1563 = (_e1538 & 268435455u);
-                                            let _e1564 = (_e1562 & 268435455u);
-                                            let _e1567 = ((_e1538 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1575 = ((_e1538 >> bitcast<u32>(31i)) | (((_e1562 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1576 = (_e1567 != 0u);
-                                            if (_e1567 == 0u) {
-                                                phi_3133_ = _e1563;
+                                            let _e728 = global_4.member[_e691.member_1][_e723];
+                                            let _e730 = (_e728 >> bitcast<u32>(11u));
+                                            let _e753 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.x - _e691.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e754 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.y - _e691.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e755 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.z - _e691.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e757 = select(_e148, _e753, (_e753 > _e148));
+                                            let _e759 = select(_e148, _e754, (_e754 > _e148));
+                                            let _e761 = select(_e148, _e755, (_e755 > _e148));
+                                            let _e792 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e710 & 1023u))) - 8388608f) * _e757));
+                                            let _e797 = (bitcast<i32>((_e710 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e800 = bitcast<f32>((_e792 & bitcast<u32>(_e797)));
+                                            let _e801 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e719 & 1023u))) - 8388608f) * _e759));
+                                            let _e806 = (bitcast<i32>((_e719 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e809 = bitcast<f32>((_e801 & bitcast<u32>(_e806)));
+                                            let _e810 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e728 & 1023u))) - 8388608f) * _e761));
+                                            let _e815 = (bitcast<i32>((_e728 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e818 = bitcast<f32>((_e810 & bitcast<u32>(_e815)));
+                                            let _e822 = bitcast<f32>((_e792 & bitcast<u32>(~(_e797))));
+                                            let _e826 = bitcast<f32>((_e801 & bitcast<u32>(~(_e806))));
+                                            let _e830 = bitcast<f32>((_e810 & bitcast<u32>(~(_e815))));
+                                            let _e831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e712 & 1023u))) - 8388608f) * _e757));
+                                            let _e836 = (bitcast<i32>((_e712 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e839 = bitcast<f32>((_e831 & bitcast<u32>(_e836)));
+                                            let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e721 & 1023u))) - 8388608f) * _e759));
+                                            let _e845 = (bitcast<i32>((_e721 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
+                                            let _e849 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e761));
+                                            let _e854 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e857 = bitcast<f32>((_e849 & bitcast<u32>(_e854)));
+                                            let _e861 = bitcast<f32>((_e831 & bitcast<u32>(~(_e836))));
+                                            let _e865 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
+                                            let _e869 = bitcast<f32>((_e849 & bitcast<u32>(~(_e854))));
+                                            let _e899 = global_4.member[_e691.member_1][0u];
+                                            let _e903 = global_4.member[_e691.member_1][1u];
+                                            let _e907 = global_4.member[_e691.member_1][2u];
+                                            let _e911 = global_4.member[_e691.member_1][3u];
+                                            let _e923 = (((_e903 >> bitcast<u32>(22i)) | ((_e907 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e911 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e924 = (_e899 & 268435455u);
+                                            let _e925 = (_e923 & 268435455u);
+                                            let _e928 = ((_e899 >> bitcast<u32>(28u)) & 7u);
+                                            let _e936 = ((_e899 >> bitcast<u32>(31i)) | (((_e923 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e937 = (_e928 != 0u);
+                                            if (_e928 == 0u) {
+                                                phi_3112_ = _e924;
                                             } else {
-                                                if (_e1567 == 7u) {
-                                                    phi_3132_ = 2147483648u;
+                                                if (_e928 == 7u) {
+                                                    phi_3111_ = 2147483648u;
                                                 } else {
-                                                    phi_3132_ = ((2147483648u | (_e1567 << bitcast<u32>(28u))) | (_e1564 & 268435455u));
+                                                    phi_3111_ = ((2147483648u | (_e928 << bitcast<u32>(28u))) | (_e925 & 268435455u));
                                                 }
-                                                let _e1585 = phi_3132_;
-                                                phi_3133_ = _e1585;
+                                                let _e946 = phi_3111_;
+                                                phi_3112_ = _e946;
                                             }
-                                            let _e1587 = phi_3133_;
-                                            if _e1576 {
-                                                let _e1588 = (_e1567 != 7u);
-                                                if _e1588 {
-                                                    phi_3143_ = (_e1564 + _e1567);
+                                            let _e948 = phi_3112_;
+                                            if _e937 {
+                                                let _e949 = (_e928 != 7u);
+                                                if _e949 {
+                                                    phi_3122_ = (_e925 + _e928);
                                                 } else {
-                                                    phi_3143_ = u32();
+                                                    phi_3122_ = u32();
                                                 }
-                                                let _e1591 = phi_3143_;
-                                                phi_3145_ = _e1591;
-                                                phi_3146_ = select(true, false, _e1588);
+                                                let _e952 = phi_3122_;
+                                                phi_3124_ = _e952;
+                                                phi_3125_ = select(true, false, _e949);
                                             } else {
-                                                phi_3145_ = u32();
-                                                phi_3146_ = true;
+                                                phi_3124_ = u32();
+                                                phi_3125_ = true;
                                             }
-                                            let _e1594 = phi_3145_;
-                                            let _e1596 = phi_3146_;
-                                            if (_e1575 == 0u) {
-                                                phi_3167_ = (_e1563 + select(0u, 1u, !(_e1576)));
+                                            let _e955 = phi_3124_;
+                                            let _e957 = phi_3125_;
+                                            if (_e936 == 0u) {
+                                                phi_3146_ = (_e924 + select(0u, 1u, !(_e937)));
                                             } else {
-                                                if (_e1575 == 7u) {
-                                                    phi_3166_ = 2147483648u;
+                                                if (_e936 == 7u) {
+                                                    phi_3145_ = 2147483648u;
                                                 } else {
-                                                    phi_3166_ = ((2147483648u | (_e1575 << bitcast<u32>(28u))) | (select(_e1594, _e1564, _e1596) & 268435455u));
+                                                    phi_3145_ = ((2147483648u | (_e936 << bitcast<u32>(28u))) | (select(_e955, _e925, _e957) & 268435455u));
                                                 }
-                                                let _e1609 = phi_3166_;
-                                                phi_3167_ = _e1609;
+                                                let _e970 = phi_3145_;
+                                                phi_3146_ = _e970;
                                             }
-                                            let _e1611 = phi_3167_;
-                                            phi_3171_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e693.member.member.x + _e1439), (_e693.member.member.x + _e1461), (_e693.member.member_1.x - _e1478), (_e693.member.member_1.x - _e1500)), vec4<f32>((_e693.member.member.y + _e1448), (_e693.member.member.y + _e1465), (_e693.member.member_1.y - _e1487), (_e693.member.member_1.y - _e1504)), vec4<f32>((_e693.member.member.z + _e1457), (_e693.member.member.z + _e1469), (_e693.member.member_1.z - _e1496), (_e693.member.member_1.z - _e1508))), type_53(type_29((_e693.member.member + vec4<f32>(_e1439, _e1448, _e1457, 0f)), (_e693.member.member_1 - vec4<f32>(_e1478, _e1487, _e1496, 0f))), _e1587), type_53(type_29((_e693.member.member + vec4<f32>(_e1461, _e1465, _e1469, 0f)), (_e693.member.member_1 - vec4<f32>(_e1500, _e1504, _e1508, 0f))), _e1611));
+                                            let _e972 = phi_3146_;
+                                            phi_3150_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e691.member.member.x + _e800), (_e691.member.member.x + _e822), (_e691.member.member_1.x - _e839), (_e691.member.member_1.x - _e861)), vec4<f32>((_e691.member.member.y + _e809), (_e691.member.member.y + _e826), (_e691.member.member_1.y - _e848), (_e691.member.member_1.y - _e865)), vec4<f32>((_e691.member.member.z + _e818), (_e691.member.member.z + _e830), (_e691.member.member_1.z - _e857), (_e691.member.member_1.z - _e869))), type_53(type_29((_e691.member.member + vec4<f32>(_e800, _e809, _e818, 0f)), (_e691.member.member_1 - vec4<f32>(_e839, _e848, _e857, 0f))), _e948), type_53(type_29((_e691.member.member + vec4<f32>(_e822, _e826, _e830, 0f)), (_e691.member.member_1 - vec4<f32>(_e861, _e865, _e869, 0f))), _e972));
                                         }
-                                        let _e1616 = phi_3171_;
-                                        let _e1627 = ((_e1616.member[0].x - _e370) * _e373);
-                                        let _e1628 = ((_e1616.member[0].y - _e370) * _e373);
-                                        let _e1629 = ((_e1616.member[0].z - _e371) * _e373);
-                                        let _e1630 = ((_e1616.member[0].w - _e371) * _e373);
-                                        let _e1640 = ((_e1616.member[1].x - _e436) * _e439);
-                                        let _e1641 = ((_e1616.member[1].y - _e436) * _e439);
-                                        let _e1642 = ((_e1616.member[1].z - _e437) * _e439);
-                                        let _e1643 = ((_e1616.member[1].w - _e437) * _e439);
-                                        let _e1653 = ((_e1616.member[2].x - _e502) * _e505);
-                                        let _e1654 = ((_e1616.member[2].y - _e502) * _e505);
-                                        let _e1655 = ((_e1616.member[2].z - _e503) * _e505);
-                                        let _e1656 = ((_e1616.member[2].w - _e503) * _e505);
-                                        let _e1658 = select(_e1655, _e1653, (_e1653 < _e1655));
-                                        let _e1660 = select(_e1656, _e1654, (_e1654 < _e1656));
-                                        let _e1662 = select(_e1655, _e1653, (_e1653 > _e1655));
-                                        let _e1664 = select(_e1656, _e1654, (_e1654 > _e1656));
-                                        let _e1666 = select(_e1629, _e1627, (_e1627 < _e1629));
-                                        let _e1668 = select(_e1630, _e1628, (_e1628 < _e1630));
-                                        let _e1670 = select(_e1642, _e1640, (_e1640 < _e1642));
-                                        let _e1672 = select(_e1643, _e1641, (_e1641 < _e1643));
-                                        let _e1674 = select(_e1670, _e1666, (_e1666 > _e1670));
-                                        let _e1676 = select(_e1672, _e1668, (_e1668 > _e1672));
-                                        let _e1678 = select(_e1658, _e1674, (_e1674 > _e1658));
-                                        let _e1680 = select(_e1660, _e1676, (_e1676 > _e1660));
-                                        let _e1682 = select(_e1629, _e1627, (_e1627 > _e1629));
-                                        let _e1684 = select(_e1630, _e1628, (_e1628 > _e1630));
-                                        let _e1686 = select(_e1642, _e1640, (_e1640 > _e1642));
-                                        let _e1688 = select(_e1643, _e1641, (_e1641 > _e1643));
-                                        let _e1690 = select(_e1686, _e1682, (_e1682 < _e1686));
-                                        let _e1692 = select(_e1688, _e1684, (_e1684 < _e1688));
-                                        let _e1697 = -(_e1658);
-                                        let _e1698 = -(_e1660);
-                                        let _e1705 = (select(_e1662, _e1690, (_e1690 < _e1662)) + (select(_e1697, _e1662, (_e1662 > _e1697)) * 0.0000019073523f));
-                                        let _e1706 = (select(_e1664, _e1692, (_e1692 < _e1664)) + (select(_e1698, _e1664, (_e1664 > _e1698)) * 0.0000019073523f));
-                                        let _e1708 = select(_e608, _e1678, (_e1678 > _e608));
-                                        let _e1710 = select(_e608, _e1680, (_e1680 > _e608));
-                                        let _e1715 = (_e1708 <= select(_e1340, _e1705, (_e1705 < _e1340)));
-                                        let _e1716 = (_e1710 <= select(_e1340, _e1706, (_e1706 < _e1340)));
-                                        let _e1717 = (_e1708 <= _e1710);
-                                        if _e1715 {
-                                            if _e1716 {
-                                                if _e1717 {
-                                                    phi_3534_ = _e1616.member_2;
+                                        let _e977 = phi_3150_;
+                                        let _e988 = ((_e977.member[0].x - _e370) * _e373);
+                                        let _e989 = ((_e977.member[0].y - _e370) * _e373);
+                                        let _e990 = ((_e977.member[0].z - _e371) * _e373);
+                                        let _e991 = ((_e977.member[0].w - _e371) * _e373);
+                                        let _e1001 = ((_e977.member[1].x - _e436) * _e439);
+                                        let _e1002 = ((_e977.member[1].y - _e436) * _e439);
+                                        let _e1003 = ((_e977.member[1].z - _e437) * _e439);
+                                        let _e1004 = ((_e977.member[1].w - _e437) * _e439);
+                                        let _e1014 = ((_e977.member[2].x - _e502) * _e505);
+                                        let _e1015 = ((_e977.member[2].y - _e502) * _e505);
+                                        let _e1016 = ((_e977.member[2].z - _e503) * _e505);
+                                        let _e1017 = ((_e977.member[2].w - _e503) * _e505);
+                                        let _e1019 = select(_e1016, _e1014, (_e1014 < _e1016));
+                                        let _e1021 = select(_e1017, _e1015, (_e1015 < _e1017));
+                                        let _e1023 = select(_e1016, _e1014, (_e1014 > _e1016));
+                                        let _e1025 = select(_e1017, _e1015, (_e1015 > _e1017));
+                                        let _e1027 = select(_e990, _e988, (_e988 < _e990));
+                                        let _e1029 = select(_e991, _e989, (_e989 < _e991));
+                                        let _e1031 = select(_e1003, _e1001, (_e1001 < _e1003));
+                                        let _e1033 = select(_e1004, _e1002, (_e1002 < _e1004));
+                                        let _e1035 = select(_e1031, _e1027, (_e1027 > _e1031));
+                                        let _e1037 = select(_e1033, _e1029, (_e1029 > _e1033));
+                                        let _e1039 = select(_e1019, _e1035, (_e1035 > _e1019));
+                                        let _e1041 = select(_e1021, _e1037, (_e1037 > _e1021));
+                                        let _e1043 = select(_e990, _e988, (_e988 > _e990));
+                                        let _e1045 = select(_e991, _e989, (_e989 > _e991));
+                                        let _e1047 = select(_e1003, _e1001, (_e1001 > _e1003));
+                                        let _e1049 = select(_e1004, _e1002, (_e1002 > _e1004));
+                                        let _e1051 = select(_e1047, _e1043, (_e1043 < _e1047));
+                                        let _e1053 = select(_e1049, _e1045, (_e1045 < _e1049));
+                                        let _e1058 = -(_e1019);
+                                        let _e1059 = -(_e1021);
+                                        let _e1066 = (select(_e1023, _e1051, (_e1051 < _e1023)) + (select(_e1058, _e1023, (_e1023 > _e1058)) * 0.0000019073523f));
+                                        let _e1067 = (select(_e1025, _e1053, (_e1053 < _e1025)) + (select(_e1059, _e1025, (_e1025 > _e1059)) * 0.0000019073523f));
+                                        let _e1069 = select(_e608, _e1039, (_e1039 > _e608));
+                                        let _e1071 = select(_e608, _e1041, (_e1041 > _e608));
+                                        let _e1076 = (_e1069 <= select(_e651, _e1066, (_e1066 < _e651)));
+                                        let _e1077 = (_e1071 <= select(_e651, _e1067, (_e1067 < _e651)));
+                                        let _e1078 = (_e1069 <= _e1071);
+                                        if _e1076 {
+                                            if _e1077 {
+                                                if _e1078 {
+                                                    phi_3513_ = _e977.member_2;
                                                 } else {
-                                                    phi_3534_ = _e1616.member_1;
+                                                    phi_3513_ = _e977.member_1;
                                                 }
-                                                let _e1721 = phi_3534_;
-                                                let _e1742 = (_e691 % 128u);
-                                                let _e1743 = (_e1742 < 128u);
-                                                if _e1743 {
+                                                let _e1082 = phi_3513_;
+                                                let _e1103 = (_e693 % 128u);
+                                                let _e1104 = (_e1103 < 128u);
+                                                if _e1104 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1742] = _e1721.member_1;
-                                                if _e1743 {
+                                                local_8[_e1103] = _e1082.member_1;
+                                                if _e1104 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1742] = _e1721.member.member.x;
-                                                if _e1743 {
+                                                local_7[_e1103] = _e1082.member.member.x;
+                                                if _e1104 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1742] = _e1721.member.member.y;
-                                                if _e1743 {
+                                                local_6[_e1103] = _e1082.member.member.y;
+                                                if _e1104 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1742] = _e1721.member.member.z;
-                                                if _e1743 {
+                                                local_5[_e1103] = _e1082.member.member.z;
+                                                if _e1104 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1742] = _e1721.member.member_1.x;
-                                                if _e1743 {
+                                                local_4[_e1103] = _e1082.member.member_1.x;
+                                                if _e1104 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1742] = _e1721.member.member_1.y;
-                                                if _e1743 {
+                                                local_3[_e1103] = _e1082.member.member_1.y;
+                                                if _e1104 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1742] = _e1721.member.member_1.z;
-                                                if _e1743 {
+                                                local_2[_e1103] = _e1082.member.member_1.z;
+                                                if _e1104 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_10[_e1742] = select(_e1708, _e1710, _e1717);
-                                                if _e1717 {
-                                                    phi_3610_ = _e1616.member_1;
+                                                local_10[_e1103] = select(_e1069, _e1071, _e1078);
+                                                if _e1078 {
+                                                    phi_3589_ = _e977.member_1;
                                                 } else {
-                                                    phi_3610_ = _e1616.member_2;
+                                                    phi_3589_ = _e977.member_2;
                                                 }
-                                                let _e1756 = phi_3610_;
-                                                phi_3611_ = (_e691 + 1u);
-                                                phi_3612_ = _e1756;
+                                                let _e1117 = phi_3589_;
+                                                phi_3590_ = _e1117;
+                                                phi_3591_ = (_e693 + 1u);
                                             } else {
-                                                phi_3611_ = u32();
-                                                phi_3612_ = type_53();
+                                                phi_3590_ = type_53();
+                                                phi_3591_ = u32();
                                             }
-                                            let _e1758 = phi_3611_;
-                                            let _e1760 = phi_3612_;
-                                            phi_3614_ = _e1758;
-                                            phi_3615_ = _e1760;
-                                            phi_3616_ = select(true, false, _e1716);
+                                            let _e1119 = phi_3590_;
+                                            let _e1121 = phi_3591_;
+                                            phi_3593_ = _e1119;
+                                            phi_3594_ = _e1121;
+                                            phi_3595_ = select(true, false, _e1077);
                                         } else {
-                                            phi_3614_ = u32();
-                                            phi_3615_ = type_53();
-                                            phi_3616_ = true;
+                                            phi_3593_ = type_53();
+                                            phi_3594_ = u32();
+                                            phi_3595_ = true;
                                         }
-                                        let _e1763 = phi_3614_;
-                                        let _e1765 = phi_3615_;
-                                        let _e1767 = phi_3616_;
-                                        if _e1767 {
-                                            if _e1715 {
-                                                phi_3625_ = _e1616.member_1;
+                                        let _e1124 = phi_3593_;
+                                        let _e1126 = phi_3594_;
+                                        let _e1128 = phi_3595_;
+                                        if _e1128 {
+                                            if _e1076 {
+                                                phi_3604_ = _e977.member_1;
                                             } else {
-                                                phi_3625_ = _e1616.member_2;
+                                                phi_3604_ = _e977.member_2;
                                             }
-                                            let _e1771 = phi_3625_;
-                                            phi_3630_ = select(_e1716, true, _e1715);
-                                            phi_3632_ = _e1771;
+                                            let _e1132 = phi_3604_;
+                                            phi_3609_ = select(_e1077, true, _e1076);
+                                            phi_3610_ = _e1132;
                                         } else {
-                                            phi_3630_ = _e689;
-                                            phi_3632_ = _e1765;
+                                            phi_3609_ = _e689;
+                                            phi_3610_ = _e1124;
                                         }
-                                        let _e1774 = phi_3630_;
-                                        let _e1776 = phi_3632_;
-                                        phi_3636_ = _e1774;
-                                        phi_3637_ = select(_e1763, _e691, _e1767);
-                                        phi_3638_ = _e1776;
+                                        let _e1135 = phi_3609_;
+                                        let _e1137 = phi_3610_;
+                                        phi_4662_ = _e651;
+                                        phi_4552_ = _e649;
+                                        phi_3612_ = _e1135;
+                                        phi_3613_ = _e1137;
+                                        phi_3614_ = select(_e1126, _e693, _e1128);
                                     }
-                                    let _e1779 = phi_3636_;
-                                    let _e1781 = phi_3637_;
-                                    let _e1783 = phi_3638_;
-                                    if _e697 {
-                                        phi_3648_ = _e693;
-                                    } else {
-                                        phi_3648_ = _e1783;
-                                    }
-                                    let _e1785 = phi_3648_;
-                                    phi_4757_ = _e1340;
-                                    phi_4646_ = _e1338;
-                                    phi_3649_ = (_e653 - 1u);
-                                    phi_3650_ = select(_e1779, false, _e697);
-                                    phi_3651_ = select(_e1781, _e691, _e697);
-                                    phi_3652_ = _e1785;
+                                    let _e1777 = phi_4662_;
+                                    let _e1779 = phi_4552_;
+                                    let _e1781 = phi_3612_;
+                                    let _e1783 = phi_3613_;
+                                    let _e1785 = phi_3614_;
+                                    phi_4661_ = _e1777;
+                                    phi_4551_ = _e1779;
+                                    phi_3615_ = _e1781;
+                                    phi_3616_ = _e1783;
+                                    phi_3617_ = _e1785;
+                                    phi_3618_ = (_e659 - 1u);
                                 } else {
-                                    phi_4757_ = _e651;
-                                    phi_4646_ = _e649;
-                                    phi_3649_ = _e653;
-                                    phi_3650_ = _e689;
-                                    phi_3651_ = _e691;
-                                    phi_3652_ = _e693;
+                                    phi_4661_ = _e651;
+                                    phi_4551_ = _e649;
+                                    phi_3615_ = _e689;
+                                    phi_3616_ = _e691;
+                                    phi_3617_ = _e693;
+                                    phi_3618_ = _e659;
                                 }
-                                let _e1789 = phi_4757_;
-                                let _e1791 = phi_4646_;
-                                let _e1793 = phi_3649_;
-                                let _e1795 = phi_3650_;
-                                let _e1797 = phi_3651_;
-                                let _e1799 = phi_3652_;
-                                phi_4756_ = _e1789;
-                                phi_4645_ = _e1791;
-                                phi_3653_ = _e1793;
-                                phi_3654_ = _e1795;
-                                phi_3655_ = _e1797;
-                                phi_3656_ = _e1799;
+                                let _e1787 = phi_4661_;
+                                let _e1789 = phi_4551_;
+                                let _e1791 = phi_3615_;
+                                let _e1793 = phi_3616_;
+                                let _e1795 = phi_3617_;
+                                let _e1797 = phi_3618_;
+                                phi_4660_ = _e1787;
+                                phi_4550_ = _e1789;
+                                phi_3619_ = _e1791;
+                                phi_3620_ = _e1793;
+                                phi_3621_ = _e1795;
+                                phi_3622_ = _e1797;
                             } else {
-                                phi_4756_ = _e651;
-                                phi_4645_ = _e649;
-                                phi_3653_ = u32();
-                                phi_3654_ = bool();
-                                phi_3655_ = u32();
-                                phi_3656_ = type_53();
+                                phi_4660_ = _e651;
+                                phi_4550_ = _e649;
+                                phi_3619_ = bool();
+                                phi_3620_ = type_53();
+                                phi_3621_ = u32();
+                                phi_3622_ = u32();
                             }
-                            let _e1801 = phi_4756_;
-                            let _e1803 = phi_4645_;
-                            let _e1805 = phi_3653_;
-                            let _e1807 = phi_3654_;
-                            let _e1809 = phi_3655_;
-                            let _e1811 = phi_3656_;
-                            phi_4755_ = _e1801;
-                            phi_4644_ = _e1803;
-                            phi_1244_ = _e1805;
-                            phi_1247_ = _e1807;
-                            phi_1249_ = _e1809;
-                            phi_1251_ = _e1811;
-                            phi_3657_ = _e663;
+                            let _e1799 = phi_4660_;
+                            let _e1801 = phi_4550_;
+                            let _e1803 = phi_3619_;
+                            let _e1805 = phi_3620_;
+                            let _e1807 = phi_3621_;
+                            let _e1809 = phi_3622_;
+                            phi_4659_ = _e1799;
+                            phi_4549_ = _e1801;
+                            phi_1251_ = _e1803;
+                            phi_1254_ = _e1805;
+                            phi_1256_ = _e1807;
+                            phi_1258_ = _e1809;
+                            phi_3623_ = _e663;
                         } else {
-                            phi_4755_ = _e651;
-                            phi_4644_ = _e649;
-                            phi_1244_ = u32();
-                            phi_1247_ = bool();
-                            phi_1249_ = u32();
-                            phi_1251_ = type_53();
-                            phi_3657_ = false;
+                            phi_4659_ = _e651;
+                            phi_4549_ = _e649;
+                            phi_1251_ = bool();
+                            phi_1254_ = type_53();
+                            phi_1256_ = u32();
+                            phi_1258_ = u32();
+                            phi_3623_ = false;
                         }
-                        let _e1813 = phi_4755_;
-                        let _e1815 = phi_4644_;
-                        let _e1817 = phi_1244_;
-                        let _e1819 = phi_1247_;
-                        let _e1821 = phi_1249_;
-                        let _e1823 = phi_1251_;
-                        let _e1825 = phi_3657_;
+                        let _e1811 = phi_4659_;
+                        let _e1813 = phi_4549_;
+                        let _e1815 = phi_1251_;
+                        let _e1817 = phi_1254_;
+                        let _e1819 = phi_1256_;
+                        let _e1821 = phi_1258_;
+                        let _e1823 = phi_3623_;
                         continue;
                         continuing {
-                            phi_4335_ = _e1815;
-                            phi_4315_ = _e1813;
-                            phi_1243_ = _e1817;
-                            phi_1246_ = _e1819;
-                            phi_1248_ = _e1821;
-                            phi_1250_ = _e1823;
-                            phi_4643_ = _e1815;
-                            break if !(_e1825);
+                            phi_4318_ = _e1813;
+                            phi_4245_ = _e1811;
+                            phi_1250_ = _e1815;
+                            phi_1253_ = _e1817;
+                            phi_1255_ = _e1819;
+                            phi_1257_ = _e1821;
+                            phi_4548_ = _e1813;
+                            break if !(_e1823);
                         }
                     }
-                    let _e1828 = phi_4643_;
-                    if _e1828 {
+                    let _e1826 = phi_4548_;
+                    if _e1826 {
                         break;
                     }
-                    phi_3664_ = type_4(0u, 8u);
+                    phi_3630_ = type_4(0u, 8u);
                     loop {
-                        let _e1830 = phi_3664_;
-                        if (_e1830.member < _e1830.member_1) {
-                            phi_3665_ = type_4((_e1830.member + 1u), _e1830.member_1);
-                            phi_3688_ = type_4(1u, _e1830.member);
+                        let _e1828 = phi_3630_;
+                        if (_e1828.member < _e1828.member_1) {
+                            phi_3631_ = type_4((_e1828.member + 1u), _e1828.member_1);
+                            phi_3654_ = type_4(1u, _e1828.member);
                         } else {
-                            phi_3665_ = _e1830;
-                            phi_3688_ = type_4(0u, type_4().member_1);
+                            phi_3631_ = _e1828;
+                            phi_3654_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1843 = phi_3665_;
-                        let _e1845 = phi_3688_;
-                        let _e1849 = (bitcast<i32>(_e1845.member) != 0i);
-                        if _e1849 {
-                            let _e1850 = (_e1845.member_1 < 8u);
-                            if _e1850 {
+                        let _e1841 = phi_3631_;
+                        let _e1843 = phi_3654_;
+                        let _e1847 = (bitcast<i32>(_e1843.member) != 0i);
+                        if _e1847 {
+                            let _e1848 = (_e1843.member_1 < 8u);
+                            if _e1848 {
                             } else {
-                                phi_4737_ = true;
+                                phi_4641_ = true;
                                 break;
                             }
-                            let _e1852 = local_9[_e1845.member_1];
-                            if (_e1852.member_3 != 4294967295u) {
-                                let _e1858 = -(_e510);
-                                let _e1859 = bitcast<u32>(_e1852.member);
-                                let _e1863 = (bitcast<i32>((_e1859 >> bitcast<u32>(23i))) & 255i);
-                                let _e1864 = (_e1863 + _e1858);
-                                if (_e1863 == 255i) {
-                                    phi_3761_ = _e1852.member;
+                            let _e1850 = local_9[_e1843.member_1];
+                            if (_e1850.member_3 != 4294967295u) {
+                                let _e1856 = -(_e510);
+                                let _e1857 = bitcast<u32>(_e1850.member);
+                                let _e1861 = (bitcast<i32>((_e1857 >> bitcast<u32>(23i))) & 255i);
+                                let _e1862 = (_e1861 + _e1856);
+                                if (_e1861 == 255i) {
+                                    phi_3727_ = _e1850.member;
                                 } else {
-                                    if (_e1863 > 0i) {
-                                        if (_e1864 > 0i) {
-                                            let _e1868 = (_e1864 < 255i);
-                                            if _e1868 {
-                                                phi_3740_ = bitcast<f32>((_e1859 + bitcast<u32>((_e1858 << bitcast<u32>(23i)))));
+                                    if (_e1861 > 0i) {
+                                        if (_e1862 > 0i) {
+                                            let _e1866 = (_e1862 < 255i);
+                                            if _e1866 {
+                                                phi_3706_ = bitcast<f32>((_e1857 + bitcast<u32>((_e1856 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3740_ = f32();
+                                                phi_3706_ = f32();
                                             }
-                                            let _e1875 = phi_3740_;
-                                            phi_3742_ = _e1875;
-                                            phi_3743_ = select(true, false, _e1868);
+                                            let _e1873 = phi_3706_;
+                                            phi_3708_ = _e1873;
+                                            phi_3709_ = select(true, false, _e1866);
                                         } else {
-                                            phi_3742_ = f32();
-                                            phi_3743_ = true;
+                                            phi_3708_ = f32();
+                                            phi_3709_ = true;
                                         }
-                                        let _e1878 = phi_3742_;
-                                        let _e1880 = phi_3743_;
-                                        phi_3744_ = _e1878;
-                                        phi_3745_ = _e1880;
+                                        let _e1876 = phi_3708_;
+                                        let _e1878 = phi_3709_;
+                                        phi_3710_ = _e1876;
+                                        phi_3711_ = _e1878;
                                     } else {
-                                        phi_3744_ = f32();
-                                        phi_3745_ = true;
+                                        phi_3710_ = f32();
+                                        phi_3711_ = true;
                                     }
-                                    let _e1882 = phi_3744_;
-                                    let _e1884 = phi_3745_;
-                                    if _e1884 {
-                                        let _e1885 = (_e1859 & 2147483648u);
-                                        let _e1892 = ((_e1859 & 8388607u) | (select(0u, 1u, ((_e1859 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1896 = (_e1892 == 0u);
-                                        if _e1896 {
-                                            phi_4262_ = bitcast<f32>(_e1885);
+                                    let _e1880 = phi_3710_;
+                                    let _e1882 = phi_3711_;
+                                    if _e1882 {
+                                        let _e1883 = (_e1857 & 2147483648u);
+                                        let _e1890 = ((_e1857 & 8388607u) | (select(0u, 1u, ((_e1857 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1894 = (_e1890 == 0u);
+                                        if _e1894 {
+                                            phi_4192_ = bitcast<f32>(_e1883);
                                         } else {
-                                            let _e1901 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1892)), 32u, _e1896) - 8u);
-                                            let _e1904 = (_e1892 << bitcast<u32>((_e1901 & 31u)));
-                                            let _e1906 = ((_e1864 + select(0i, 1i, (_e1863 == 0i))) - bitcast<i32>(_e1901));
-                                            if (_e1906 >= 255i) {
-                                                phi_4252_ = bitcast<f32>((_e1885 | 2139095040u));
-                                                phi_4253_ = f32();
-                                                phi_4254_ = true;
+                                            let _e1899 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1890)), 32u, _e1894) - 8u);
+                                            let _e1902 = (_e1890 << bitcast<u32>((_e1899 & 31u)));
+                                            let _e1904 = ((_e1862 + select(0i, 1i, (_e1861 == 0i))) - bitcast<i32>(_e1899));
+                                            if (_e1904 >= 255i) {
+                                                phi_4182_ = bitcast<f32>((_e1883 | 2139095040u));
+                                                phi_4183_ = f32();
+                                                phi_4184_ = true;
                                             } else {
-                                                let _e1908 = (_e1906 > 0i);
-                                                if _e1908 {
-                                                    phi_4246_ = bitcast<f32>(((_e1885 | (bitcast<u32>(_e1906) << bitcast<u32>(23i))) | (_e1904 & 8388607u)));
-                                                    phi_4247_ = f32();
+                                                let _e1906 = (_e1904 > 0i);
+                                                if _e1906 {
+                                                    phi_4176_ = bitcast<f32>(((_e1883 | (bitcast<u32>(_e1904) << bitcast<u32>(23i))) | (_e1902 & 8388607u)));
+                                                    phi_4177_ = f32();
                                                 } else {
-                                                    if (_e1906 < -24i) {
-                                                        phi_4212_ = 26u;
+                                                    if (_e1904 < -24i) {
+                                                        phi_4142_ = 26u;
                                                     } else {
-                                                        phi_4212_ = bitcast<u32>((1i - _e1906));
+                                                        phi_4142_ = bitcast<u32>((1i - _e1904));
                                                     }
-                                                    let _e1913 = phi_4212_;
-                                                    let _e1914 = (_e1913 & 31u);
-                                                    let _e1916 = (_e1904 >> bitcast<u32>(_e1914));
-                                                    let _e1920 = (_e1904 & ((1u << bitcast<u32>(_e1914)) - 1u));
-                                                    let _e1924 = (1u << bitcast<u32>(((_e1913 - 1u) & 31u)));
-                                                    if (_e1920 > _e1924) {
-                                                        phi_4233_ = true;
+                                                    let _e1911 = phi_4142_;
+                                                    let _e1912 = (_e1911 & 31u);
+                                                    let _e1914 = (_e1902 >> bitcast<u32>(_e1912));
+                                                    let _e1918 = (_e1902 & ((1u << bitcast<u32>(_e1912)) - 1u));
+                                                    let _e1922 = (1u << bitcast<u32>(((_e1911 - 1u) & 31u)));
+                                                    if (_e1918 > _e1922) {
+                                                        phi_4163_ = true;
                                                     } else {
-                                                        if (_e1920 == _e1924) {
-                                                            phi_4230_ = ((_e1916 & 1u) == 1u);
+                                                        if (_e1918 == _e1922) {
+                                                            phi_4160_ = ((_e1914 & 1u) == 1u);
                                                         } else {
-                                                            phi_4230_ = false;
+                                                            phi_4160_ = false;
                                                         }
-                                                        let _e1930 = phi_4230_;
-                                                        phi_4233_ = _e1930;
+                                                        let _e1928 = phi_4160_;
+                                                        phi_4163_ = _e1928;
                                                     }
-                                                    let _e1932 = phi_4233_;
-                                                    phi_4246_ = f32();
-                                                    phi_4247_ = bitcast<f32>((_e1885 | (_e1916 + select(0u, 1u, _e1932))));
+                                                    let _e1930 = phi_4163_;
+                                                    phi_4176_ = f32();
+                                                    phi_4177_ = bitcast<f32>((_e1883 | (_e1914 + select(0u, 1u, _e1930))));
                                                 }
-                                                let _e1945 = phi_4246_;
-                                                let _e1947 = phi_4247_;
-                                                phi_4252_ = _e1945;
-                                                phi_4253_ = _e1947;
-                                                phi_4254_ = _e1908;
+                                                let _e1943 = phi_4176_;
+                                                let _e1945 = phi_4177_;
+                                                phi_4182_ = _e1943;
+                                                phi_4183_ = _e1945;
+                                                phi_4184_ = _e1906;
                                             }
-                                            let _e1951 = phi_4252_;
-                                            let _e1953 = phi_4253_;
-                                            let _e1955 = phi_4254_;
-                                            phi_4262_ = select(_e1953, _e1951, _e1955);
+                                            let _e1949 = phi_4182_;
+                                            let _e1951 = phi_4183_;
+                                            let _e1953 = phi_4184_;
+                                            phi_4192_ = select(_e1951, _e1949, _e1953);
                                         }
-                                        let _e1959 = phi_4262_;
-                                        phi_3760_ = _e1959;
+                                        let _e1957 = phi_4192_;
+                                        phi_3726_ = _e1957;
                                     } else {
-                                        phi_3760_ = _e1882;
+                                        phi_3726_ = _e1880;
                                     }
-                                    let _e1961 = phi_3760_;
-                                    phi_3761_ = _e1961;
+                                    let _e1959 = phi_3726_;
+                                    phi_3727_ = _e1959;
                                 }
-                                let _e1963 = phi_3761_;
-                                let _e1964 = bitcast<u32>(_e1963);
-                                if ((_e1964 & 2147483647u) >= 2139095040u) {
-                                    phi_3773_ = bitcast<f32>(((_e1964 & 2147483648u) | 2139095039u));
+                                let _e1961 = phi_3727_;
+                                let _e1962 = bitcast<u32>(_e1961);
+                                if ((_e1962 & 2147483647u) >= 2139095040u) {
+                                    phi_3739_ = bitcast<f32>(((_e1962 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3773_ = _e1963;
+                                    phi_3739_ = _e1961;
                                 }
-                                let _e1971 = phi_3773_;
-                                phi_3778_ = type_25(_e1971, _e1852.member_1, _e1852.member_2, _e1852.member_3);
+                                let _e1969 = phi_3739_;
+                                phi_3744_ = type_25(_e1969, _e1850.member_1, _e1850.member_2, _e1850.member_3);
                             } else {
-                                phi_3778_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3744_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1974 = phi_3778_;
-                            if _e1850 {
+                            let _e1972 = phi_3744_;
+                            if _e1848 {
                             } else {
-                                phi_4737_ = true;
+                                phi_4641_ = true;
                                 break;
                             }
-                            local_9[_e1845.member_1] = type_25(_e1974.member, _e1974.member_1, _e1974.member_2, _e1974.member_3);
+                            local_9[_e1843.member_1] = type_25(_e1972.member, _e1972.member_1, _e1972.member_2, _e1972.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3664_ = _e1843;
-                            phi_4737_ = _e1828;
-                            break if !(_e1849);
+                            phi_3630_ = _e1841;
+                            phi_4641_ = _e1826;
+                            break if !(_e1847);
                         }
                     }
-                    let _e1982 = phi_4737_;
-                    if _e1982 {
+                    let _e1980 = phi_4641_;
+                    if _e1980 {
                         break;
                     }
-                    let _e1983 = local_9;
+                    let _e1981 = local_9;
                     if _e156 {
                     } else {
                         break;
                     }
-                    global_6.member[_e154] = array<type_25, 8>(type_25(_e1983[0].member, _e1983[0].member_1, _e1983[0].member_2, _e1983[0].member_3), type_25(_e1983[1].member, _e1983[1].member_1, _e1983[1].member_2, _e1983[1].member_3), type_25(_e1983[2].member, _e1983[2].member_1, _e1983[2].member_2, _e1983[2].member_3), type_25(_e1983[3].member, _e1983[3].member_1, _e1983[3].member_2, _e1983[3].member_3), type_25(_e1983[4].member, _e1983[4].member_1, _e1983[4].member_2, _e1983[4].member_3), type_25(_e1983[5].member, _e1983[5].member_1, _e1983[5].member_2, _e1983[5].member_3), type_25(_e1983[6].member, _e1983[6].member_1, _e1983[6].member_2, _e1983[6].member_3), type_25(_e1983[7].member, _e1983[7].member_1, _e1983[7].member_2, _e1983[7].member_3));
+                    global_6.member[_e154] = array<type_25, 8>(type_25(_e1981[0].member, _e1981[0].member_1, _e1981[0].member_2, _e1981[0].member_3), type_25(_e1981[1].member, _e1981[1].member_1, _e1981[1].member_2, _e1981[1].member_3), type_25(_e1981[2].member, _e1981[2].member_1, _e1981[2].member_2, _e1981[2].member_3), type_25(_e1981[3].member, _e1981[3].member_1, _e1981[3].member_2, _e1981[3].member_3), type_25(_e1981[4].member, _e1981[4].member_1, _e1981[4].member_2, _e1981[4].member_3), type_25(_e1981[5].member, _e1981[5].member_1, _e1981[5].member_2, _e1981[5].member_3), type_25(_e1981[6].member, _e1981[6].member_1, _e1981[6].member_2, _e1981[6].member_3), type_25(_e1981[7].member, _e1981[7].member_1, _e1981[7].member_2, _e1981[7].member_3));
                 }
             }
             break;

@@ -95,164 +95,151 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_21, 8>;
     var local_10: array<f32, 128>;
-    var phi_501_: i32;
-    var phi_502_: i32;
-    var phi_512_: bool;
-    var phi_522_: u32;
-    var phi_523_: u32;
-    var phi_525_: bool;
+    var phi_508_: i32;
+    var phi_509_: i32;
+    var phi_519_: bool;
+    var phi_529_: u32;
     var phi_530_: u32;
-    var phi_543_: i32;
-    var phi_563_: i32;
-    var phi_581_: f32;
-    var phi_587_: f32;
-    var phi_627_: f32;
-    var phi_633_: f32;
-    var phi_706_: f32;
-    var phi_712_: f32;
-    var phi_752_: f32;
-    var phi_758_: f32;
-    var phi_831_: f32;
-    var phi_837_: f32;
-    var phi_877_: f32;
-    var phi_883_: f32;
-    var phi_1002_: i32;
-    var phi_1024_: u32;
-    var phi_1025_: u32;
-    var phi_1062_: i32;
-    var phi_1084_: u32;
-    var phi_1085_: u32;
-    var phi_1093_: f32;
-    var phi_1094_: f32;
-    var phi_4335_: bool;
-    var phi_4315_: f32;
-    var phi_1243_: u32;
-    var phi_1246_: bool;
-    var phi_1248_: u32;
-    var phi_1250_: type_53;
-    var phi_1261_: bool;
-    var phi_1348_: bool;
-    var phi_1349_: u32;
-    var phi_1350_: type_53;
-    var phi_4332_: bool;
-    var phi_4320_: f32;
-    var phi_1368_: type_4;
-    var phi_1369_: type_4;
-    var phi_1392_: type_4;
-    var phi_1413_: u32;
-    var phi_1505_: array<array<f32, 3>, 3>;
-    var phi_3871_: bool;
-    var phi_3886_: bool;
-    var phi_3901_: bool;
-    var phi_3916_: bool;
-    var phi_3931_: bool;
-    var phi_3946_: bool;
-    var phi_2048_: f32;
-    var phi_2049_: f32;
-    var phi_2050_: f32;
-    var phi_2051_: f32;
-    var phi_2052_: vec3<f32>;
-    var phi_2053_: vec3<f32>;
-    var phi_2054_: vec3<f32>;
-    var phi_2055_: vec3<f32>;
-    var phi_3961_: bool;
-    var phi_3976_: bool;
-    var phi_3991_: bool;
-    var phi_4006_: bool;
-    var phi_4021_: bool;
-    var phi_4036_: bool;
-    var phi_2263_: f32;
-    var phi_2283_: type_32;
-    var phi_2284_: type_32;
-    var phi_2287_: type_32;
-    var phi_2288_: type_32;
-    var phi_2289_: bool;
-    var phi_2293_: type_32;
-    var phi_2302_: type_21;
-    var phi_2314_: type_4;
-    var phi_2317_: type_21;
-    var phi_2315_: type_4;
-    var phi_2340_: type_4;
-    var phi_2372_: bool;
-    var phi_2373_: bool;
-    var phi_2394_: type_21;
-    var phi_2318_: type_21;
-    var phi_4322_: bool;
-    var phi_4641_: f32;
-    var phi_4640_: f32;
-    var phi_4490_: bool;
-    var phi_4639_: f32;
-    var phi_4489_: bool;
-    var phi_4638_: f32;
-    var phi_4488_: bool;
-    var phi_4545_: f32;
-    var phi_4487_: bool;
-    var phi_4729_: bool;
-    var phi_4544_: f32;
-    var phi_3132_: u32;
-    var phi_3133_: u32;
-    var phi_3143_: u32;
+    var phi_532_: bool;
+    var phi_537_: u32;
+    var phi_550_: i32;
+    var phi_570_: i32;
+    var phi_588_: f32;
+    var phi_594_: f32;
+    var phi_634_: f32;
+    var phi_640_: f32;
+    var phi_713_: f32;
+    var phi_719_: f32;
+    var phi_759_: f32;
+    var phi_765_: f32;
+    var phi_838_: f32;
+    var phi_844_: f32;
+    var phi_884_: f32;
+    var phi_890_: f32;
+    var phi_1009_: i32;
+    var phi_1031_: u32;
+    var phi_1032_: u32;
+    var phi_1069_: i32;
+    var phi_1091_: u32;
+    var phi_1092_: u32;
+    var phi_1100_: f32;
+    var phi_1101_: f32;
+    var phi_4318_: bool;
+    var phi_4245_: f32;
+    var phi_1250_: bool;
+    var phi_1253_: type_53;
+    var phi_1255_: u32;
+    var phi_1257_: u32;
+    var phi_1268_: bool;
+    var phi_1355_: bool;
+    var phi_1356_: type_53;
+    var phi_1357_: u32;
+    var phi_3111_: u32;
+    var phi_3112_: u32;
+    var phi_3122_: u32;
+    var phi_3124_: u32;
+    var phi_3125_: bool;
     var phi_3145_: u32;
-    var phi_3146_: bool;
-    var phi_3166_: u32;
-    var phi_3167_: u32;
-    var phi_3171_: type_54;
-    var phi_3534_: type_53;
+    var phi_3146_: u32;
+    var phi_3150_: type_54;
+    var phi_3513_: type_53;
+    var phi_3589_: type_53;
+    var phi_3590_: type_53;
+    var phi_3591_: u32;
+    var phi_3593_: type_53;
+    var phi_3594_: u32;
+    var phi_3595_: bool;
+    var phi_3604_: type_53;
+    var phi_3609_: bool;
     var phi_3610_: type_53;
-    var phi_3611_: u32;
-    var phi_3612_: type_53;
+    var phi_4315_: bool;
+    var phi_4304_: f32;
+    var phi_1375_: type_4;
+    var phi_1376_: type_4;
+    var phi_1399_: type_4;
+    var phi_1420_: u32;
+    var phi_1512_: array<array<f32, 3>, 3>;
+    var phi_2043_: f32;
+    var phi_2044_: f32;
+    var phi_2045_: f32;
+    var phi_2046_: f32;
+    var phi_2047_: vec3<f32>;
+    var phi_2048_: vec3<f32>;
+    var phi_2049_: vec3<f32>;
+    var phi_2050_: vec3<f32>;
+    var phi_2241_: f32;
+    var phi_2261_: type_32;
+    var phi_2262_: type_32;
+    var phi_2265_: type_32;
+    var phi_2266_: type_32;
+    var phi_2267_: bool;
+    var phi_2271_: type_32;
+    var phi_2280_: type_21;
+    var phi_2292_: type_4;
+    var phi_2295_: type_21;
+    var phi_2293_: type_4;
+    var phi_2318_: type_4;
+    var phi_2350_: bool;
+    var phi_2351_: bool;
+    var phi_2372_: type_21;
+    var phi_2296_: type_21;
+    var phi_4305_: bool;
+    var phi_4547_: f32;
+    var phi_4546_: f32;
+    var phi_4461_: bool;
+    var phi_4545_: f32;
+    var phi_4460_: bool;
+    var phi_4544_: f32;
+    var phi_4459_: bool;
+    var phi_4463_: f32;
+    var phi_4458_: bool;
+    var phi_4662_: f32;
+    var phi_4552_: bool;
+    var phi_3612_: bool;
+    var phi_3613_: type_53;
     var phi_3614_: u32;
-    var phi_3615_: type_53;
-    var phi_3616_: bool;
-    var phi_3625_: type_53;
-    var phi_3630_: bool;
-    var phi_3632_: type_53;
-    var phi_3636_: bool;
-    var phi_3637_: u32;
-    var phi_3638_: type_53;
-    var phi_3648_: type_53;
-    var phi_4757_: f32;
-    var phi_4646_: bool;
-    var phi_3649_: u32;
-    var phi_3650_: bool;
-    var phi_3651_: u32;
-    var phi_3652_: type_53;
-    var phi_4756_: f32;
-    var phi_4645_: bool;
-    var phi_3653_: u32;
-    var phi_3654_: bool;
-    var phi_3655_: u32;
-    var phi_3656_: type_53;
-    var phi_4755_: f32;
-    var phi_4644_: bool;
-    var phi_1244_: u32;
-    var phi_1247_: bool;
-    var phi_1249_: u32;
-    var phi_1251_: type_53;
-    var phi_3657_: bool;
-    var phi_4643_: bool;
-    var phi_3664_: type_4;
-    var phi_3665_: type_4;
-    var phi_3688_: type_4;
-    var phi_3740_: f32;
-    var phi_3742_: f32;
-    var phi_3743_: bool;
-    var phi_3744_: f32;
-    var phi_3745_: bool;
-    var phi_4212_: u32;
-    var phi_4230_: bool;
-    var phi_4233_: bool;
-    var phi_4246_: f32;
-    var phi_4247_: f32;
-    var phi_4252_: f32;
-    var phi_4253_: f32;
-    var phi_4254_: bool;
-    var phi_4262_: f32;
-    var phi_3760_: f32;
-    var phi_3761_: f32;
-    var phi_3773_: f32;
-    var phi_3778_: type_21;
-    var phi_4737_: bool;
+    var phi_4661_: f32;
+    var phi_4551_: bool;
+    var phi_3615_: bool;
+    var phi_3616_: type_53;
+    var phi_3617_: u32;
+    var phi_3618_: u32;
+    var phi_4660_: f32;
+    var phi_4550_: bool;
+    var phi_3619_: bool;
+    var phi_3620_: type_53;
+    var phi_3621_: u32;
+    var phi_3622_: u32;
+    var phi_4659_: f32;
+    var phi_4549_: bool;
+    var phi_1251_: bool;
+    var phi_1254_: type_53;
+    var phi_1256_: u32;
+    var phi_1258_: u32;
+    var phi_3623_: bool;
+    var phi_4548_: bool;
+    var phi_3630_: type_4;
+    var phi_3631_: type_4;
+    var phi_3654_: type_4;
+    var phi_3706_: f32;
+    var phi_3708_: f32;
+    var phi_3709_: bool;
+    var phi_3710_: f32;
+    var phi_3711_: bool;
+    var phi_4142_: u32;
+    var phi_4160_: bool;
+    var phi_4163_: bool;
+    var phi_4176_: f32;
+    var phi_4177_: f32;
+    var phi_4182_: f32;
+    var phi_4183_: f32;
+    var phi_4184_: bool;
+    var phi_4192_: f32;
+    var phi_3726_: f32;
+    var phi_3727_: f32;
+    var phi_3739_: f32;
+    var phi_3744_: type_21;
+    var phi_4641_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -307,93 +294,93 @@ fn function_() {
                     if _e228 {
                         let _e231 = (bitcast<u32>(bitcast<f32>(_e203)) & 2147483647u);
                         if (_e231 >= 8388608u) {
-                            phi_501_ = (bitcast<i32>((_e231 >> bitcast<u32>(23i))) - 127i);
+                            phi_508_ = (bitcast<i32>((_e231 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_501_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e231)), 32u, (_e231 == 0u))));
+                            phi_508_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e231)), 32u, (_e231 == 0u))));
                         }
-                        let _e245 = phi_501_;
-                        phi_502_ = _e245;
+                        let _e245 = phi_508_;
+                        phi_509_ = _e245;
                     } else {
-                        phi_502_ = 0i;
+                        phi_509_ = 0i;
                     }
-                    let _e247 = phi_502_;
+                    let _e247 = phi_509_;
                     let _e248 = (_e164 == _e203);
                     if _e248 {
-                        phi_512_ = true;
+                        phi_519_ = true;
                     } else {
-                        phi_512_ = (_e171 == _e203);
+                        phi_519_ = (_e171 == _e203);
                     }
-                    let _e251 = phi_512_;
+                    let _e251 = phi_519_;
                     let _e252 = select(1u, 0u, _e248);
                     if _e251 {
                         let _e253 = (_e252 + 1u);
-                        phi_522_ = _e253;
-                        phi_523_ = _e253;
-                        phi_525_ = select(true, false, (_e253 == 2u));
+                        phi_529_ = _e253;
+                        phi_530_ = _e253;
+                        phi_532_ = select(true, false, (_e253 == 2u));
                     } else {
-                        phi_522_ = u32();
-                        phi_523_ = 0u;
-                        phi_525_ = true;
-                    }
-                    let _e257 = phi_522_;
-                    let _e259 = phi_523_;
-                    let _e261 = phi_525_;
-                    if _e261 {
-                        phi_530_ = (_e259 + 1u);
-                    } else {
+                        phi_529_ = u32();
                         phi_530_ = 0u;
+                        phi_532_ = true;
                     }
-                    let _e265 = phi_530_;
+                    let _e257 = phi_529_;
+                    let _e259 = phi_530_;
+                    let _e261 = phi_532_;
+                    if _e261 {
+                        phi_537_ = (_e259 + 1u);
+                    } else {
+                        phi_537_ = 0u;
+                    }
+                    let _e265 = phi_537_;
                     let _e266 = select(_e257, _e259, _e261);
                     let _e267 = select(_e252, select(2u, _e252, _e251), _e261);
                     if (_e134 < -126i) {
-                        phi_543_ = -126i;
+                        phi_550_ = -126i;
                     } else {
-                        phi_543_ = select(_e134, 127i, (_e134 > 127i));
+                        phi_550_ = select(_e134, 127i, (_e134 > 127i));
                     }
-                    let _e272 = phi_543_;
+                    let _e272 = phi_550_;
                     let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
                     let _e283 = bitcast<f32>((bitcast<u32>(((_e134 - _e272) + 127i)) << bitcast<u32>(23i)));
                     let _e284 = -(_e247);
                     if (_e284 < -126i) {
-                        phi_563_ = -126i;
+                        phi_570_ = -126i;
                     } else {
-                        phi_563_ = select(_e284, 127i, (_e284 > 127i));
+                        phi_570_ = select(_e284, 127i, (_e284 > 127i));
                     }
-                    let _e289 = phi_563_;
+                    let _e289 = phi_570_;
                     let _e294 = bitcast<f32>((bitcast<u32>((_e289 + 127i)) << bitcast<u32>(23i)));
                     let _e300 = bitcast<f32>((bitcast<u32>(((_e284 - _e289) + 127i)) << bitcast<u32>(23i)));
                     let _e304 = global_4.member[_e152].member;
                     let _e305 = (_e266 == 0u);
                     if _e305 {
-                        phi_581_ = _e304[0];
+                        phi_588_ = _e304[0];
                     } else {
-                        phi_581_ = _e304[1];
+                        phi_588_ = _e304[1];
                     }
-                    let _e309 = phi_581_;
+                    let _e309 = phi_588_;
                     let _e310 = (_e266 == 2u);
                     if _e310 {
-                        phi_587_ = _e304[2];
+                        phi_594_ = _e304[2];
                     } else {
-                        phi_587_ = _e309;
+                        phi_594_ = _e309;
                     }
-                    let _e313 = phi_587_;
+                    let _e313 = phi_594_;
                     let _e314 = bitcast<u32>(_e313);
                     let _e316 = ((_e314 & 2139095040u) != 0u);
                     let _e330 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e313, _e316) * _e277) * select(0.00000011920929f, 1f, _e316)) * _e283);
                     let _e331 = global_4.member[_e152].member_2;
                     if _e305 {
-                        phi_627_ = _e331[0];
+                        phi_634_ = _e331[0];
                     } else {
-                        phi_627_ = _e331[1];
+                        phi_634_ = _e331[1];
                     }
-                    let _e335 = phi_627_;
+                    let _e335 = phi_634_;
                     if _e310 {
-                        phi_633_ = _e331[2];
+                        phi_640_ = _e331[2];
                     } else {
-                        phi_633_ = _e335;
+                        phi_640_ = _e335;
                     }
-                    let _e338 = phi_633_;
+                    let _e338 = phi_640_;
                     let _e339 = bitcast<u32>(_e338);
                     let _e341 = ((_e339 & 2139095040u) != 0u);
                     let _e355 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e339 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e339 & 2147483648u))), _e338, _e341) * _e294) * select(0.00000011920929f, 1f, _e341)) * _e300);
@@ -407,33 +394,33 @@ fn function_() {
                     let _e371 = select(38685626000000000000000000f, (1f / _e355), _e359);
                     let _e372 = (_e265 == 0u);
                     if _e372 {
-                        phi_706_ = _e304[0];
+                        phi_713_ = _e304[0];
                     } else {
-                        phi_706_ = _e304[1];
+                        phi_713_ = _e304[1];
                     }
-                    let _e376 = phi_706_;
+                    let _e376 = phi_713_;
                     let _e377 = (_e265 == 2u);
                     if _e377 {
-                        phi_712_ = _e304[2];
+                        phi_719_ = _e304[2];
                     } else {
-                        phi_712_ = _e376;
+                        phi_719_ = _e376;
                     }
-                    let _e380 = phi_712_;
+                    let _e380 = phi_719_;
                     let _e381 = bitcast<u32>(_e380);
                     let _e383 = ((_e381 & 2139095040u) != 0u);
                     let _e397 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * _e277) * select(0.00000011920929f, 1f, _e383)) * _e283);
                     if _e372 {
-                        phi_752_ = _e331[0];
+                        phi_759_ = _e331[0];
                     } else {
-                        phi_752_ = _e331[1];
+                        phi_759_ = _e331[1];
                     }
-                    let _e401 = phi_752_;
+                    let _e401 = phi_759_;
                     if _e377 {
-                        phi_758_ = _e331[2];
+                        phi_765_ = _e331[2];
                     } else {
-                        phi_758_ = _e401;
+                        phi_765_ = _e401;
                     }
-                    let _e404 = phi_758_;
+                    let _e404 = phi_765_;
                     let _e405 = bitcast<u32>(_e404);
                     let _e407 = ((_e405 & 2139095040u) != 0u);
                     let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e294) * select(0.00000011920929f, 1f, _e407)) * _e300);
@@ -447,33 +434,33 @@ fn function_() {
                     let _e437 = select(38685626000000000000000000f, (1f / _e421), _e425);
                     let _e438 = (_e267 == 0u);
                     if _e438 {
-                        phi_831_ = _e304[0];
+                        phi_838_ = _e304[0];
                     } else {
-                        phi_831_ = _e304[1];
+                        phi_838_ = _e304[1];
                     }
-                    let _e442 = phi_831_;
+                    let _e442 = phi_838_;
                     let _e443 = (_e267 == 2u);
                     if _e443 {
-                        phi_837_ = _e304[2];
+                        phi_844_ = _e304[2];
                     } else {
-                        phi_837_ = _e442;
+                        phi_844_ = _e442;
                     }
-                    let _e446 = phi_837_;
+                    let _e446 = phi_844_;
                     let _e447 = bitcast<u32>(_e446);
                     let _e449 = ((_e447 & 2139095040u) != 0u);
                     let _e463 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e447 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e447 & 2147483648u))), _e446, _e449) * _e277) * select(0.00000011920929f, 1f, _e449)) * _e283);
                     if _e438 {
-                        phi_877_ = _e331[0];
+                        phi_884_ = _e331[0];
                     } else {
-                        phi_877_ = _e331[1];
+                        phi_884_ = _e331[1];
                     }
-                    let _e467 = phi_877_;
+                    let _e467 = phi_884_;
                     if _e443 {
-                        phi_883_ = _e331[2];
+                        phi_890_ = _e331[2];
                     } else {
-                        phi_883_ = _e467;
+                        phi_890_ = _e467;
                     }
-                    let _e470 = phi_883_;
+                    let _e470 = phi_890_;
                     let _e471 = bitcast<u32>(_e470);
                     let _e473 = ((_e471 & 2139095040u) != 0u);
                     let _e487 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e471 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e471 & 2147483648u))), _e470, _e473) * _e294) * select(0.00000011920929f, 1f, _e473)) * _e300);
@@ -493,55 +480,55 @@ fn function_() {
                         let _e525 = (_e518 == 0u);
                         let _e528 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e518)), 32u, _e525)) - 8i);
                         if (_e521 == 255i) {
-                            phi_1002_ = 255i;
+                            phi_1009_ = 255i;
                         } else {
-                            phi_1002_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
+                            phi_1009_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
                         }
-                        let _e536 = phi_1002_;
+                        let _e536 = phi_1009_;
                         let _e546 = (_e536 <= 0i);
                         if _e546 {
-                            phi_1025_ = u32();
+                            phi_1032_ = u32();
                         } else {
                             if _e525 {
-                                phi_1024_ = u32();
+                                phi_1031_ = u32();
                             } else {
-                                phi_1024_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
+                                phi_1031_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
                             }
-                            let _e550 = phi_1024_;
-                            phi_1025_ = _e550;
+                            let _e550 = phi_1031_;
+                            phi_1032_ = _e550;
                         }
-                        let _e552 = phi_1025_;
+                        let _e552 = phi_1032_;
                         let _e564 = ((_e224 & 8388607u) | (select(0u, 1u, ((_e224 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e567 = bitcast<i32>((_e224 >> bitcast<u32>(23i)));
                         let _e571 = (_e564 == 0u);
                         let _e574 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e564)), 32u, _e571)) - 8i);
                         if (_e567 == 255i) {
-                            phi_1062_ = 255i;
+                            phi_1069_ = 255i;
                         } else {
-                            phi_1062_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
+                            phi_1069_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
                         }
-                        let _e582 = phi_1062_;
+                        let _e582 = phi_1069_;
                         let _e592 = (_e582 <= 0i);
                         if _e592 {
-                            phi_1085_ = u32();
+                            phi_1092_ = u32();
                         } else {
                             if _e571 {
-                                phi_1084_ = u32();
+                                phi_1091_ = u32();
                             } else {
-                                phi_1084_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
+                                phi_1091_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
                             }
-                            let _e596 = phi_1084_;
-                            phi_1085_ = _e596;
+                            let _e596 = phi_1091_;
+                            phi_1092_ = _e596;
                         }
-                        let _e598 = phi_1085_;
-                        phi_1093_ = bitcast<f32>(((_e223 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
-                        phi_1094_ = bitcast<f32>(((_e214 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
+                        let _e598 = phi_1092_;
+                        phi_1100_ = bitcast<f32>(((_e223 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
+                        phi_1101_ = bitcast<f32>(((_e214 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
                     } else {
-                        phi_1093_ = 0f;
-                        phi_1094_ = 1f;
+                        phi_1100_ = 0f;
+                        phi_1101_ = 1f;
                     }
-                    let _e604 = phi_1093_;
-                    let _e606 = phi_1094_;
+                    let _e604 = phi_1100_;
+                    let _e606 = phi_1101_;
                     local_9 = array<type_21, 8>(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -551,1159 +538,1077 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e609 = (_e266 % 3u);
-                    let _e610 = (_e609 < 3u);
-                    if _e610 {
+                    let _e611 = (_e266 % 3u);
+                    let _e612 = (_e611 < 3u);
+                    if _e612 {
                     } else {
                         break;
                     }
-                    let _e612 = local_1[_e609];
-                    let _e615 = (_e265 % 3u);
-                    let _e616 = (_e615 < 3u);
-                    if _e616 {
+                    let _e614 = local_1[_e611];
+                    let _e617 = (_e265 % 3u);
+                    let _e618 = (_e617 < 3u);
+                    if _e618 {
                     } else {
                         break;
                     }
-                    let _e618 = local_1[_e615];
-                    let _e621 = (_e267 % 3u);
-                    let _e622 = (_e621 < 3u);
-                    if _e622 {
+                    let _e620 = local_1[_e617];
+                    let _e623 = (_e267 % 3u);
+                    let _e624 = (_e623 < 3u);
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e624 = local_1[_e621];
-                    if _e610 {
+                    let _e626 = local_1[_e623];
+                    if _e612 {
                     } else {
                         break;
                     }
-                    let _e629 = local[_e609];
-                    if _e616 {
+                    let _e631 = local[_e611];
+                    if _e618 {
                     } else {
                         break;
                     }
-                    let _e633 = local[_e615];
-                    if _e622 {
+                    let _e635 = local[_e617];
+                    if _e624 {
                     } else {
                         break;
                     }
-                    let _e637 = local[_e621];
-                    phi_4335_ = false;
-                    phi_4315_ = _e604;
-                    phi_1243_ = ((3u * _e96) + 1u);
-                    phi_1246_ = (_e606 <= _e604);
-                    phi_1248_ = 0u;
-                    phi_1250_ = type_53(type_25(vec4<f32>((f32(_e612) * _e146), (f32(_e618) * _e146), (f32(_e624) * _e146), 0f), vec4<f32>((f32(_e629) * _e146), (f32(_e633) * _e146), (f32(_e637) * _e146), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
+                    let _e639 = local[_e623];
+                    phi_4318_ = false;
+                    phi_4245_ = _e604;
+                    phi_1250_ = (_e606 <= _e604);
+                    phi_1253_ = type_53(type_25(vec4<f32>((f32(_e614) * _e146), (f32(_e620) * _e146), (f32(_e626) * _e146), 0f), vec4<f32>((f32(_e631) * _e146), (f32(_e635) * _e146), (f32(_e639) * _e146), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
+                    phi_1255_ = 0u;
+                    phi_1257_ = ((3u * _e96) + 1u);
                     loop {
-                        let _e647 = phi_4335_;
-                        let _e649 = phi_4315_;
-                        let _e651 = phi_1243_;
-                        let _e653 = phi_1246_;
-                        let _e655 = phi_1248_;
-                        let _e657 = phi_1250_;
-                        if _e653 {
-                            phi_1261_ = true;
+                        let _e647 = phi_4318_;
+                        let _e649 = phi_4245_;
+                        let _e651 = phi_1250_;
+                        let _e653 = phi_1253_;
+                        let _e655 = phi_1255_;
+                        let _e657 = phi_1257_;
+                        if _e651 {
+                            phi_1268_ = true;
                         } else {
-                            phi_1261_ = (_e655 > 0u);
+                            phi_1268_ = (_e655 > 0u);
                         }
-                        let _e660 = phi_1261_;
+                        let _e660 = phi_1268_;
                         if _e660 {
-                            let _e661 = (_e651 > 0u);
+                            let _e661 = (_e657 > 0u);
                             if _e661 {
-                                if _e653 {
-                                    phi_1348_ = _e653;
-                                    phi_1349_ = _e655;
-                                    phi_1350_ = _e657;
+                                if _e651 {
+                                    phi_1355_ = _e651;
+                                    phi_1356_ = _e653;
+                                    phi_1357_ = _e655;
                                 } else {
                                     let _e662 = (_e655 - 1u);
                                     let _e663 = (_e662 % 128u);
                                     let _e664 = (_e663 < 128u);
                                     if _e664 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e666 = local_7[_e663];
                                     if _e664 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e668 = local_6[_e663];
                                     if _e664 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e670 = local_5[_e663];
                                     if _e664 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e672 = local_4[_e663];
                                     if _e664 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e674 = local_3[_e663];
                                     if _e664 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e676 = local_2[_e663];
                                     if _e664 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e681 = local_8[_e663];
                                     if _e664 {
                                     } else {
-                                        phi_4643_ = true;
+                                        phi_4548_ = true;
                                         break;
                                     }
                                     let _e684 = local_10[_e663];
-                                    phi_1348_ = (_e684 <= _e649);
-                                    phi_1349_ = _e662;
-                                    phi_1350_ = type_53(type_25(vec4<f32>(_e666, _e668, _e670, 0f), vec4<f32>(_e672, _e674, _e676, 0f)), _e681);
+                                    phi_1355_ = (_e684 <= _e649);
+                                    phi_1356_ = type_53(type_25(vec4<f32>(_e666, _e668, _e670, 0f), vec4<f32>(_e672, _e674, _e676, 0f)), _e681);
+                                    phi_1357_ = _e662;
                                 }
-                                let _e687 = phi_1348_;
-                                let _e689 = phi_1349_;
-                                let _e691 = phi_1350_;
+                                let _e687 = phi_1355_;
+                                let _e689 = phi_1356_;
+                                let _e691 = phi_1357_;
                                 if _e687 {
-                                    let _e695 = ((_e691.member_1 & 2147483648u) != 0u);
-                                    if _e695 {
-                                        phi_4332_ = _e647;
-                                        phi_4320_ = _e649;
-                                        phi_1368_ = type_4(0u, ((_e691.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e689.member_1 & 2147483648u) != 0u) {
+                                        phi_4315_ = _e647;
+                                        phi_4304_ = _e649;
+                                        phi_1375_ = type_4(0u, ((_e689.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e702 = phi_4332_;
-                                            let _e704 = phi_4320_;
-                                            let _e706 = phi_1368_;
-                                            if (_e706.member < _e706.member_1) {
-                                                phi_1369_ = type_4((_e706.member + 1u), _e706.member_1);
-                                                phi_1392_ = type_4(1u, _e706.member);
+                                            let _e1157 = phi_4315_;
+                                            let _e1159 = phi_4304_;
+                                            let _e1161 = phi_1375_;
+                                            if (_e1161.member < _e1161.member_1) {
+                                                phi_1376_ = type_4((_e1161.member + 1u), _e1161.member_1);
+                                                phi_1399_ = type_4(1u, _e1161.member);
                                             } else {
-                                                phi_1369_ = _e706;
-                                                phi_1392_ = type_4(0u, type_4().member_1);
+                                                phi_1376_ = _e1161;
+                                                phi_1399_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e719 = phi_1369_;
-                                            let _e721 = phi_1392_;
-                                            let _e725 = (bitcast<i32>(_e721.member) != 0i);
-                                            if _e725 {
-                                                let _e726 = ((_e691.member_1 & 268435455u) + _e721.member_1);
-                                                let _e727 = (_e726 < _e98);
-                                                if _e727 {
-                                                    if _e727 {
+                                            let _e1174 = phi_1376_;
+                                            let _e1176 = phi_1399_;
+                                            let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
+                                            if _e1180 {
+                                                let _e1181 = ((_e689.member_1 & 268435455u) + _e1176.member_1);
+                                                let _e1182 = (_e1181 < _e98);
+                                                if _e1182 {
+                                                    if _e1182 {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e731 = global_2.member[_e726].member_1;
-                                                    phi_1413_ = _e731;
+                                                    let _e1186 = global_2.member[_e1181].member_1;
+                                                    phi_1420_ = _e1186;
                                                 } else {
-                                                    phi_1413_ = 4294967295u;
+                                                    phi_1420_ = 4294967295u;
                                                 }
-                                                let _e733 = phi_1413_;
-                                                if (_e726 >= _e98) {
-                                                    phi_1505_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1188 = phi_1420_;
+                                                if (_e1181 >= _e98) {
+                                                    phi_1512_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e727 {
+                                                    if _e1182 {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    if (_e609 < 9u) {
+                                                    if (_e611 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e740 = global_2.member[_e726].member[_e609];
-                                                    if (_e615 < 9u) {
+                                                    let _e1195 = global_2.member[_e1181].member[_e611];
+                                                    if (_e617 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e746 = global_2.member[_e726].member[_e615];
-                                                    if (_e621 < 9u) {
+                                                    let _e1201 = global_2.member[_e1181].member[_e617];
+                                                    if (_e623 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e752 = global_2.member[_e726].member[_e621];
-                                                    let _e754 = (3u + _e609);
-                                                    if (_e754 < 9u) {
+                                                    let _e1207 = global_2.member[_e1181].member[_e623];
+                                                    let _e1209 = (3u + _e611);
+                                                    if (_e1209 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e760 = global_2.member[_e726].member[_e754];
-                                                    let _e761 = (3u + _e615);
-                                                    if (_e761 < 9u) {
+                                                    let _e1215 = global_2.member[_e1181].member[_e1209];
+                                                    let _e1216 = (3u + _e617);
+                                                    if (_e1216 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e767 = global_2.member[_e726].member[_e761];
-                                                    let _e768 = (3u + _e621);
-                                                    if (_e768 < 9u) {
+                                                    let _e1222 = global_2.member[_e1181].member[_e1216];
+                                                    let _e1223 = (3u + _e623);
+                                                    if (_e1223 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e774 = global_2.member[_e726].member[_e768];
-                                                    let _e776 = (6u + _e609);
-                                                    if (_e776 < 9u) {
+                                                    let _e1229 = global_2.member[_e1181].member[_e1223];
+                                                    let _e1231 = (6u + _e611);
+                                                    if (_e1231 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e782 = global_2.member[_e726].member[_e776];
-                                                    let _e783 = (6u + _e615);
-                                                    if (_e783 < 9u) {
+                                                    let _e1237 = global_2.member[_e1181].member[_e1231];
+                                                    let _e1238 = (6u + _e617);
+                                                    if (_e1238 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e789 = global_2.member[_e726].member[_e783];
-                                                    let _e790 = (6u + _e621);
-                                                    if (_e790 < 9u) {
+                                                    let _e1244 = global_2.member[_e1181].member[_e1238];
+                                                    let _e1245 = (6u + _e623);
+                                                    if (_e1245 < 9u) {
                                                     } else {
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = true;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = true;
                                                         break;
                                                     }
-                                                    let _e796 = global_2.member[_e726].member[_e790];
-                                                    phi_1505_ = array<array<f32, 3>, 3>(array<f32, 3>(_e740, _e746, _e752), array<f32, 3>(_e760, _e767, _e774), array<f32, 3>(_e782, _e789, _e796));
+                                                    let _e1251 = global_2.member[_e1181].member[_e1245];
+                                                    phi_1512_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1195, _e1201, _e1207), array<f32, 3>(_e1215, _e1222, _e1229), array<f32, 3>(_e1237, _e1244, _e1251));
                                                 }
-                                                let _e800 = phi_1505_;
-                                                let _e815 = (_e800[0][2] - _e463);
-                                                let _e818 = (((_e800[0][0] - _e330) * _e499) - (_e815 * _e367));
-                                                let _e821 = (((_e800[0][1] - _e397) * _e499) - (_e815 * _e433));
-                                                let _e824 = (_e800[1][2] - _e463);
-                                                let _e827 = (((_e800[1][0] - _e330) * _e499) - (_e824 * _e367));
-                                                let _e830 = (((_e800[1][1] - _e397) * _e499) - (_e824 * _e433));
-                                                let _e833 = (_e800[2][2] - _e463);
-                                                let _e836 = (((_e800[2][0] - _e330) * _e499) - (_e833 * _e367));
-                                                let _e839 = (((_e800[2][1] - _e397) * _e499) - (_e833 * _e433));
-                                                let _e840 = (_e836 * _e830);
-                                                let _e841 = (_e839 * _e827);
-                                                let _e842 = (_e818 * _e839);
-                                                let _e843 = (_e821 * _e836);
-                                                let _e844 = (_e827 * _e821);
-                                                let _e845 = (_e830 * _e818);
-                                                let _e850 = (((_e840 >= _e841) && (_e842 >= _e843)) && (_e844 >= _e845));
-                                                let _e856 = (_e850 || (((_e840 <= _e841) && (_e842 <= _e843)) && (_e844 <= _e845)));
-                                                if _e856 {
-                                                    let _e858 = select(-1f, 1f, _e850);
-                                                    let _e860 = ((_e840 - _e841) * _e858);
-                                                    let _e862 = select(0f, _e860, (_e860 > 0f));
-                                                    let _e864 = ((_e842 - _e843) * _e858);
-                                                    let _e866 = select(0f, _e864, (_e864 > 0f));
-                                                    let _e868 = ((_e844 - _e845) * _e858);
-                                                    let _e870 = select(0f, _e868, (_e868 > 0f));
-                                                    let _e872 = ((_e862 + _e866) + _e870);
-                                                    let _e874 = select(_e800[1][0], _e800[0][0], (_e800[0][0] < _e800[1][0]));
-                                                    let _e878 = select(_e800[1][0], _e800[0][0], (_e800[0][0] > _e800[1][0]));
-                                                    let _e882 = select(_e800[1][1], _e800[0][1], (_e800[0][1] < _e800[1][1]));
-                                                    let _e886 = select(_e800[1][1], _e800[0][1], (_e800[0][1] > _e800[1][1]));
-                                                    let _e890 = select(_e800[1][2], _e800[0][2], (_e800[0][2] < _e800[1][2]));
-                                                    let _e894 = select(_e800[1][2], _e800[0][2], (_e800[0][2] > _e800[1][2]));
-                                                    let _e899 = ((select(_e800[2][0], _e874, (_e874 < _e800[2][0])) - _e368) * _e371);
-                                                    let _e900 = ((select(_e800[2][0], _e878, (_e878 > _e800[2][0])) - _e369) * _e371);
-                                                    let _e903 = ((select(_e800[2][1], _e882, (_e882 < _e800[2][1])) - _e434) * _e437);
-                                                    let _e904 = ((select(_e800[2][1], _e886, (_e886 > _e800[2][1])) - _e435) * _e437);
-                                                    let _e907 = ((select(_e800[2][2], _e890, (_e890 < _e800[2][2])) - _e500) * _e503);
-                                                    let _e908 = ((select(_e800[2][2], _e894, (_e894 > _e800[2][2])) - _e501) * _e503);
-                                                    let _e910 = select(_e908, _e907, (_e907 < _e908));
-                                                    let _e912 = select(_e908, _e907, (_e907 > _e908));
-                                                    let _e914 = select(_e900, _e899, (_e899 < _e900));
-                                                    let _e916 = select(_e904, _e903, (_e903 < _e904));
-                                                    let _e918 = select(_e916, _e914, (_e914 > _e916));
-                                                    let _e920 = select(_e910, _e918, (_e918 > _e910));
-                                                    let _e922 = select(_e900, _e899, (_e899 > _e900));
-                                                    let _e924 = select(_e904, _e903, (_e903 > _e904));
-                                                    let _e926 = select(_e924, _e922, (_e922 < _e924));
-                                                    let _e928 = select(_e912, _e926, (_e926 < _e912));
-                                                    let _e929 = -(_e910);
-                                                    let _e935 = select(_e606, _e920, (_e920 > _e606));
-                                                    let _e939 = select(_e827, _e818, (_e818 < _e827));
-                                                    let _e944 = select(_e827, _e818, (_e818 > _e827));
-                                                    let _e951 = select(_e830, _e821, (_e821 < _e830));
-                                                    let _e956 = select(_e830, _e821, (_e821 > _e830));
-                                                    let _e965 = (((((_e856 && (_e872 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e836, _e939, (_e939 < _e836)) <= 0f) && (select(_e836, _e944, (_e944 > _e836)) >= 0f))) && ((select(_e839, _e951, (_e951 < _e839)) <= 0f) && (select(_e839, _e956, (_e956 > _e839)) >= 0f))) && (_e935 <= (_e928 + (select(_e929, _e912, (_e912 > _e929)) * 0.0000019073523f)))) && (_e935 <= _e704));
-                                                    if _e965 {
-                                                        let _e970 = (_e800[1][0] - _e800[0][0]);
-                                                        let _e971 = (_e800[1][1] - _e800[0][1]);
-                                                        let _e972 = (_e800[1][2] - _e800[0][2]);
-                                                        let _e973 = vec3<f32>(_e970, _e971, _e972);
-                                                        let _e974 = (_e800[2][0] - _e800[1][0]);
-                                                        let _e975 = (_e800[2][1] - _e800[1][1]);
-                                                        let _e976 = (_e800[2][2] - _e800[1][2]);
-                                                        let _e977 = vec3<f32>(_e974, _e975, _e976);
-                                                        let _e978 = (_e800[0][0] - _e800[2][0]);
-                                                        let _e979 = (_e800[0][1] - _e800[2][1]);
-                                                        let _e980 = (_e800[0][2] - _e800[2][2]);
-                                                        let _e981 = vec3<f32>(_e978, _e979, _e980);
-                                                        let _e982 = abs(_e970);
-                                                        let _e983 = abs(_e971);
-                                                        if (_e982 != _e982) {
-                                                            phi_3871_ = true;
+                                                let _e1255 = phi_1512_;
+                                                let _e1270 = (_e1255[0][2] - _e463);
+                                                let _e1273 = (((_e1255[0][0] - _e330) * _e499) - (_e1270 * _e367));
+                                                let _e1276 = (((_e1255[0][1] - _e397) * _e499) - (_e1270 * _e433));
+                                                let _e1279 = (_e1255[1][2] - _e463);
+                                                let _e1282 = (((_e1255[1][0] - _e330) * _e499) - (_e1279 * _e367));
+                                                let _e1285 = (((_e1255[1][1] - _e397) * _e499) - (_e1279 * _e433));
+                                                let _e1288 = (_e1255[2][2] - _e463);
+                                                let _e1291 = (((_e1255[2][0] - _e330) * _e499) - (_e1288 * _e367));
+                                                let _e1294 = (((_e1255[2][1] - _e397) * _e499) - (_e1288 * _e433));
+                                                let _e1295 = (_e1291 * _e1285);
+                                                let _e1296 = (_e1294 * _e1282);
+                                                let _e1297 = (_e1273 * _e1294);
+                                                let _e1298 = (_e1276 * _e1291);
+                                                let _e1299 = (_e1282 * _e1276);
+                                                let _e1300 = (_e1285 * _e1273);
+                                                let _e1305 = (((_e1295 >= _e1296) && (_e1297 >= _e1298)) && (_e1299 >= _e1300));
+                                                let _e1311 = (_e1305 || (((_e1295 <= _e1296) && (_e1297 <= _e1298)) && (_e1299 <= _e1300)));
+                                                if _e1311 {
+                                                    let _e1313 = select(-1f, 1f, _e1305);
+                                                    let _e1315 = ((_e1295 - _e1296) * _e1313);
+                                                    let _e1317 = select(0f, _e1315, (_e1315 > 0f));
+                                                    let _e1319 = ((_e1297 - _e1298) * _e1313);
+                                                    let _e1321 = select(0f, _e1319, (_e1319 > 0f));
+                                                    let _e1323 = ((_e1299 - _e1300) * _e1313);
+                                                    let _e1325 = select(0f, _e1323, (_e1323 > 0f));
+                                                    let _e1327 = ((_e1317 + _e1321) + _e1325);
+                                                    let _e1329 = select(_e1255[1][0], _e1255[0][0], (_e1255[0][0] < _e1255[1][0]));
+                                                    let _e1333 = select(_e1255[1][0], _e1255[0][0], (_e1255[0][0] > _e1255[1][0]));
+                                                    let _e1337 = select(_e1255[1][1], _e1255[0][1], (_e1255[0][1] < _e1255[1][1]));
+                                                    let _e1341 = select(_e1255[1][1], _e1255[0][1], (_e1255[0][1] > _e1255[1][1]));
+                                                    let _e1345 = select(_e1255[1][2], _e1255[0][2], (_e1255[0][2] < _e1255[1][2]));
+                                                    let _e1349 = select(_e1255[1][2], _e1255[0][2], (_e1255[0][2] > _e1255[1][2]));
+                                                    let _e1354 = ((select(_e1255[2][0], _e1329, (_e1329 < _e1255[2][0])) - _e368) * _e371);
+                                                    let _e1355 = ((select(_e1255[2][0], _e1333, (_e1333 > _e1255[2][0])) - _e369) * _e371);
+                                                    let _e1358 = ((select(_e1255[2][1], _e1337, (_e1337 < _e1255[2][1])) - _e434) * _e437);
+                                                    let _e1359 = ((select(_e1255[2][1], _e1341, (_e1341 > _e1255[2][1])) - _e435) * _e437);
+                                                    let _e1362 = ((select(_e1255[2][2], _e1345, (_e1345 < _e1255[2][2])) - _e500) * _e503);
+                                                    let _e1363 = ((select(_e1255[2][2], _e1349, (_e1349 > _e1255[2][2])) - _e501) * _e503);
+                                                    let _e1365 = select(_e1363, _e1362, (_e1362 < _e1363));
+                                                    let _e1367 = select(_e1363, _e1362, (_e1362 > _e1363));
+                                                    let _e1369 = select(_e1355, _e1354, (_e1354 < _e1355));
+                                                    let _e1371 = select(_e1359, _e1358, (_e1358 < _e1359));
+                                                    let _e1373 = select(_e1371, _e1369, (_e1369 > _e1371));
+                                                    let _e1375 = select(_e1365, _e1373, (_e1373 > _e1365));
+                                                    let _e1377 = select(_e1355, _e1354, (_e1354 > _e1355));
+                                                    let _e1379 = select(_e1359, _e1358, (_e1358 > _e1359));
+                                                    let _e1381 = select(_e1379, _e1377, (_e1377 < _e1379));
+                                                    let _e1383 = select(_e1367, _e1381, (_e1381 < _e1367));
+                                                    let _e1384 = -(_e1365);
+                                                    let _e1390 = select(_e606, _e1375, (_e1375 > _e606));
+                                                    let _e1394 = select(_e1282, _e1273, (_e1273 < _e1282));
+                                                    let _e1399 = select(_e1282, _e1273, (_e1273 > _e1282));
+                                                    let _e1406 = select(_e1285, _e1276, (_e1276 < _e1285));
+                                                    let _e1411 = select(_e1285, _e1276, (_e1276 > _e1285));
+                                                    let _e1420 = (((((_e1311 && (_e1327 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1291, _e1394, (_e1394 < _e1291)) <= 0f) && (select(_e1291, _e1399, (_e1399 > _e1291)) >= 0f))) && ((select(_e1294, _e1406, (_e1406 < _e1294)) <= 0f) && (select(_e1294, _e1411, (_e1411 > _e1294)) >= 0f))) && (_e1390 <= (_e1383 + (select(_e1384, _e1367, (_e1367 > _e1384)) * 0.0000019073523f)))) && (_e1390 <= _e1159));
+                                                    if _e1420 {
+                                                        let _e1425 = (_e1255[1][0] - _e1255[0][0]);
+                                                        let _e1426 = (_e1255[1][1] - _e1255[0][1]);
+                                                        let _e1427 = (_e1255[1][2] - _e1255[0][2]);
+                                                        let _e1428 = vec3<f32>(_e1425, _e1426, _e1427);
+                                                        let _e1429 = (_e1255[2][0] - _e1255[1][0]);
+                                                        let _e1430 = (_e1255[2][1] - _e1255[1][1]);
+                                                        let _e1431 = (_e1255[2][2] - _e1255[1][2]);
+                                                        let _e1432 = vec3<f32>(_e1429, _e1430, _e1431);
+                                                        let _e1433 = (_e1255[0][0] - _e1255[2][0]);
+                                                        let _e1434 = (_e1255[0][1] - _e1255[2][1]);
+                                                        let _e1435 = (_e1255[0][2] - _e1255[2][2]);
+                                                        let _e1436 = vec3<f32>(_e1433, _e1434, _e1435);
+                                                        let _e1439 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
+                                                        let _e1442 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
+                                                        let _e1444 = select(_e1442, _e1439, (_e1439 > _e1442));
+                                                        let _e1447 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                        let _e1449 = select(_e1447, _e1444, (_e1444 > _e1447));
+                                                        let _e1452 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
+                                                        let _e1455 = bitcast<f32>((bitcast<u32>(_e1430) & 2147483647u));
+                                                        let _e1457 = select(_e1455, _e1452, (_e1452 > _e1455));
+                                                        let _e1460 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
+                                                        let _e1462 = select(_e1460, _e1457, (_e1457 > _e1460));
+                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                        let _e1468 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
+                                                        let _e1470 = select(_e1468, _e1465, (_e1465 > _e1468));
+                                                        let _e1473 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                        let _e1475 = select(_e1473, _e1470, (_e1470 > _e1473));
+                                                        let _e1477 = select(_e1462, _e1449, (_e1449 > _e1462));
+                                                        let _e1479 = select(_e1475, _e1477, (_e1477 > _e1475));
+                                                        if (_e1449 == _e1479) {
+                                                            phi_2043_ = _e1285;
+                                                            phi_2044_ = _e1282;
+                                                            phi_2045_ = _e1276;
+                                                            phi_2046_ = _e1273;
+                                                            phi_2047_ = vec3<f32>(_e1255[0][0], _e1255[0][1], _e1255[0][2]);
+                                                            phi_2048_ = _e1436;
+                                                            phi_2049_ = _e1432;
+                                                            phi_2050_ = _e1428;
                                                         } else {
-                                                            phi_3871_ = (_e983 >= _e982);
+                                                            let _e1481 = (_e1462 == _e1479);
+                                                            let _e1486 = vec3(_e1481);
+                                                            phi_2043_ = select(_e1276, _e1294, _e1481);
+                                                            phi_2044_ = select(_e1273, _e1291, _e1481);
+                                                            phi_2045_ = select(_e1294, _e1285, _e1481);
+                                                            phi_2046_ = select(_e1291, _e1282, _e1481);
+                                                            phi_2047_ = select(vec3<f32>(_e1255[2][0], _e1255[2][1], _e1255[2][2]), vec3<f32>(_e1255[1][0], _e1255[1][1], _e1255[1][2]), _e1486);
+                                                            phi_2048_ = select(_e1432, _e1428, _e1486);
+                                                            phi_2049_ = select(_e1428, _e1436, _e1486);
+                                                            phi_2050_ = select(_e1436, _e1432, _e1486);
                                                         }
-                                                        let _e987 = phi_3871_;
-                                                        let _e988 = select(_e982, _e983, _e987);
-                                                        let _e989 = abs(_e972);
-                                                        if (_e988 != _e988) {
-                                                            phi_3886_ = true;
+                                                        let _e1492 = phi_2043_;
+                                                        let _e1494 = phi_2044_;
+                                                        let _e1496 = phi_2045_;
+                                                        let _e1498 = phi_2046_;
+                                                        let _e1500 = phi_2047_;
+                                                        let _e1502 = phi_2048_;
+                                                        let _e1504 = phi_2049_;
+                                                        let _e1506 = phi_2050_;
+                                                        let _e1513 = ((_e1504.y * _e1502.z) - (_e1502.y * _e1504.z));
+                                                        let _e1518 = ((_e1504.z * _e1502.x) - (_e1502.z * _e1504.x));
+                                                        let _e1521 = ((_e1504.x * _e1502.y) - (_e1502.x * _e1504.y));
+                                                        let _e1524 = ((_e1317 >= _e1321) && (_e1317 >= _e1325));
+                                                        let _e1525 = (_e1321 >= _e1325);
+                                                        let _e1539 = (((_e1513 * (select(select(_e1255[2][0], _e1255[1][0], _e1525), _e1255[0][0], _e1524) - _e330)) + (_e1518 * (select(select(_e1255[2][1], _e1255[1][1], _e1525), _e1255[0][1], _e1524) - _e397))) + (_e1521 * (select(select(_e1255[2][2], _e1255[1][2], _e1525), _e1255[0][2], _e1524) - _e463)));
+                                                        let _e1544 = (((_e1513 * _e367) + (_e1518 * _e433)) + (_e1521 * _e499));
+                                                        let _e1545 = (_e1494 - _e1498);
+                                                        let _e1546 = (_e1492 - _e1496);
+                                                        let _e1549 = ((_e1545 * _e1545) + (_e1546 * _e1546));
+                                                        let _e1556 = (-(((_e1498 * _e1545) + (_e1496 * _e1546))) / select(0.000000000000000000000000000000000000011754944f, _e1549, (_e1549 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1558 = select(1f, _e1556, (_e1556 < 1f));
+                                                        let _e1560 = select(0f, _e1558, (_e1558 > 0f));
+                                                        let _e1569 = ((_e1500.x + (_e1506.x * _e1560)) - _e330);
+                                                        let _e1572 = ((_e1500.y + (_e1506.y * _e1560)) - _e397);
+                                                        let _e1575 = ((_e1500.z + (_e1506.z * _e1560)) - _e463);
+                                                        let _e1578 = bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u));
+                                                        let _e1581 = bitcast<f32>((bitcast<u32>(_e1572) & 2147483647u));
+                                                        let _e1583 = select(_e1581, _e1578, (_e1578 > _e1581));
+                                                        let _e1586 = bitcast<f32>((bitcast<u32>(_e1575) & 2147483647u));
+                                                        let _e1588 = select(_e1586, _e1583, (_e1583 > _e1586));
+                                                        let _e1594 = bitcast<f32>((bitcast<u32>(_e1513) & 2147483647u));
+                                                        let _e1597 = bitcast<f32>((bitcast<u32>(_e1518) & 2147483647u));
+                                                        let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
+                                                        let _e1602 = bitcast<f32>((bitcast<u32>(_e1521) & 2147483647u));
+                                                        let _e1621 = bitcast<f32>((bitcast<u32>(_e1504.x) & 2147483647u));
+                                                        let _e1624 = bitcast<f32>((bitcast<u32>(_e1504.y) & 2147483647u));
+                                                        let _e1626 = select(_e1624, _e1621, (_e1621 > _e1624));
+                                                        let _e1629 = bitcast<f32>((bitcast<u32>(_e1504.z) & 2147483647u));
+                                                        let _e1635 = bitcast<f32>((bitcast<u32>(_e1502.x) & 2147483647u));
+                                                        let _e1638 = bitcast<f32>((bitcast<u32>(_e1502.y) & 2147483647u));
+                                                        let _e1640 = select(_e1638, _e1635, (_e1635 > _e1638));
+                                                        let _e1643 = bitcast<f32>((bitcast<u32>(_e1502.z) & 2147483647u));
+                                                        let _e1649 = ((bitcast<f32>((bitcast<u32>(((((_e1513 * _e1569) + (_e1518 * _e1572)) + (_e1521 * _e1575)) - _e1539)) & 2147483647u)) <= ((0.0000009536743f * select(_e1479, _e1588, (_e1588 > _e1479))) * select(_e1602, _e1599, (_e1599 > _e1602)))) && !((bitcast<f32>((bitcast<u32>(_e1544) & 2147483647u)) <= ((0.0000038146973f * select(_e1629, _e1626, (_e1626 > _e1629))) * select(_e1643, _e1640, (_e1640 > _e1643))))));
+                                                        let _e1650 = (_e1539 / _e1544);
+                                                        if (_e1420 && !(_e1649)) {
+                                                            let _e1653 = (_e1575 / _e499);
+                                                            let _e1661 = (((_e1513 * (_e1569 - (_e367 * _e1653))) + (_e1518 * (_e1572 - (_e433 * _e1653)))) / _e1544);
+                                                            phi_2241_ = select(select(_e1653, (_e1653 + _e1661), (bitcast<f32>((bitcast<u32>(_e1661) & 2147483647u)) <= _e1479)), _e1650, _e1649);
                                                         } else {
-                                                            phi_3886_ = (_e989 >= _e988);
+                                                            phi_2241_ = _e1650;
                                                         }
-                                                        let _e993 = phi_3886_;
-                                                        let _e994 = select(_e988, _e989, _e993);
-                                                        let _e995 = abs(_e974);
-                                                        let _e996 = abs(_e975);
-                                                        if (_e995 != _e995) {
-                                                            phi_3901_ = true;
-                                                        } else {
-                                                            phi_3901_ = (_e996 >= _e995);
-                                                        }
-                                                        let _e1000 = phi_3901_;
-                                                        let _e1001 = select(_e995, _e996, _e1000);
-                                                        let _e1002 = abs(_e976);
-                                                        if (_e1001 != _e1001) {
-                                                            phi_3916_ = true;
-                                                        } else {
-                                                            phi_3916_ = (_e1002 >= _e1001);
-                                                        }
-                                                        let _e1006 = phi_3916_;
-                                                        let _e1007 = select(_e1001, _e1002, _e1006);
-                                                        let _e1008 = abs(_e978);
-                                                        let _e1009 = abs(_e979);
-                                                        if (_e1008 != _e1008) {
-                                                            phi_3931_ = true;
-                                                        } else {
-                                                            phi_3931_ = (_e1009 >= _e1008);
-                                                        }
-                                                        let _e1013 = phi_3931_;
-                                                        let _e1014 = select(_e1008, _e1009, _e1013);
-                                                        let _e1015 = abs(_e980);
-                                                        if (_e1014 != _e1014) {
-                                                            phi_3946_ = true;
-                                                        } else {
-                                                            phi_3946_ = (_e1015 >= _e1014);
-                                                        }
-                                                        let _e1019 = phi_3946_;
-                                                        let _e1020 = select(_e1014, _e1015, _e1019);
-                                                        let _e1022 = select(_e1007, _e994, (_e994 > _e1007));
-                                                        let _e1024 = select(_e1020, _e1022, (_e1022 > _e1020));
-                                                        if (_e994 == _e1024) {
-                                                            phi_2048_ = _e830;
-                                                            phi_2049_ = _e827;
-                                                            phi_2050_ = _e821;
-                                                            phi_2051_ = _e818;
-                                                            phi_2052_ = vec3<f32>(_e800[0][0], _e800[0][1], _e800[0][2]);
-                                                            phi_2053_ = _e981;
-                                                            phi_2054_ = _e977;
-                                                            phi_2055_ = _e973;
-                                                        } else {
-                                                            let _e1026 = (_e1007 == _e1024);
-                                                            let _e1031 = vec3(_e1026);
-                                                            phi_2048_ = select(_e821, _e839, _e1026);
-                                                            phi_2049_ = select(_e818, _e836, _e1026);
-                                                            phi_2050_ = select(_e839, _e830, _e1026);
-                                                            phi_2051_ = select(_e836, _e827, _e1026);
-                                                            phi_2052_ = select(vec3<f32>(_e800[2][0], _e800[2][1], _e800[2][2]), vec3<f32>(_e800[1][0], _e800[1][1], _e800[1][2]), _e1031);
-                                                            phi_2053_ = select(_e977, _e973, _e1031);
-                                                            phi_2054_ = select(_e973, _e981, _e1031);
-                                                            phi_2055_ = select(_e981, _e977, _e1031);
-                                                        }
-                                                        let _e1037 = phi_2048_;
-                                                        let _e1039 = phi_2049_;
-                                                        let _e1041 = phi_2050_;
-                                                        let _e1043 = phi_2051_;
-                                                        let _e1045 = phi_2052_;
-                                                        let _e1047 = phi_2053_;
-                                                        let _e1049 = phi_2054_;
-                                                        let _e1051 = phi_2055_;
-                                                        let _e1058 = ((_e1049.y * _e1047.z) - (_e1047.y * _e1049.z));
-                                                        let _e1063 = ((_e1049.z * _e1047.x) - (_e1047.z * _e1049.x));
-                                                        let _e1066 = ((_e1049.x * _e1047.y) - (_e1047.x * _e1049.y));
-                                                        let _e1069 = ((_e862 >= _e866) && (_e862 >= _e870));
-                                                        let _e1070 = (_e866 >= _e870);
-                                                        let _e1084 = (((_e1058 * (select(select(_e800[2][0], _e800[1][0], _e1070), _e800[0][0], _e1069) - _e330)) + (_e1063 * (select(select(_e800[2][1], _e800[1][1], _e1070), _e800[0][1], _e1069) - _e397))) + (_e1066 * (select(select(_e800[2][2], _e800[1][2], _e1070), _e800[0][2], _e1069) - _e463)));
-                                                        let _e1089 = (((_e1058 * _e367) + (_e1063 * _e433)) + (_e1066 * _e499));
-                                                        let _e1090 = (_e1039 - _e1043);
-                                                        let _e1091 = (_e1037 - _e1041);
-                                                        let _e1094 = ((_e1090 * _e1090) + (_e1091 * _e1091));
-                                                        let _e1101 = (-(((_e1043 * _e1090) + (_e1041 * _e1091))) / select(0.000000000000000000000000000000000000011754944f, _e1094, (_e1094 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1103 = select(1f, _e1101, (_e1101 < 1f));
-                                                        let _e1105 = select(0f, _e1103, (_e1103 > 0f));
-                                                        let _e1114 = ((_e1045.x + (_e1051.x * _e1105)) - _e330);
-                                                        let _e1117 = ((_e1045.y + (_e1051.y * _e1105)) - _e397);
-                                                        let _e1120 = ((_e1045.z + (_e1051.z * _e1105)) - _e463);
-                                                        let _e1123 = bitcast<f32>((bitcast<u32>(_e1114) & 2147483647u));
-                                                        let _e1126 = bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u));
-                                                        let _e1128 = select(_e1126, _e1123, (_e1123 > _e1126));
-                                                        let _e1131 = bitcast<f32>((bitcast<u32>(_e1120) & 2147483647u));
-                                                        let _e1133 = select(_e1131, _e1128, (_e1128 > _e1131));
-                                                        let _e1137 = abs(_e1058);
-                                                        let _e1138 = abs(_e1063);
-                                                        if (_e1137 != _e1137) {
-                                                            phi_3961_ = true;
-                                                        } else {
-                                                            phi_3961_ = (_e1138 >= _e1137);
-                                                        }
-                                                        let _e1142 = phi_3961_;
-                                                        let _e1143 = select(_e1137, _e1138, _e1142);
-                                                        let _e1144 = abs(_e1066);
-                                                        if (_e1143 != _e1143) {
-                                                            phi_3976_ = true;
-                                                        } else {
-                                                            phi_3976_ = (_e1144 >= _e1143);
-                                                        }
-                                                        let _e1148 = phi_3976_;
-                                                        let _e1164 = abs(_e1049.x);
-                                                        let _e1165 = abs(_e1049.y);
-                                                        if (_e1164 != _e1164) {
-                                                            phi_3991_ = true;
-                                                        } else {
-                                                            phi_3991_ = (_e1165 >= _e1164);
-                                                        }
-                                                        let _e1169 = phi_3991_;
-                                                        let _e1170 = select(_e1164, _e1165, _e1169);
-                                                        let _e1171 = abs(_e1049.z);
-                                                        if (_e1170 != _e1170) {
-                                                            phi_4006_ = true;
-                                                        } else {
-                                                            phi_4006_ = (_e1171 >= _e1170);
-                                                        }
-                                                        let _e1175 = phi_4006_;
-                                                        let _e1178 = abs(_e1047.x);
-                                                        let _e1179 = abs(_e1047.y);
-                                                        if (_e1178 != _e1178) {
-                                                            phi_4021_ = true;
-                                                        } else {
-                                                            phi_4021_ = (_e1179 >= _e1178);
-                                                        }
-                                                        let _e1183 = phi_4021_;
-                                                        let _e1184 = select(_e1178, _e1179, _e1183);
-                                                        let _e1185 = abs(_e1047.z);
-                                                        if (_e1184 != _e1184) {
-                                                            phi_4036_ = true;
-                                                        } else {
-                                                            phi_4036_ = (_e1185 >= _e1184);
-                                                        }
-                                                        let _e1189 = phi_4036_;
-                                                        let _e1194 = ((bitcast<f32>((bitcast<u32>(((((_e1058 * _e1114) + (_e1063 * _e1117)) + (_e1066 * _e1120)) - _e1084)) & 2147483647u)) <= ((0.0000009536743f * select(_e1024, _e1133, (_e1133 > _e1024))) * select(_e1143, _e1144, _e1148))) && !((bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u)) <= ((0.0000038146973f * select(_e1170, _e1171, _e1175)) * select(_e1184, _e1185, _e1189)))));
-                                                        let _e1195 = (_e1084 / _e1089);
-                                                        if (_e965 && !(_e1194)) {
-                                                            let _e1198 = (_e1120 / _e499);
-                                                            let _e1206 = (((_e1058 * (_e1114 - (_e367 * _e1198))) + (_e1063 * (_e1117 - (_e433 * _e1198)))) / _e1089);
-                                                            phi_2263_ = select(select(_e1198, (_e1198 + _e1206), (bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u)) <= _e1024)), _e1195, _e1194);
-                                                        } else {
-                                                            phi_2263_ = _e1195;
-                                                        }
-                                                        let _e1215 = phi_2263_;
-                                                        let _e1217 = select(_e928, _e1215, (_e1215 < _e928));
-                                                        let _e1219 = select(_e920, _e1217, (_e1217 > _e920));
-                                                        let _e1220 = (1f / _e872);
-                                                        phi_2283_ = type_32(_e1219, (_e866 * _e1220), (_e870 * _e1220), ((_e965 && (_e1219 >= _e606)) && (_e1219 <= _e704)));
-                                                        phi_2284_ = type_32();
+                                                        let _e1670 = phi_2241_;
+                                                        let _e1672 = select(_e1383, _e1670, (_e1670 < _e1383));
+                                                        let _e1674 = select(_e1375, _e1672, (_e1672 > _e1375));
+                                                        let _e1675 = (1f / _e1327);
+                                                        phi_2261_ = type_32(_e1674, (_e1321 * _e1675), (_e1325 * _e1675), ((_e1420 && (_e1674 >= _e606)) && (_e1674 <= _e1159)));
+                                                        phi_2262_ = type_32();
                                                     } else {
-                                                        phi_2283_ = type_32();
-                                                        phi_2284_ = type_32(0f, 0f, 0f, _e965);
+                                                        phi_2261_ = type_32();
+                                                        phi_2262_ = type_32(0f, 0f, 0f, _e1420);
                                                     }
-                                                    let _e1229 = phi_2283_;
-                                                    let _e1231 = phi_2284_;
-                                                    phi_2287_ = _e1229;
-                                                    phi_2288_ = _e1231;
-                                                    phi_2289_ = select(true, false, _e965);
+                                                    let _e1684 = phi_2261_;
+                                                    let _e1686 = phi_2262_;
+                                                    phi_2265_ = _e1684;
+                                                    phi_2266_ = _e1686;
+                                                    phi_2267_ = select(true, false, _e1420);
                                                 } else {
-                                                    phi_2287_ = type_32();
-                                                    phi_2288_ = type_32(0f, 0f, 0f, _e856);
-                                                    phi_2289_ = true;
+                                                    phi_2265_ = type_32();
+                                                    phi_2266_ = type_32(0f, 0f, 0f, _e1311);
+                                                    phi_2267_ = true;
                                                 }
-                                                let _e1234 = phi_2287_;
-                                                let _e1236 = phi_2288_;
-                                                let _e1238 = phi_2289_;
-                                                if _e1238 {
-                                                    phi_2293_ = _e1236;
+                                                let _e1689 = phi_2265_;
+                                                let _e1691 = phi_2266_;
+                                                let _e1693 = phi_2267_;
+                                                if _e1693 {
+                                                    phi_2271_ = _e1691;
                                                 } else {
-                                                    phi_2293_ = _e1234;
+                                                    phi_2271_ = _e1689;
                                                 }
-                                                let _e1240 = phi_2293_;
-                                                if _e1240.member_3 {
-                                                    phi_2302_ = type_21(_e1240.member, _e1240.member_1, _e1240.member_2, _e733);
+                                                let _e1695 = phi_2271_;
+                                                if _e1695.member_3 {
+                                                    phi_2280_ = type_21(_e1695.member, _e1695.member_1, _e1695.member_2, _e1188);
                                                 } else {
-                                                    phi_2302_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2280_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1247 = phi_2302_;
-                                                if (_e1247.member_3 != 4294967295u) {
-                                                    if (_e733 != 4294967295u) {
-                                                        phi_2314_ = type_4(0u, 8u);
-                                                        phi_2317_ = _e1247;
+                                                let _e1702 = phi_2280_;
+                                                if (_e1702.member_3 != 4294967295u) {
+                                                    if (_e1188 != 4294967295u) {
+                                                        phi_2292_ = type_4(0u, 8u);
+                                                        phi_2295_ = _e1702;
                                                         loop {
-                                                            let _e1252 = phi_2314_;
-                                                            let _e1254 = phi_2317_;
-                                                            if (_e1252.member < _e1252.member_1) {
-                                                                phi_2315_ = type_4((_e1252.member + 1u), _e1252.member_1);
-                                                                phi_2340_ = type_4(1u, _e1252.member);
+                                                            let _e1707 = phi_2292_;
+                                                            let _e1709 = phi_2295_;
+                                                            if (_e1707.member < _e1707.member_1) {
+                                                                phi_2293_ = type_4((_e1707.member + 1u), _e1707.member_1);
+                                                                phi_2318_ = type_4(1u, _e1707.member);
                                                             } else {
-                                                                phi_2315_ = _e1252;
-                                                                phi_2340_ = type_4(0u, type_4().member_1);
+                                                                phi_2293_ = _e1707;
+                                                                phi_2318_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1267 = phi_2315_;
-                                                            let _e1269 = phi_2340_;
-                                                            let _e1273 = (bitcast<i32>(_e1269.member) != 0i);
-                                                            if _e1273 {
-                                                                let _e1274 = (_e1269.member_1 < 8u);
-                                                                if _e1274 {
+                                                            let _e1722 = phi_2293_;
+                                                            let _e1724 = phi_2318_;
+                                                            let _e1728 = (bitcast<i32>(_e1724.member) != 0i);
+                                                            if _e1728 {
+                                                                let _e1729 = (_e1724.member_1 < 8u);
+                                                                if _e1729 {
                                                                 } else {
-                                                                    phi_4322_ = true;
+                                                                    phi_4305_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1279 = local_9[_e1269.member_1].member;
-                                                                if (_e1254.member < _e1279) {
-                                                                    phi_2373_ = true;
+                                                                let _e1734 = local_9[_e1724.member_1].member;
+                                                                if (_e1709.member < _e1734) {
+                                                                    phi_2351_ = true;
                                                                 } else {
-                                                                    let _e1281 = local_9[_e1269.member_1].member;
-                                                                    if (_e1254.member == _e1281) {
-                                                                        let _e1286 = local_9[_e1269.member_1].member_3;
-                                                                        phi_2372_ = (_e1254.member_3 < _e1286);
+                                                                    let _e1736 = local_9[_e1724.member_1].member;
+                                                                    if (_e1709.member == _e1736) {
+                                                                        let _e1741 = local_9[_e1724.member_1].member_3;
+                                                                        phi_2350_ = (_e1709.member_3 < _e1741);
                                                                     } else {
-                                                                        phi_2372_ = false;
+                                                                        phi_2350_ = false;
                                                                     }
-                                                                    let _e1289 = phi_2372_;
-                                                                    phi_2373_ = _e1289;
+                                                                    let _e1744 = phi_2350_;
+                                                                    phi_2351_ = _e1744;
                                                                 }
-                                                                let _e1291 = phi_2373_;
-                                                                if _e1291 {
-                                                                    if _e1274 {
+                                                                let _e1746 = phi_2351_;
+                                                                if _e1746 {
+                                                                    if _e1729 {
                                                                     } else {
-                                                                        phi_4322_ = true;
+                                                                        phi_4305_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1292 = local_9[_e1269.member_1];
-                                                                    local_9[_e1269.member_1] = type_21(_e1254.member, _e1254.member_1, _e1254.member_2, _e1254.member_3);
-                                                                    phi_2394_ = type_21(_e1292.member, _e1292.member_1, _e1292.member_2, _e1292.member_3);
+                                                                    let _e1747 = local_9[_e1724.member_1];
+                                                                    local_9[_e1724.member_1] = type_21(_e1709.member, _e1709.member_1, _e1709.member_2, _e1709.member_3);
+                                                                    phi_2372_ = type_21(_e1747.member, _e1747.member_1, _e1747.member_2, _e1747.member_3);
                                                                 } else {
-                                                                    phi_2394_ = _e1254;
+                                                                    phi_2372_ = _e1709;
                                                                 }
-                                                                let _e1303 = phi_2394_;
-                                                                phi_2318_ = _e1303;
+                                                                let _e1758 = phi_2372_;
+                                                                phi_2296_ = _e1758;
                                                             } else {
-                                                                phi_2318_ = type_21();
+                                                                phi_2296_ = type_21();
                                                             }
-                                                            let _e1305 = phi_2318_;
+                                                            let _e1760 = phi_2296_;
                                                             continue;
                                                             continuing {
-                                                                phi_2314_ = _e1267;
-                                                                phi_2317_ = _e1305;
-                                                                phi_4322_ = _e702;
-                                                                break if !(_e1273);
+                                                                phi_2292_ = _e1722;
+                                                                phi_2295_ = _e1760;
+                                                                phi_4305_ = _e1157;
+                                                                break if !(_e1728);
                                                             }
                                                         }
-                                                        let _e1308 = phi_4322_;
-                                                        phi_4545_ = _e704;
-                                                        phi_4487_ = _e1308;
-                                                        if _e1308 {
+                                                        let _e1763 = phi_4305_;
+                                                        phi_4463_ = _e1159;
+                                                        phi_4458_ = _e1763;
+                                                        if _e1763 {
                                                             break;
                                                         }
-                                                        let _e1311 = local_9[7u].member_3;
-                                                        if (_e1311 != 4294967295u) {
-                                                            let _e1315 = local_9[7u].member;
-                                                            phi_4641_ = _e1315;
+                                                        let _e1766 = local_9[7u].member_3;
+                                                        if (_e1766 != 4294967295u) {
+                                                            let _e1770 = local_9[7u].member;
+                                                            phi_4547_ = _e1770;
                                                         } else {
-                                                            phi_4641_ = _e704;
+                                                            phi_4547_ = _e1159;
                                                         }
-                                                        let _e1317 = phi_4641_;
-                                                        phi_4640_ = _e1317;
-                                                        phi_4490_ = _e1308;
+                                                        let _e1772 = phi_4547_;
+                                                        phi_4546_ = _e1772;
+                                                        phi_4461_ = _e1763;
                                                     } else {
-                                                        phi_4640_ = _e704;
-                                                        phi_4490_ = _e702;
+                                                        phi_4546_ = _e1159;
+                                                        phi_4461_ = _e1157;
                                                     }
-                                                    let _e1319 = phi_4640_;
-                                                    let _e1321 = phi_4490_;
-                                                    phi_4639_ = _e1319;
-                                                    phi_4489_ = _e1321;
+                                                    let _e1774 = phi_4546_;
+                                                    let _e1776 = phi_4461_;
+                                                    phi_4545_ = _e1774;
+                                                    phi_4460_ = _e1776;
                                                 } else {
-                                                    phi_4639_ = _e704;
-                                                    phi_4489_ = _e702;
+                                                    phi_4545_ = _e1159;
+                                                    phi_4460_ = _e1157;
                                                 }
-                                                let _e1323 = phi_4639_;
-                                                let _e1325 = phi_4489_;
-                                                phi_4638_ = _e1323;
-                                                phi_4488_ = _e1325;
+                                                let _e1778 = phi_4545_;
+                                                let _e1780 = phi_4460_;
+                                                phi_4544_ = _e1778;
+                                                phi_4459_ = _e1780;
                                             } else {
-                                                phi_4638_ = _e704;
-                                                phi_4488_ = _e702;
+                                                phi_4544_ = _e1159;
+                                                phi_4459_ = _e1157;
                                             }
-                                            let _e1327 = phi_4638_;
-                                            let _e1329 = phi_4488_;
+                                            let _e1782 = phi_4544_;
+                                            let _e1784 = phi_4459_;
                                             continue;
                                             continuing {
-                                                phi_4332_ = _e1329;
-                                                phi_4320_ = _e1327;
-                                                phi_1368_ = _e719;
-                                                phi_4545_ = _e1327;
-                                                phi_4487_ = _e1329;
-                                                break if !(_e725);
+                                                phi_4315_ = _e1784;
+                                                phi_4304_ = _e1782;
+                                                phi_1375_ = _e1174;
+                                                phi_4463_ = _e1782;
+                                                phi_4458_ = _e1784;
+                                                break if !(_e1180);
                                             }
                                         }
-                                        let _e1332 = phi_4545_;
-                                        let _e1334 = phi_4487_;
-                                        phi_4643_ = _e1334;
-                                        if _e1334 {
+                                        let _e1787 = phi_4463_;
+                                        let _e1789 = phi_4458_;
+                                        phi_4548_ = _e1789;
+                                        if _e1789 {
                                             break;
                                         }
-                                        phi_4729_ = _e1334;
-                                        phi_4544_ = _e1332;
+                                        phi_4662_ = _e1787;
+                                        phi_4552_ = _e1789;
+                                        phi_3612_ = false;
+                                        phi_3613_ = _e689;
+                                        phi_3614_ = select(_e691, 0u, (_e606 > _e1787));
                                     } else {
-                                        phi_4729_ = _e647;
-                                        phi_4544_ = _e649;
-                                    }
-                                    let _e1336 = phi_4729_;
-                                    let _e1338 = phi_4544_;
-                                    if _e695 {
-                                        phi_3636_ = bool();
-                                        phi_3637_ = u32();
-                                        phi_3638_ = type_53();
-                                    } else {
-                                        if (_e691.member_1 >= _e96) {
-                                            phi_3171_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e689.member_1 >= _e96) {
+                                            phi_3150_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e691.member_1 < _e96) {
+                                            if (_e689.member_1 < _e96) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1341 = (_e266 * 2u);
-                                            let _e1343 = ((1u + _e1341) % 7u);
-                                            if (_e1343 < 7u) {
+                                            let _e702 = (_e266 * 2u);
+                                            let _e704 = ((1u + _e702) % 7u);
+                                            if (_e704 < 7u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1348 = global_5.member[_e691.member_1][_e1343];
-                                            let _e1350 = ((_e1341 + 2u) % 7u);
-                                            if (_e1350 < 7u) {
+                                            let _e709 = global_5.member[_e689.member_1][_e704];
+                                            let _e711 = ((_e702 + 2u) % 7u);
+                                            if (_e711 < 7u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1355 = global_5.member[_e691.member_1][_e1350];
-                                            let _e1356 = (_e265 * 2u);
-                                            let _e1358 = ((1u + _e1356) % 7u);
-                                            if (_e1358 < 7u) {
+                                            let _e716 = global_5.member[_e689.member_1][_e711];
+                                            let _e717 = (_e265 * 2u);
+                                            let _e719 = ((1u + _e717) % 7u);
+                                            if (_e719 < 7u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1363 = global_5.member[_e691.member_1][_e1358];
-                                            let _e1365 = ((_e1356 + 2u) % 7u);
-                                            if (_e1365 < 7u) {
+                                            let _e724 = global_5.member[_e689.member_1][_e719];
+                                            let _e726 = ((_e717 + 2u) % 7u);
+                                            if (_e726 < 7u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1370 = global_5.member[_e691.member_1][_e1365];
-                                            let _e1371 = (_e267 * 2u);
-                                            let _e1373 = ((1u + _e1371) % 7u);
-                                            if (_e1373 < 7u) {
+                                            let _e731 = global_5.member[_e689.member_1][_e726];
+                                            let _e732 = (_e267 * 2u);
+                                            let _e734 = ((1u + _e732) % 7u);
+                                            if (_e734 < 7u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1378 = global_5.member[_e691.member_1][_e1373];
-                                            let _e1380 = ((_e1371 + 2u) % 7u);
-                                            if (_e1380 < 7u) {
+                                            let _e739 = global_5.member[_e689.member_1][_e734];
+                                            let _e741 = ((_e732 + 2u) % 7u);
+                                            if (_e741 < 7u) {
                                             } else {
-                                                phi_4643_ = true;
+                                                phi_4548_ = true;
                                                 break;
                                             }
-                                            let _e1385 = global_5.member[_e691.member_1][_e1380];
-                                            let _e1408 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.x - _e691.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1409 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.y - _e691.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1410 = (bitcast<f32>((bitcast<u32>((_e691.member.member_1.z - _e691.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1412 = select(_e146, _e1408, (_e1408 > _e146));
-                                            let _e1414 = select(_e146, _e1409, (_e1409 > _e146));
-                                            let _e1416 = select(_e146, _e1410, (_e1410 > _e146));
-                                            let _e1447 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1348 & 2097151u))) - 8388608f) * _e1412));
-                                            let _e1452 = (bitcast<i32>((_e1348 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1455 = bitcast<f32>((_e1447 & bitcast<u32>(_e1452)));
-                                            let _e1456 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1363 & 2097151u))) - 8388608f) * _e1414));
-                                            let _e1461 = (bitcast<i32>((_e1363 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1464 = bitcast<f32>((_e1456 & bitcast<u32>(_e1461)));
-                                            let _e1465 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1378 & 2097151u))) - 8388608f) * _e1416));
-                                            let _e1470 = (bitcast<i32>((_e1378 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1473 = bitcast<f32>((_e1465 & bitcast<u32>(_e1470)));
-                                            let _e1477 = bitcast<f32>((_e1447 & bitcast<u32>(~(_e1452))));
-                                            let _e1481 = bitcast<f32>((_e1456 & bitcast<u32>(~(_e1461))));
-                                            let _e1485 = bitcast<f32>((_e1465 & bitcast<u32>(~(_e1470))));
-                                            let _e1486 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1355 & 2097151u))) - 8388608f) * _e1412));
-                                            let _e1491 = (bitcast<i32>((_e1355 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1494 = bitcast<f32>((_e1486 & bitcast<u32>(_e1491)));
-                                            let _e1495 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1370 & 2097151u))) - 8388608f) * _e1414));
-                                            let _e1500 = (bitcast<i32>((_e1370 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1503 = bitcast<f32>((_e1495 & bitcast<u32>(_e1500)));
-                                            let _e1504 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1385 & 2097151u))) - 8388608f) * _e1416));
-                                            let _e1509 = (bitcast<i32>((_e1385 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1512 = bitcast<f32>((_e1504 & bitcast<u32>(_e1509)));
-                                            let _e1516 = bitcast<f32>((_e1486 & bitcast<u32>(~(_e1491))));
-                                            let _e1520 = bitcast<f32>((_e1495 & bitcast<u32>(~(_e1500))));
-                                            let _e1524 = bitcast<f32>((_e1504 & bitcast<u32>(~(_e1509))));
-                                            let _e1554 = global_5.member[_e691.member_1][0u];
-                                            let _e1558 = global_5.member[_e691.member_1][2u];
-                                            let _e1562 = global_5.member[_e691.member_1][4u];
-                                            let _e1566 = global_5.member[_e691.member_1][6u];
-                                            let _e1578 = (((_e1558 >> bitcast<u32>(22i)) | ((_e1562 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1566 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1579 = (_e1554 & 268435455u);
-                                            let _e1580 = (_e1578 & 268435455u);
-                                            let _e1583 = ((_e1554 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1591 = ((_e1554 >> bitcast<u32>(31i)) | (((_e1578 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1592 = (_e1583 != 0u);
-                                            if (_e1583 == 0u) {
-                                                phi_3133_ = _e1579;
+                                            let _e746 = global_5.member[_e689.member_1][_e741];
+                                            let _e769 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.x - _e689.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e770 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.y - _e689.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e771 = (bitcast<f32>((bitcast<u32>((_e689.member.member_1.z - _e689.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e773 = select(_e146, _e769, (_e769 > _e146));
+                                            let _e775 = select(_e146, _e770, (_e770 > _e146));
+                                            let _e777 = select(_e146, _e771, (_e771 > _e146));
+                                            let _e808 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e709 & 2097151u))) - 8388608f) * _e773));
+                                            let _e813 = (bitcast<i32>((_e709 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e816 = bitcast<f32>((_e808 & bitcast<u32>(_e813)));
+                                            let _e817 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e724 & 2097151u))) - 8388608f) * _e775));
+                                            let _e822 = (bitcast<i32>((_e724 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e825 = bitcast<f32>((_e817 & bitcast<u32>(_e822)));
+                                            let _e826 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 2097151u))) - 8388608f) * _e777));
+                                            let _e831 = (bitcast<i32>((_e739 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e834 = bitcast<f32>((_e826 & bitcast<u32>(_e831)));
+                                            let _e838 = bitcast<f32>((_e808 & bitcast<u32>(~(_e813))));
+                                            let _e842 = bitcast<f32>((_e817 & bitcast<u32>(~(_e822))));
+                                            let _e846 = bitcast<f32>((_e826 & bitcast<u32>(~(_e831))));
+                                            let _e847 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e716 & 2097151u))) - 8388608f) * _e773));
+                                            let _e852 = (bitcast<i32>((_e716 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e855 = bitcast<f32>((_e847 & bitcast<u32>(_e852)));
+                                            let _e856 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e731 & 2097151u))) - 8388608f) * _e775));
+                                            let _e861 = (bitcast<i32>((_e731 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e864 = bitcast<f32>((_e856 & bitcast<u32>(_e861)));
+                                            let _e865 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e746 & 2097151u))) - 8388608f) * _e777));
+                                            let _e870 = (bitcast<i32>((_e746 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e873 = bitcast<f32>((_e865 & bitcast<u32>(_e870)));
+                                            let _e877 = bitcast<f32>((_e847 & bitcast<u32>(~(_e852))));
+                                            let _e881 = bitcast<f32>((_e856 & bitcast<u32>(~(_e861))));
+                                            let _e885 = bitcast<f32>((_e865 & bitcast<u32>(~(_e870))));
+                                            let _e915 = global_5.member[_e689.member_1][0u];
+                                            let _e919 = global_5.member[_e689.member_1][2u];
+                                            let _e923 = global_5.member[_e689.member_1][4u];
+                                            let _e927 = global_5.member[_e689.member_1][6u];
+                                            let _e939 = (((_e919 >> bitcast<u32>(22i)) | ((_e923 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e927 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e940 = (_e915 & 268435455u);
+                                            let _e941 = (_e939 & 268435455u);
+                                            let _e944 = ((_e915 >> bitcast<u32>(28u)) & 7u);
+                                            let _e952 = ((_e915 >> bitcast<u32>(31i)) | (((_e939 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e953 = (_e944 != 0u);
+                                            if (_e944 == 0u) {
+                                                phi_3112_ = _e940;
                                             } else {
-                                                if (_e1583 == 7u) {
-                                                    phi_3132_ = 2147483648u;
+                                                if (_e944 == 7u) {
+                                                    phi_3111_ = 2147483648u;
                                                 } else {
-                                                    phi_3132_ = ((2147483648u | (_e1583 << bitcast<u32>(28u))) | (_e1580 & 268435455u));
+                                                    phi_3111_ = ((2147483648u | (_e944 << bitcast<u32>(28u))) | (_e941 & 268435455u));
                                                 }
-                                                let _e1601 = phi_3132_;
-                                                phi_3133_ = _e1601;
+                                                let _e962 = phi_3111_;
+                                                phi_3112_ = _e962;
                                             }
-                                            let _e1603 = phi_3133_;
-                                            if _e1592 {
-                                                let _e1604 = (_e1583 != 7u);
-                                                if _e1604 {
-                                                    phi_3143_ = (_e1580 + _e1583);
+                                            let _e964 = phi_3112_;
+                                            if _e953 {
+                                                let _e965 = (_e944 != 7u);
+                                                if _e965 {
+                                                    phi_3122_ = (_e941 + _e944);
                                                 } else {
-                                                    phi_3143_ = u32();
+                                                    phi_3122_ = u32();
                                                 }
-                                                let _e1607 = phi_3143_;
-                                                phi_3145_ = _e1607;
-                                                phi_3146_ = select(true, false, _e1604);
+                                                let _e968 = phi_3122_;
+                                                phi_3124_ = _e968;
+                                                phi_3125_ = select(true, false, _e965);
                                             } else {
-                                                phi_3145_ = u32();
-                                                phi_3146_ = true;
+                                                phi_3124_ = u32();
+                                                phi_3125_ = true;
                                             }
-                                            let _e1610 = phi_3145_;
-                                            let _e1612 = phi_3146_;
-                                            if (_e1591 == 0u) {
-                                                phi_3167_ = (_e1579 + select(0u, 1u, !(_e1592)));
+                                            let _e971 = phi_3124_;
+                                            let _e973 = phi_3125_;
+                                            if (_e952 == 0u) {
+                                                phi_3146_ = (_e940 + select(0u, 1u, !(_e953)));
                                             } else {
-                                                if (_e1591 == 7u) {
-                                                    phi_3166_ = 2147483648u;
+                                                if (_e952 == 7u) {
+                                                    phi_3145_ = 2147483648u;
                                                 } else {
-                                                    phi_3166_ = ((2147483648u | (_e1591 << bitcast<u32>(28u))) | (select(_e1610, _e1580, _e1612) & 268435455u));
+                                                    phi_3145_ = ((2147483648u | (_e952 << bitcast<u32>(28u))) | (select(_e971, _e941, _e973) & 268435455u));
                                                 }
-                                                let _e1625 = phi_3166_;
-                                                phi_3167_ = _e1625;
+                                                let _e986 = phi_3145_;
+                                                phi_3146_ = _e986;
                                             }
-                                            let _e1627 = phi_3167_;
-                                            phi_3171_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e691.member.member.x + _e1455), (_e691.member.member.x + _e1477), (_e691.member.member_1.x - _e1494), (_e691.member.member_1.x - _e1516)), vec4<f32>((_e691.member.member.y + _e1464), (_e691.member.member.y + _e1481), (_e691.member.member_1.y - _e1503), (_e691.member.member_1.y - _e1520)), vec4<f32>((_e691.member.member.z + _e1473), (_e691.member.member.z + _e1485), (_e691.member.member_1.z - _e1512), (_e691.member.member_1.z - _e1524))), type_53(type_25((_e691.member.member + vec4<f32>(_e1455, _e1464, _e1473, 0f)), (_e691.member.member_1 - vec4<f32>(_e1494, _e1503, _e1512, 0f))), _e1603), type_53(type_25((_e691.member.member + vec4<f32>(_e1477, _e1481, _e1485, 0f)), (_e691.member.member_1 - vec4<f32>(_e1516, _e1520, _e1524, 0f))), _e1627));
+                                            let _e988 = phi_3146_;
+                                            phi_3150_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e689.member.member.x + _e816), (_e689.member.member.x + _e838), (_e689.member.member_1.x - _e855), (_e689.member.member_1.x - _e877)), vec4<f32>((_e689.member.member.y + _e825), (_e689.member.member.y + _e842), (_e689.member.member_1.y - _e864), (_e689.member.member_1.y - _e881)), vec4<f32>((_e689.member.member.z + _e834), (_e689.member.member.z + _e846), (_e689.member.member_1.z - _e873), (_e689.member.member_1.z - _e885))), type_53(type_25((_e689.member.member + vec4<f32>(_e816, _e825, _e834, 0f)), (_e689.member.member_1 - vec4<f32>(_e855, _e864, _e873, 0f))), _e964), type_53(type_25((_e689.member.member + vec4<f32>(_e838, _e842, _e846, 0f)), (_e689.member.member_1 - vec4<f32>(_e877, _e881, _e885, 0f))), _e988));
                                         }
-                                        let _e1632 = phi_3171_;
-                                        let _e1643 = ((_e1632.member[0].x - _e368) * _e371);
-                                        let _e1644 = ((_e1632.member[0].y - _e368) * _e371);
-                                        let _e1645 = ((_e1632.member[0].z - _e369) * _e371);
-                                        let _e1646 = ((_e1632.member[0].w - _e369) * _e371);
-                                        let _e1656 = ((_e1632.member[1].x - _e434) * _e437);
-                                        let _e1657 = ((_e1632.member[1].y - _e434) * _e437);
-                                        let _e1658 = ((_e1632.member[1].z - _e435) * _e437);
-                                        let _e1659 = ((_e1632.member[1].w - _e435) * _e437);
-                                        let _e1669 = ((_e1632.member[2].x - _e500) * _e503);
-                                        let _e1670 = ((_e1632.member[2].y - _e500) * _e503);
-                                        let _e1671 = ((_e1632.member[2].z - _e501) * _e503);
-                                        let _e1672 = ((_e1632.member[2].w - _e501) * _e503);
-                                        let _e1674 = select(_e1671, _e1669, (_e1669 < _e1671));
-                                        let _e1676 = select(_e1672, _e1670, (_e1670 < _e1672));
-                                        let _e1678 = select(_e1671, _e1669, (_e1669 > _e1671));
-                                        let _e1680 = select(_e1672, _e1670, (_e1670 > _e1672));
-                                        let _e1682 = select(_e1645, _e1643, (_e1643 < _e1645));
-                                        let _e1684 = select(_e1646, _e1644, (_e1644 < _e1646));
-                                        let _e1686 = select(_e1658, _e1656, (_e1656 < _e1658));
-                                        let _e1688 = select(_e1659, _e1657, (_e1657 < _e1659));
-                                        let _e1690 = select(_e1686, _e1682, (_e1682 > _e1686));
-                                        let _e1692 = select(_e1688, _e1684, (_e1684 > _e1688));
-                                        let _e1694 = select(_e1674, _e1690, (_e1690 > _e1674));
-                                        let _e1696 = select(_e1676, _e1692, (_e1692 > _e1676));
-                                        let _e1698 = select(_e1645, _e1643, (_e1643 > _e1645));
-                                        let _e1700 = select(_e1646, _e1644, (_e1644 > _e1646));
-                                        let _e1702 = select(_e1658, _e1656, (_e1656 > _e1658));
-                                        let _e1704 = select(_e1659, _e1657, (_e1657 > _e1659));
-                                        let _e1706 = select(_e1702, _e1698, (_e1698 < _e1702));
-                                        let _e1708 = select(_e1704, _e1700, (_e1700 < _e1704));
-                                        let _e1713 = -(_e1674);
-                                        let _e1714 = -(_e1676);
-                                        let _e1721 = (select(_e1678, _e1706, (_e1706 < _e1678)) + (select(_e1713, _e1678, (_e1678 > _e1713)) * 0.0000019073523f));
-                                        let _e1722 = (select(_e1680, _e1708, (_e1708 < _e1680)) + (select(_e1714, _e1680, (_e1680 > _e1714)) * 0.0000019073523f));
-                                        let _e1724 = select(_e606, _e1694, (_e1694 > _e606));
-                                        let _e1726 = select(_e606, _e1696, (_e1696 > _e606));
-                                        let _e1731 = (_e1724 <= select(_e1338, _e1721, (_e1721 < _e1338)));
-                                        let _e1732 = (_e1726 <= select(_e1338, _e1722, (_e1722 < _e1338)));
-                                        let _e1733 = (_e1724 <= _e1726);
-                                        if _e1731 {
-                                            if _e1732 {
-                                                if _e1733 {
-                                                    phi_3534_ = _e1632.member_2;
+                                        let _e993 = phi_3150_;
+                                        let _e1004 = ((_e993.member[0].x - _e368) * _e371);
+                                        let _e1005 = ((_e993.member[0].y - _e368) * _e371);
+                                        let _e1006 = ((_e993.member[0].z - _e369) * _e371);
+                                        let _e1007 = ((_e993.member[0].w - _e369) * _e371);
+                                        let _e1017 = ((_e993.member[1].x - _e434) * _e437);
+                                        let _e1018 = ((_e993.member[1].y - _e434) * _e437);
+                                        let _e1019 = ((_e993.member[1].z - _e435) * _e437);
+                                        let _e1020 = ((_e993.member[1].w - _e435) * _e437);
+                                        let _e1030 = ((_e993.member[2].x - _e500) * _e503);
+                                        let _e1031 = ((_e993.member[2].y - _e500) * _e503);
+                                        let _e1032 = ((_e993.member[2].z - _e501) * _e503);
+                                        let _e1033 = ((_e993.member[2].w - _e501) * _e503);
+                                        let _e1035 = select(_e1032, _e1030, (_e1030 < _e1032));
+                                        let _e1037 = select(_e1033, _e1031, (_e1031 < _e1033));
+                                        let _e1039 = select(_e1032, _e1030, (_e1030 > _e1032));
+                                        let _e1041 = select(_e1033, _e1031, (_e1031 > _e1033));
+                                        let _e1043 = select(_e1006, _e1004, (_e1004 < _e1006));
+                                        let _e1045 = select(_e1007, _e1005, (_e1005 < _e1007));
+                                        let _e1047 = select(_e1019, _e1017, (_e1017 < _e1019));
+                                        let _e1049 = select(_e1020, _e1018, (_e1018 < _e1020));
+                                        let _e1051 = select(_e1047, _e1043, (_e1043 > _e1047));
+                                        let _e1053 = select(_e1049, _e1045, (_e1045 > _e1049));
+                                        let _e1055 = select(_e1035, _e1051, (_e1051 > _e1035));
+                                        let _e1057 = select(_e1037, _e1053, (_e1053 > _e1037));
+                                        let _e1059 = select(_e1006, _e1004, (_e1004 > _e1006));
+                                        let _e1061 = select(_e1007, _e1005, (_e1005 > _e1007));
+                                        let _e1063 = select(_e1019, _e1017, (_e1017 > _e1019));
+                                        let _e1065 = select(_e1020, _e1018, (_e1018 > _e1020));
+                                        let _e1067 = select(_e1063, _e1059, (_e1059 < _e1063));
+                                        let _e1069 = select(_e1065, _e1061, (_e1061 < _e1065));
+                                        let _e1074 = -(_e1035);
+                                        let _e1075 = -(_e1037);
+                                        let _e1082 = (select(_e1039, _e1067, (_e1067 < _e1039)) + (select(_e1074, _e1039, (_e1039 > _e1074)) * 0.0000019073523f));
+                                        let _e1083 = (select(_e1041, _e1069, (_e1069 < _e1041)) + (select(_e1075, _e1041, (_e1041 > _e1075)) * 0.0000019073523f));
+                                        let _e1085 = select(_e606, _e1055, (_e1055 > _e606));
+                                        let _e1087 = select(_e606, _e1057, (_e1057 > _e606));
+                                        let _e1092 = (_e1085 <= select(_e649, _e1082, (_e1082 < _e649)));
+                                        let _e1093 = (_e1087 <= select(_e649, _e1083, (_e1083 < _e649)));
+                                        let _e1094 = (_e1085 <= _e1087);
+                                        if _e1092 {
+                                            if _e1093 {
+                                                if _e1094 {
+                                                    phi_3513_ = _e993.member_2;
                                                 } else {
-                                                    phi_3534_ = _e1632.member_1;
+                                                    phi_3513_ = _e993.member_1;
                                                 }
-                                                let _e1737 = phi_3534_;
-                                                let _e1758 = (_e689 % 128u);
-                                                let _e1759 = (_e1758 < 128u);
-                                                if _e1759 {
+                                                let _e1098 = phi_3513_;
+                                                let _e1119 = (_e691 % 128u);
+                                                let _e1120 = (_e1119 < 128u);
+                                                if _e1120 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1758] = _e1737.member_1;
-                                                if _e1759 {
+                                                local_8[_e1119] = _e1098.member_1;
+                                                if _e1120 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1758] = _e1737.member.member.x;
-                                                if _e1759 {
+                                                local_7[_e1119] = _e1098.member.member.x;
+                                                if _e1120 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1758] = _e1737.member.member.y;
-                                                if _e1759 {
+                                                local_6[_e1119] = _e1098.member.member.y;
+                                                if _e1120 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1758] = _e1737.member.member.z;
-                                                if _e1759 {
+                                                local_5[_e1119] = _e1098.member.member.z;
+                                                if _e1120 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1758] = _e1737.member.member_1.x;
-                                                if _e1759 {
+                                                local_4[_e1119] = _e1098.member.member_1.x;
+                                                if _e1120 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1758] = _e1737.member.member_1.y;
-                                                if _e1759 {
+                                                local_3[_e1119] = _e1098.member.member_1.y;
+                                                if _e1120 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1758] = _e1737.member.member_1.z;
-                                                if _e1759 {
+                                                local_2[_e1119] = _e1098.member.member_1.z;
+                                                if _e1120 {
                                                 } else {
-                                                    phi_4643_ = true;
+                                                    phi_4548_ = true;
                                                     break;
                                                 }
-                                                local_10[_e1758] = select(_e1724, _e1726, _e1733);
-                                                if _e1733 {
-                                                    phi_3610_ = _e1632.member_1;
+                                                local_10[_e1119] = select(_e1085, _e1087, _e1094);
+                                                if _e1094 {
+                                                    phi_3589_ = _e993.member_1;
                                                 } else {
-                                                    phi_3610_ = _e1632.member_2;
+                                                    phi_3589_ = _e993.member_2;
                                                 }
-                                                let _e1772 = phi_3610_;
-                                                phi_3611_ = (_e689 + 1u);
-                                                phi_3612_ = _e1772;
+                                                let _e1133 = phi_3589_;
+                                                phi_3590_ = _e1133;
+                                                phi_3591_ = (_e691 + 1u);
                                             } else {
-                                                phi_3611_ = u32();
-                                                phi_3612_ = type_53();
+                                                phi_3590_ = type_53();
+                                                phi_3591_ = u32();
                                             }
-                                            let _e1774 = phi_3611_;
-                                            let _e1776 = phi_3612_;
-                                            phi_3614_ = _e1774;
-                                            phi_3615_ = _e1776;
-                                            phi_3616_ = select(true, false, _e1732);
+                                            let _e1135 = phi_3590_;
+                                            let _e1137 = phi_3591_;
+                                            phi_3593_ = _e1135;
+                                            phi_3594_ = _e1137;
+                                            phi_3595_ = select(true, false, _e1093);
                                         } else {
-                                            phi_3614_ = u32();
-                                            phi_3615_ = type_53();
-                                            phi_3616_ = true;
+                                            phi_3593_ = type_53();
+                                            phi_3594_ = u32();
+                                            phi_3595_ = true;
                                         }
-                                        let _e1779 = phi_3614_;
-                                        let _e1781 = phi_3615_;
-                                        let _e1783 = phi_3616_;
-                                        if _e1783 {
-                                            if _e1731 {
-                                                phi_3625_ = _e1632.member_1;
+                                        let _e1140 = phi_3593_;
+                                        let _e1142 = phi_3594_;
+                                        let _e1144 = phi_3595_;
+                                        if _e1144 {
+                                            if _e1092 {
+                                                phi_3604_ = _e993.member_1;
                                             } else {
-                                                phi_3625_ = _e1632.member_2;
+                                                phi_3604_ = _e993.member_2;
                                             }
-                                            let _e1787 = phi_3625_;
-                                            phi_3630_ = select(_e1732, true, _e1731);
-                                            phi_3632_ = _e1787;
+                                            let _e1148 = phi_3604_;
+                                            phi_3609_ = select(_e1093, true, _e1092);
+                                            phi_3610_ = _e1148;
                                         } else {
-                                            phi_3630_ = _e687;
-                                            phi_3632_ = _e1781;
+                                            phi_3609_ = _e687;
+                                            phi_3610_ = _e1140;
                                         }
-                                        let _e1790 = phi_3630_;
-                                        let _e1792 = phi_3632_;
-                                        phi_3636_ = _e1790;
-                                        phi_3637_ = select(_e1779, _e689, _e1783);
-                                        phi_3638_ = _e1792;
+                                        let _e1151 = phi_3609_;
+                                        let _e1153 = phi_3610_;
+                                        phi_4662_ = _e649;
+                                        phi_4552_ = _e647;
+                                        phi_3612_ = _e1151;
+                                        phi_3613_ = _e1153;
+                                        phi_3614_ = select(_e1142, _e691, _e1144);
                                     }
-                                    let _e1795 = phi_3636_;
-                                    let _e1797 = phi_3637_;
-                                    let _e1799 = phi_3638_;
-                                    if _e695 {
-                                        phi_3648_ = _e691;
-                                    } else {
-                                        phi_3648_ = _e1799;
-                                    }
-                                    let _e1801 = phi_3648_;
-                                    phi_4757_ = _e1338;
-                                    phi_4646_ = _e1336;
-                                    phi_3649_ = (_e651 - 1u);
-                                    phi_3650_ = select(_e1795, false, _e695);
-                                    phi_3651_ = select(_e1797, _e689, _e695);
-                                    phi_3652_ = _e1801;
+                                    let _e1793 = phi_4662_;
+                                    let _e1795 = phi_4552_;
+                                    let _e1797 = phi_3612_;
+                                    let _e1799 = phi_3613_;
+                                    let _e1801 = phi_3614_;
+                                    phi_4661_ = _e1793;
+                                    phi_4551_ = _e1795;
+                                    phi_3615_ = _e1797;
+                                    phi_3616_ = _e1799;
+                                    phi_3617_ = _e1801;
+                                    phi_3618_ = (_e657 - 1u);
                                 } else {
-                                    phi_4757_ = _e649;
-                                    phi_4646_ = _e647;
-                                    phi_3649_ = _e651;
-                                    phi_3650_ = _e687;
-                                    phi_3651_ = _e689;
-                                    phi_3652_ = _e691;
+                                    phi_4661_ = _e649;
+                                    phi_4551_ = _e647;
+                                    phi_3615_ = _e687;
+                                    phi_3616_ = _e689;
+                                    phi_3617_ = _e691;
+                                    phi_3618_ = _e657;
                                 }
-                                let _e1805 = phi_4757_;
-                                let _e1807 = phi_4646_;
-                                let _e1809 = phi_3649_;
-                                let _e1811 = phi_3650_;
-                                let _e1813 = phi_3651_;
-                                let _e1815 = phi_3652_;
-                                phi_4756_ = _e1805;
-                                phi_4645_ = _e1807;
-                                phi_3653_ = _e1809;
-                                phi_3654_ = _e1811;
-                                phi_3655_ = _e1813;
-                                phi_3656_ = _e1815;
+                                let _e1803 = phi_4661_;
+                                let _e1805 = phi_4551_;
+                                let _e1807 = phi_3615_;
+                                let _e1809 = phi_3616_;
+                                let _e1811 = phi_3617_;
+                                let _e1813 = phi_3618_;
+                                phi_4660_ = _e1803;
+                                phi_4550_ = _e1805;
+                                phi_3619_ = _e1807;
+                                phi_3620_ = _e1809;
+                                phi_3621_ = _e1811;
+                                phi_3622_ = _e1813;
                             } else {
-                                phi_4756_ = _e649;
-                                phi_4645_ = _e647;
-                                phi_3653_ = u32();
-                                phi_3654_ = bool();
-                                phi_3655_ = u32();
-                                phi_3656_ = type_53();
+                                phi_4660_ = _e649;
+                                phi_4550_ = _e647;
+                                phi_3619_ = bool();
+                                phi_3620_ = type_53();
+                                phi_3621_ = u32();
+                                phi_3622_ = u32();
                             }
-                            let _e1817 = phi_4756_;
-                            let _e1819 = phi_4645_;
-                            let _e1821 = phi_3653_;
-                            let _e1823 = phi_3654_;
-                            let _e1825 = phi_3655_;
-                            let _e1827 = phi_3656_;
-                            phi_4755_ = _e1817;
-                            phi_4644_ = _e1819;
-                            phi_1244_ = _e1821;
-                            phi_1247_ = _e1823;
-                            phi_1249_ = _e1825;
-                            phi_1251_ = _e1827;
-                            phi_3657_ = _e661;
+                            let _e1815 = phi_4660_;
+                            let _e1817 = phi_4550_;
+                            let _e1819 = phi_3619_;
+                            let _e1821 = phi_3620_;
+                            let _e1823 = phi_3621_;
+                            let _e1825 = phi_3622_;
+                            phi_4659_ = _e1815;
+                            phi_4549_ = _e1817;
+                            phi_1251_ = _e1819;
+                            phi_1254_ = _e1821;
+                            phi_1256_ = _e1823;
+                            phi_1258_ = _e1825;
+                            phi_3623_ = _e661;
                         } else {
-                            phi_4755_ = _e649;
-                            phi_4644_ = _e647;
-                            phi_1244_ = u32();
-                            phi_1247_ = bool();
-                            phi_1249_ = u32();
-                            phi_1251_ = type_53();
-                            phi_3657_ = false;
+                            phi_4659_ = _e649;
+                            phi_4549_ = _e647;
+                            phi_1251_ = bool();
+                            phi_1254_ = type_53();
+                            phi_1256_ = u32();
+                            phi_1258_ = u32();
+                            phi_3623_ = false;
                         }
-                        let _e1829 = phi_4755_;
-                        let _e1831 = phi_4644_;
-                        let _e1833 = phi_1244_;
-                        let _e1835 = phi_1247_;
-                        let _e1837 = phi_1249_;
-                        let _e1839 = phi_1251_;
-                        let _e1841 = phi_3657_;
+                        let _e1827 = phi_4659_;
+                        let _e1829 = phi_4549_;
+                        let _e1831 = phi_1251_;
+                        let _e1833 = phi_1254_;
+                        let _e1835 = phi_1256_;
+                        let _e1837 = phi_1258_;
+                        let _e1839 = phi_3623_;
                         continue;
                         continuing {
-                            phi_4335_ = _e1831;
-                            phi_4315_ = _e1829;
-                            phi_1243_ = _e1833;
-                            phi_1246_ = _e1835;
-                            phi_1248_ = _e1837;
-                            phi_1250_ = _e1839;
-                            phi_4643_ = _e1831;
-                            break if !(_e1841);
+                            phi_4318_ = _e1829;
+                            phi_4245_ = _e1827;
+                            phi_1250_ = _e1831;
+                            phi_1253_ = _e1833;
+                            phi_1255_ = _e1835;
+                            phi_1257_ = _e1837;
+                            phi_4548_ = _e1829;
+                            break if !(_e1839);
                         }
                     }
-                    let _e1844 = phi_4643_;
-                    if _e1844 {
+                    let _e1842 = phi_4548_;
+                    if _e1842 {
                         break;
                     }
-                    phi_3664_ = type_4(0u, 8u);
+                    phi_3630_ = type_4(0u, 8u);
                     loop {
-                        let _e1846 = phi_3664_;
-                        if (_e1846.member < _e1846.member_1) {
-                            phi_3665_ = type_4((_e1846.member + 1u), _e1846.member_1);
-                            phi_3688_ = type_4(1u, _e1846.member);
+                        let _e1844 = phi_3630_;
+                        if (_e1844.member < _e1844.member_1) {
+                            phi_3631_ = type_4((_e1844.member + 1u), _e1844.member_1);
+                            phi_3654_ = type_4(1u, _e1844.member);
                         } else {
-                            phi_3665_ = _e1846;
-                            phi_3688_ = type_4(0u, type_4().member_1);
+                            phi_3631_ = _e1844;
+                            phi_3654_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1859 = phi_3665_;
-                        let _e1861 = phi_3688_;
-                        let _e1865 = (bitcast<i32>(_e1861.member) != 0i);
-                        if _e1865 {
-                            let _e1866 = (_e1861.member_1 < 8u);
-                            if _e1866 {
+                        let _e1857 = phi_3631_;
+                        let _e1859 = phi_3654_;
+                        let _e1863 = (bitcast<i32>(_e1859.member) != 0i);
+                        if _e1863 {
+                            let _e1864 = (_e1859.member_1 < 8u);
+                            if _e1864 {
                             } else {
-                                phi_4737_ = true;
+                                phi_4641_ = true;
                                 break;
                             }
-                            let _e1868 = local_9[_e1861.member_1];
-                            if (_e1868.member_3 != 4294967295u) {
-                                let _e1874 = -(_e508);
-                                let _e1875 = bitcast<u32>(_e1868.member);
-                                let _e1879 = (bitcast<i32>((_e1875 >> bitcast<u32>(23i))) & 255i);
-                                let _e1880 = (_e1879 + _e1874);
-                                if (_e1879 == 255i) {
-                                    phi_3761_ = _e1868.member;
+                            let _e1866 = local_9[_e1859.member_1];
+                            if (_e1866.member_3 != 4294967295u) {
+                                let _e1872 = -(_e508);
+                                let _e1873 = bitcast<u32>(_e1866.member);
+                                let _e1877 = (bitcast<i32>((_e1873 >> bitcast<u32>(23i))) & 255i);
+                                let _e1878 = (_e1877 + _e1872);
+                                if (_e1877 == 255i) {
+                                    phi_3727_ = _e1866.member;
                                 } else {
-                                    if (_e1879 > 0i) {
-                                        if (_e1880 > 0i) {
-                                            let _e1884 = (_e1880 < 255i);
-                                            if _e1884 {
-                                                phi_3740_ = bitcast<f32>((_e1875 + bitcast<u32>((_e1874 << bitcast<u32>(23i)))));
+                                    if (_e1877 > 0i) {
+                                        if (_e1878 > 0i) {
+                                            let _e1882 = (_e1878 < 255i);
+                                            if _e1882 {
+                                                phi_3706_ = bitcast<f32>((_e1873 + bitcast<u32>((_e1872 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3740_ = f32();
+                                                phi_3706_ = f32();
                                             }
-                                            let _e1891 = phi_3740_;
-                                            phi_3742_ = _e1891;
-                                            phi_3743_ = select(true, false, _e1884);
+                                            let _e1889 = phi_3706_;
+                                            phi_3708_ = _e1889;
+                                            phi_3709_ = select(true, false, _e1882);
                                         } else {
-                                            phi_3742_ = f32();
-                                            phi_3743_ = true;
+                                            phi_3708_ = f32();
+                                            phi_3709_ = true;
                                         }
-                                        let _e1894 = phi_3742_;
-                                        let _e1896 = phi_3743_;
-                                        phi_3744_ = _e1894;
-                                        phi_3745_ = _e1896;
+                                        let _e1892 = phi_3708_;
+                                        let _e1894 = phi_3709_;
+                                        phi_3710_ = _e1892;
+                                        phi_3711_ = _e1894;
                                     } else {
-                                        phi_3744_ = f32();
-                                        phi_3745_ = true;
+                                        phi_3710_ = f32();
+                                        phi_3711_ = true;
                                     }
-                                    let _e1898 = phi_3744_;
-                                    let _e1900 = phi_3745_;
-                                    if _e1900 {
-                                        let _e1901 = (_e1875 & 2147483648u);
-                                        let _e1908 = ((_e1875 & 8388607u) | (select(0u, 1u, ((_e1875 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e1912 = (_e1908 == 0u);
-                                        if _e1912 {
-                                            phi_4262_ = bitcast<f32>(_e1901);
+                                    let _e1896 = phi_3710_;
+                                    let _e1898 = phi_3711_;
+                                    if _e1898 {
+                                        let _e1899 = (_e1873 & 2147483648u);
+                                        let _e1906 = ((_e1873 & 8388607u) | (select(0u, 1u, ((_e1873 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e1910 = (_e1906 == 0u);
+                                        if _e1910 {
+                                            phi_4192_ = bitcast<f32>(_e1899);
                                         } else {
-                                            let _e1917 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1908)), 32u, _e1912) - 8u);
-                                            let _e1920 = (_e1908 << bitcast<u32>((_e1917 & 31u)));
-                                            let _e1922 = ((_e1880 + select(0i, 1i, (_e1879 == 0i))) - bitcast<i32>(_e1917));
-                                            if (_e1922 >= 255i) {
-                                                phi_4252_ = bitcast<f32>((_e1901 | 2139095040u));
-                                                phi_4253_ = f32();
-                                                phi_4254_ = true;
+                                            let _e1915 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1906)), 32u, _e1910) - 8u);
+                                            let _e1918 = (_e1906 << bitcast<u32>((_e1915 & 31u)));
+                                            let _e1920 = ((_e1878 + select(0i, 1i, (_e1877 == 0i))) - bitcast<i32>(_e1915));
+                                            if (_e1920 >= 255i) {
+                                                phi_4182_ = bitcast<f32>((_e1899 | 2139095040u));
+                                                phi_4183_ = f32();
+                                                phi_4184_ = true;
                                             } else {
-                                                let _e1924 = (_e1922 > 0i);
-                                                if _e1924 {
-                                                    phi_4246_ = bitcast<f32>(((_e1901 | (bitcast<u32>(_e1922) << bitcast<u32>(23i))) | (_e1920 & 8388607u)));
-                                                    phi_4247_ = f32();
+                                                let _e1922 = (_e1920 > 0i);
+                                                if _e1922 {
+                                                    phi_4176_ = bitcast<f32>(((_e1899 | (bitcast<u32>(_e1920) << bitcast<u32>(23i))) | (_e1918 & 8388607u)));
+                                                    phi_4177_ = f32();
                                                 } else {
-                                                    if (_e1922 < -24i) {
-                                                        phi_4212_ = 26u;
+                                                    if (_e1920 < -24i) {
+                                                        phi_4142_ = 26u;
                                                     } else {
-                                                        phi_4212_ = bitcast<u32>((1i - _e1922));
+                                                        phi_4142_ = bitcast<u32>((1i - _e1920));
                                                     }
-                                                    let _e1929 = phi_4212_;
-                                                    let _e1930 = (_e1929 & 31u);
-                                                    let _e1932 = (_e1920 >> bitcast<u32>(_e1930));
-                                                    let _e1936 = (_e1920 & ((1u << bitcast<u32>(_e1930)) - 1u));
-                                                    let _e1940 = (1u << bitcast<u32>(((_e1929 - 1u) & 31u)));
-                                                    if (_e1936 > _e1940) {
-                                                        phi_4233_ = true;
+                                                    let _e1927 = phi_4142_;
+                                                    let _e1928 = (_e1927 & 31u);
+                                                    let _e1930 = (_e1918 >> bitcast<u32>(_e1928));
+                                                    let _e1934 = (_e1918 & ((1u << bitcast<u32>(_e1928)) - 1u));
+                                                    let _e1938 = (1u << bitcast<u32>(((_e1927 - 1u) & 31u)));
+                                                    if (_e1934 > _e1938) {
+                                                        phi_4163_ = true;
                                                     } else {
-                                                        if (_e1936 == _e1940) {
-                                                            phi_4230_ = ((_e1932 & 1u) == 1u);
+                                                        if (_e1934 == _e1938) {
+                                                            phi_4160_ = ((_e1930 & 1u) == 1u);
                                                         } else {
-                                                            phi_4230_ = false;
+                                                            phi_4160_ = false;
                                                         }
-                                                        let _e1946 = phi_4230_;
-                                                        phi_4233_ = _e1946;
+                                                        let _e1944 = phi_4160_;
+                                                        phi_4163_ = _e1944;
                                                     }
-                                                    let _e1948 = phi_4233_;
-                                                    phi_4246_ = f32();
-                                                    phi_4247_ = bitcast<f32>((_e1901 | (_e1932 + select(0u, 1u, _e1948))));
+                                                    let _e1946 = phi_4163_;
+                                                    phi_4176_ = f32();
+                                                    phi_4177_ = bitcast<f32>((_e1899 | (_e1930 + select(0u, 1u, _e1946))));
                                                 }
-                                                let _e1961 = phi_4246_;
-                                                let _e1963 = phi_4247_;
-                                                phi_4252_ = _e1961;
-                                                phi_4253_ = _e1963;
-                                                phi_4254_ = _e1924;
+                                                let _e1959 = phi_4176_;
+                                                let _e1961 = phi_4177_;
+                                                phi_4182_ = _e1959;
+                                                phi_4183_ = _e1961;
+                                                phi_4184_ = _e1922;
                                             }
-                                            let _e1967 = phi_4252_;
-                                            let _e1969 = phi_4253_;
-                                            let _e1971 = phi_4254_;
-                                            phi_4262_ = select(_e1969, _e1967, _e1971);
+                                            let _e1965 = phi_4182_;
+                                            let _e1967 = phi_4183_;
+                                            let _e1969 = phi_4184_;
+                                            phi_4192_ = select(_e1967, _e1965, _e1969);
                                         }
-                                        let _e1975 = phi_4262_;
-                                        phi_3760_ = _e1975;
+                                        let _e1973 = phi_4192_;
+                                        phi_3726_ = _e1973;
                                     } else {
-                                        phi_3760_ = _e1898;
+                                        phi_3726_ = _e1896;
                                     }
-                                    let _e1977 = phi_3760_;
-                                    phi_3761_ = _e1977;
+                                    let _e1975 = phi_3726_;
+                                    phi_3727_ = _e1975;
                                 }
-                                let _e1979 = phi_3761_;
-                                let _e1980 = bitcast<u32>(_e1979);
-                                if ((_e1980 & 2147483647u) >= 2139095040u) {
-                                    phi_3773_ = bitcast<f32>(((_e1980 & 2147483648u) | 2139095039u));
+                                let _e1977 = phi_3727_;
+                                let _e1978 = bitcast<u32>(_e1977);
+                                if ((_e1978 & 2147483647u) >= 2139095040u) {
+                                    phi_3739_ = bitcast<f32>(((_e1978 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3773_ = _e1979;
+                                    phi_3739_ = _e1977;
                                 }
-                                let _e1987 = phi_3773_;
-                                phi_3778_ = type_21(_e1987, _e1868.member_1, _e1868.member_2, _e1868.member_3);
+                                let _e1985 = phi_3739_;
+                                phi_3744_ = type_21(_e1985, _e1866.member_1, _e1866.member_2, _e1866.member_3);
                             } else {
-                                phi_3778_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3744_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1990 = phi_3778_;
-                            if _e1866 {
+                            let _e1988 = phi_3744_;
+                            if _e1864 {
                             } else {
-                                phi_4737_ = true;
+                                phi_4641_ = true;
                                 break;
                             }
-                            local_9[_e1861.member_1] = type_21(_e1990.member, _e1990.member_1, _e1990.member_2, _e1990.member_3);
+                            local_9[_e1859.member_1] = type_21(_e1988.member, _e1988.member_1, _e1988.member_2, _e1988.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3664_ = _e1859;
-                            phi_4737_ = _e1844;
-                            break if !(_e1865);
+                            phi_3630_ = _e1857;
+                            phi_4641_ = _e1842;
+                            break if !(_e1863);
                         }
                     }
-                    let _e1998 = phi_4737_;
-                    if _e1998 {
+                    let _e1996 = phi_4641_;
+                    if _e1996 {
                         break;
                     }
-                    let _e1999 = local_9;
+                    let _e1997 = local_9;
                     if _e154 {
                     } else {
                         break;
                     }
-                    global_6.member[_e152] = array<type_21, 8>(type_21(_e1999[0].member, _e1999[0].member_1, _e1999[0].member_2, _e1999[0].member_3), type_21(_e1999[1].member, _e1999[1].member_1, _e1999[1].member_2, _e1999[1].member_3), type_21(_e1999[2].member, _e1999[2].member_1, _e1999[2].member_2, _e1999[2].member_3), type_21(_e1999[3].member, _e1999[3].member_1, _e1999[3].member_2, _e1999[3].member_3), type_21(_e1999[4].member, _e1999[4].member_1, _e1999[4].member_2, _e1999[4].member_3), type_21(_e1999[5].member, _e1999[5].member_1, _e1999[5].member_2, _e1999[5].member_3), type_21(_e1999[6].member, _e1999[6].member_1, _e1999[6].member_2, _e1999[6].member_3), type_21(_e1999[7].member, _e1999[7].member_1, _e1999[7].member_2, _e1999[7].member_3));
+                    global_6.member[_e152] = array<type_21, 8>(type_21(_e1997[0].member, _e1997[0].member_1, _e1997[0].member_2, _e1997[0].member_3), type_21(_e1997[1].member, _e1997[1].member_1, _e1997[1].member_2, _e1997[1].member_3), type_21(_e1997[2].member, _e1997[2].member_1, _e1997[2].member_2, _e1997[2].member_3), type_21(_e1997[3].member, _e1997[3].member_1, _e1997[3].member_2, _e1997[3].member_3), type_21(_e1997[4].member, _e1997[4].member_1, _e1997[4].member_2, _e1997[4].member_3), type_21(_e1997[5].member, _e1997[5].member_1, _e1997[5].member_2, _e1997[5].member_3), type_21(_e1997[6].member, _e1997[6].member_1, _e1997[6].member_2, _e1997[6].member_3), type_21(_e1997[7].member, _e1997[7].member_1, _e1997[7].member_2, _e1997[7].member_3));
                 }
             }
             break;

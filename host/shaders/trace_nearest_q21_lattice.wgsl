@@ -90,198 +90,185 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_20, 8>;
     var local_10: array<f32, 128>;
-    var phi_513_: i32;
-    var phi_514_: i32;
-    var phi_524_: bool;
-    var phi_534_: u32;
-    var phi_535_: u32;
-    var phi_537_: bool;
+    var phi_520_: i32;
+    var phi_521_: i32;
+    var phi_531_: bool;
+    var phi_541_: u32;
     var phi_542_: u32;
-    var phi_555_: i32;
-    var phi_575_: i32;
-    var phi_593_: f32;
-    var phi_599_: f32;
-    var phi_639_: f32;
-    var phi_645_: f32;
-    var phi_718_: f32;
-    var phi_724_: f32;
-    var phi_764_: f32;
-    var phi_770_: f32;
-    var phi_843_: f32;
-    var phi_849_: f32;
-    var phi_889_: f32;
-    var phi_895_: f32;
-    var phi_1014_: i32;
-    var phi_1036_: u32;
-    var phi_1037_: u32;
-    var phi_1074_: i32;
-    var phi_1096_: u32;
-    var phi_1097_: u32;
-    var phi_1105_: f32;
-    var phi_1106_: f32;
-    var phi_5075_: bool;
-    var phi_4988_: f32;
-    var phi_1255_: u32;
-    var phi_1258_: bool;
-    var phi_1260_: u32;
-    var phi_1262_: type_52;
-    var phi_1273_: bool;
-    var phi_1360_: bool;
-    var phi_1361_: u32;
-    var phi_1362_: type_52;
-    var phi_5072_: bool;
-    var phi_5013_: f32;
-    var phi_1381_: type_8;
-    var phi_1382_: type_8;
-    var phi_1405_: type_8;
-    var phi_1446_: u32;
-    var phi_1452_: u32;
-    var phi_1462_: u32;
-    var phi_1478_: u32;
-    var phi_1511_: u32;
-    var phi_1517_: u32;
-    var phi_1983_: u32;
-    var phi_2001_: u32;
-    var phi_2019_: u32;
-    var phi_2042_: u32;
-    var phi_2060_: u32;
-    var phi_2078_: u32;
-    var phi_2101_: u32;
-    var phi_2119_: u32;
-    var phi_2137_: u32;
-    var phi_1691_: u32;
-    var phi_1706_: u32;
-    var phi_1716_: u32;
-    var phi_1737_: u32;
-    var phi_1758_: u32;
-    var phi_1788_: u32;
-    var phi_1803_: u32;
-    var phi_1813_: u32;
-    var phi_1834_: u32;
-    var phi_1855_: u32;
-    var phi_1885_: u32;
-    var phi_1900_: u32;
-    var phi_1910_: u32;
-    var phi_1931_: u32;
-    var phi_1952_: u32;
-    var phi_1544_: u32;
-    var phi_1593_: u32;
-    var phi_1642_: u32;
-    var phi_2143_: array<array<f32, 3>, 3>;
-    var phi_4544_: bool;
-    var phi_4559_: bool;
-    var phi_4574_: bool;
-    var phi_4589_: bool;
-    var phi_4604_: bool;
-    var phi_4619_: bool;
-    var phi_2686_: f32;
-    var phi_2687_: f32;
-    var phi_2688_: f32;
-    var phi_2689_: f32;
-    var phi_2690_: vec3<f32>;
-    var phi_2691_: vec3<f32>;
-    var phi_2692_: vec3<f32>;
-    var phi_2693_: vec3<f32>;
-    var phi_4634_: bool;
-    var phi_4649_: bool;
-    var phi_4664_: bool;
-    var phi_4679_: bool;
-    var phi_4694_: bool;
-    var phi_4709_: bool;
-    var phi_2901_: f32;
-    var phi_2921_: type_31;
-    var phi_2922_: type_31;
-    var phi_2925_: type_31;
-    var phi_2926_: type_31;
-    var phi_2927_: bool;
-    var phi_2931_: type_31;
-    var phi_2940_: type_20;
-    var phi_2952_: type_8;
-    var phi_2955_: type_20;
-    var phi_2953_: type_8;
-    var phi_2978_: type_8;
-    var phi_3010_: bool;
-    var phi_3011_: bool;
-    var phi_3032_: type_20;
-    var phi_2956_: type_20;
-    var phi_5042_: bool;
-    var phi_5413_: f32;
-    var phi_5412_: f32;
-    var phi_5257_: bool;
-    var phi_5411_: f32;
-    var phi_5256_: bool;
-    var phi_5410_: f32;
-    var phi_5255_: bool;
-    var phi_5317_: f32;
-    var phi_5254_: bool;
-    var phi_5506_: bool;
-    var phi_5316_: f32;
-    var phi_3545_: u32;
-    var phi_3551_: u32;
-    var phi_3805_: u32;
-    var phi_3806_: u32;
-    var phi_3816_: u32;
+    var phi_544_: bool;
+    var phi_549_: u32;
+    var phi_562_: i32;
+    var phi_582_: i32;
+    var phi_600_: f32;
+    var phi_606_: f32;
+    var phi_646_: f32;
+    var phi_652_: f32;
+    var phi_725_: f32;
+    var phi_731_: f32;
+    var phi_771_: f32;
+    var phi_777_: f32;
+    var phi_850_: f32;
+    var phi_856_: f32;
+    var phi_896_: f32;
+    var phi_902_: f32;
+    var phi_1021_: i32;
+    var phi_1043_: u32;
+    var phi_1044_: u32;
+    var phi_1081_: i32;
+    var phi_1103_: u32;
+    var phi_1104_: u32;
+    var phi_1112_: f32;
+    var phi_1113_: f32;
+    var phi_5063_: bool;
+    var phi_4918_: f32;
+    var phi_1262_: bool;
+    var phi_1265_: type_52;
+    var phi_1267_: u32;
+    var phi_1269_: u32;
+    var phi_1280_: bool;
+    var phi_1367_: bool;
+    var phi_1368_: type_52;
+    var phi_1369_: u32;
+    var phi_3524_: u32;
+    var phi_3530_: u32;
+    var phi_3784_: u32;
+    var phi_3785_: u32;
+    var phi_3795_: u32;
+    var phi_3797_: u32;
+    var phi_3798_: bool;
     var phi_3818_: u32;
-    var phi_3819_: bool;
-    var phi_3839_: u32;
-    var phi_3840_: u32;
-    var phi_3844_: type_53;
-    var phi_4207_: type_52;
+    var phi_3819_: u32;
+    var phi_3823_: type_53;
+    var phi_4186_: type_52;
+    var phi_4262_: type_52;
+    var phi_4263_: type_52;
+    var phi_4264_: u32;
+    var phi_4266_: type_52;
+    var phi_4267_: u32;
+    var phi_4268_: bool;
+    var phi_4277_: type_52;
+    var phi_4282_: bool;
     var phi_4283_: type_52;
-    var phi_4284_: u32;
-    var phi_4285_: type_52;
+    var phi_5060_: bool;
+    var phi_5002_: f32;
+    var phi_1388_: type_8;
+    var phi_1389_: type_8;
+    var phi_1412_: type_8;
+    var phi_1453_: u32;
+    var phi_1459_: u32;
+    var phi_1469_: u32;
+    var phi_1485_: u32;
+    var phi_1518_: u32;
+    var phi_1524_: u32;
+    var phi_1990_: u32;
+    var phi_2008_: u32;
+    var phi_2026_: u32;
+    var phi_2049_: u32;
+    var phi_2067_: u32;
+    var phi_2085_: u32;
+    var phi_2108_: u32;
+    var phi_2126_: u32;
+    var phi_2144_: u32;
+    var phi_1698_: u32;
+    var phi_1713_: u32;
+    var phi_1723_: u32;
+    var phi_1744_: u32;
+    var phi_1765_: u32;
+    var phi_1795_: u32;
+    var phi_1810_: u32;
+    var phi_1820_: u32;
+    var phi_1841_: u32;
+    var phi_1862_: u32;
+    var phi_1892_: u32;
+    var phi_1907_: u32;
+    var phi_1917_: u32;
+    var phi_1938_: u32;
+    var phi_1959_: u32;
+    var phi_1551_: u32;
+    var phi_1600_: u32;
+    var phi_1649_: u32;
+    var phi_2150_: array<array<f32, 3>, 3>;
+    var phi_2681_: f32;
+    var phi_2682_: f32;
+    var phi_2683_: f32;
+    var phi_2684_: f32;
+    var phi_2685_: vec3<f32>;
+    var phi_2686_: vec3<f32>;
+    var phi_2687_: vec3<f32>;
+    var phi_2688_: vec3<f32>;
+    var phi_2879_: f32;
+    var phi_2899_: type_31;
+    var phi_2900_: type_31;
+    var phi_2903_: type_31;
+    var phi_2904_: type_31;
+    var phi_2905_: bool;
+    var phi_2909_: type_31;
+    var phi_2918_: type_20;
+    var phi_2930_: type_8;
+    var phi_2933_: type_20;
+    var phi_2931_: type_8;
+    var phi_2956_: type_8;
+    var phi_2988_: bool;
+    var phi_2989_: bool;
+    var phi_3010_: type_20;
+    var phi_2934_: type_20;
+    var phi_5030_: bool;
+    var phi_5319_: f32;
+    var phi_5318_: f32;
+    var phi_5233_: bool;
+    var phi_5317_: f32;
+    var phi_5232_: bool;
+    var phi_5316_: f32;
+    var phi_5231_: bool;
+    var phi_5235_: f32;
+    var phi_5230_: bool;
+    var phi_5439_: f32;
+    var phi_5324_: bool;
+    var phi_4285_: bool;
+    var phi_4286_: type_52;
     var phi_4287_: u32;
-    var phi_4288_: type_52;
-    var phi_4289_: bool;
-    var phi_4298_: type_52;
-    var phi_4303_: bool;
-    var phi_4305_: type_52;
-    var phi_4309_: bool;
-    var phi_4310_: u32;
-    var phi_4311_: type_52;
-    var phi_4321_: type_52;
-    var phi_5534_: f32;
+    var phi_5438_: f32;
+    var phi_5323_: bool;
+    var phi_4288_: bool;
+    var phi_4289_: type_52;
+    var phi_4290_: u32;
+    var phi_4291_: u32;
+    var phi_5437_: f32;
+    var phi_5322_: bool;
+    var phi_4292_: bool;
+    var phi_4293_: type_52;
+    var phi_4294_: u32;
+    var phi_4295_: u32;
+    var phi_5436_: f32;
+    var phi_5321_: bool;
+    var phi_1263_: bool;
+    var phi_1266_: type_52;
+    var phi_1268_: u32;
+    var phi_1270_: u32;
+    var phi_4296_: bool;
+    var phi_5320_: bool;
+    var phi_4303_: type_8;
+    var phi_4304_: type_8;
+    var phi_4327_: type_8;
+    var phi_4379_: f32;
+    var phi_4381_: f32;
+    var phi_4382_: bool;
+    var phi_4383_: f32;
+    var phi_4384_: bool;
+    var phi_4815_: u32;
+    var phi_4833_: bool;
+    var phi_4836_: bool;
+    var phi_4849_: f32;
+    var phi_4850_: f32;
+    var phi_4855_: f32;
+    var phi_4856_: f32;
+    var phi_4857_: bool;
+    var phi_4865_: f32;
+    var phi_4399_: f32;
+    var phi_4400_: f32;
+    var phi_4412_: f32;
+    var phi_4417_: type_20;
     var phi_5418_: bool;
-    var phi_4322_: u32;
-    var phi_4323_: bool;
-    var phi_4324_: u32;
-    var phi_4325_: type_52;
-    var phi_5533_: f32;
-    var phi_5417_: bool;
-    var phi_4326_: u32;
-    var phi_4327_: bool;
-    var phi_4328_: u32;
-    var phi_4329_: type_52;
-    var phi_5532_: f32;
-    var phi_5416_: bool;
-    var phi_1256_: u32;
-    var phi_1259_: bool;
-    var phi_1261_: u32;
-    var phi_1263_: type_52;
-    var phi_4330_: bool;
-    var phi_5415_: bool;
-    var phi_4337_: type_8;
-    var phi_4338_: type_8;
-    var phi_4361_: type_8;
-    var phi_4413_: f32;
-    var phi_4415_: f32;
-    var phi_4416_: bool;
-    var phi_4417_: f32;
-    var phi_4418_: bool;
-    var phi_4885_: u32;
-    var phi_4903_: bool;
-    var phi_4906_: bool;
-    var phi_4919_: f32;
-    var phi_4920_: f32;
-    var phi_4925_: f32;
-    var phi_4926_: f32;
-    var phi_4927_: bool;
-    var phi_4935_: f32;
-    var phi_4433_: f32;
-    var phi_4434_: f32;
-    var phi_4446_: f32;
-    var phi_4451_: type_20;
-    var phi_5514_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -336,93 +323,93 @@ fn function_() {
                     if _e233 {
                         let _e236 = (bitcast<u32>(bitcast<f32>(_e208)) & 2147483647u);
                         if (_e236 >= 8388608u) {
-                            phi_513_ = (bitcast<i32>((_e236 >> bitcast<u32>(23i))) - 127i);
+                            phi_520_ = (bitcast<i32>((_e236 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_513_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e236)), 32u, (_e236 == 0u))));
+                            phi_520_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e236)), 32u, (_e236 == 0u))));
                         }
-                        let _e250 = phi_513_;
-                        phi_514_ = _e250;
+                        let _e250 = phi_520_;
+                        phi_521_ = _e250;
                     } else {
-                        phi_514_ = 0i;
+                        phi_521_ = 0i;
                     }
-                    let _e252 = phi_514_;
+                    let _e252 = phi_521_;
                     let _e253 = (_e169 == _e208);
                     if _e253 {
-                        phi_524_ = true;
+                        phi_531_ = true;
                     } else {
-                        phi_524_ = (_e176 == _e208);
+                        phi_531_ = (_e176 == _e208);
                     }
-                    let _e256 = phi_524_;
+                    let _e256 = phi_531_;
                     let _e257 = select(1u, 0u, _e253);
                     if _e256 {
                         let _e258 = (_e257 + 1u);
-                        phi_534_ = _e258;
-                        phi_535_ = _e258;
-                        phi_537_ = select(true, false, (_e258 == 2u));
+                        phi_541_ = _e258;
+                        phi_542_ = _e258;
+                        phi_544_ = select(true, false, (_e258 == 2u));
                     } else {
-                        phi_534_ = u32();
-                        phi_535_ = 0u;
-                        phi_537_ = true;
-                    }
-                    let _e262 = phi_534_;
-                    let _e264 = phi_535_;
-                    let _e266 = phi_537_;
-                    if _e266 {
-                        phi_542_ = (_e264 + 1u);
-                    } else {
+                        phi_541_ = u32();
                         phi_542_ = 0u;
+                        phi_544_ = true;
                     }
-                    let _e270 = phi_542_;
+                    let _e262 = phi_541_;
+                    let _e264 = phi_542_;
+                    let _e266 = phi_544_;
+                    if _e266 {
+                        phi_549_ = (_e264 + 1u);
+                    } else {
+                        phi_549_ = 0u;
+                    }
+                    let _e270 = phi_549_;
                     let _e271 = select(_e262, _e264, _e266);
                     let _e272 = select(_e257, select(2u, _e257, _e256), _e266);
                     if (_e139 < -126i) {
-                        phi_555_ = -126i;
+                        phi_562_ = -126i;
                     } else {
-                        phi_555_ = select(_e139, 127i, (_e139 > 127i));
+                        phi_562_ = select(_e139, 127i, (_e139 > 127i));
                     }
-                    let _e277 = phi_555_;
+                    let _e277 = phi_562_;
                     let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
                     let _e288 = bitcast<f32>((bitcast<u32>(((_e139 - _e277) + 127i)) << bitcast<u32>(23i)));
                     let _e289 = -(_e252);
                     if (_e289 < -126i) {
-                        phi_575_ = -126i;
+                        phi_582_ = -126i;
                     } else {
-                        phi_575_ = select(_e289, 127i, (_e289 > 127i));
+                        phi_582_ = select(_e289, 127i, (_e289 > 127i));
                     }
-                    let _e294 = phi_575_;
+                    let _e294 = phi_582_;
                     let _e299 = bitcast<f32>((bitcast<u32>((_e294 + 127i)) << bitcast<u32>(23i)));
                     let _e305 = bitcast<f32>((bitcast<u32>(((_e289 - _e294) + 127i)) << bitcast<u32>(23i)));
                     let _e309 = global_3.member[_e157].member;
                     let _e310 = (_e271 == 0u);
                     if _e310 {
-                        phi_593_ = _e309[0];
+                        phi_600_ = _e309[0];
                     } else {
-                        phi_593_ = _e309[1];
+                        phi_600_ = _e309[1];
                     }
-                    let _e314 = phi_593_;
+                    let _e314 = phi_600_;
                     let _e315 = (_e271 == 2u);
                     if _e315 {
-                        phi_599_ = _e309[2];
+                        phi_606_ = _e309[2];
                     } else {
-                        phi_599_ = _e314;
+                        phi_606_ = _e314;
                     }
-                    let _e318 = phi_599_;
+                    let _e318 = phi_606_;
                     let _e319 = bitcast<u32>(_e318);
                     let _e321 = ((_e319 & 2139095040u) != 0u);
                     let _e335 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e319 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e319 & 2147483648u))), _e318, _e321) * _e282) * select(0.00000011920929f, 1f, _e321)) * _e288);
                     let _e336 = global_3.member[_e157].member_2;
                     if _e310 {
-                        phi_639_ = _e336[0];
+                        phi_646_ = _e336[0];
                     } else {
-                        phi_639_ = _e336[1];
+                        phi_646_ = _e336[1];
                     }
-                    let _e340 = phi_639_;
+                    let _e340 = phi_646_;
                     if _e315 {
-                        phi_645_ = _e336[2];
+                        phi_652_ = _e336[2];
                     } else {
-                        phi_645_ = _e340;
+                        phi_652_ = _e340;
                     }
-                    let _e343 = phi_645_;
+                    let _e343 = phi_652_;
                     let _e344 = bitcast<u32>(_e343);
                     let _e346 = ((_e344 & 2139095040u) != 0u);
                     let _e360 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e344 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e344 & 2147483648u))), _e343, _e346) * _e299) * select(0.00000011920929f, 1f, _e346)) * _e305);
@@ -436,33 +423,33 @@ fn function_() {
                     let _e376 = select(38685626000000000000000000f, (1f / _e360), _e364);
                     let _e377 = (_e270 == 0u);
                     if _e377 {
-                        phi_718_ = _e309[0];
+                        phi_725_ = _e309[0];
                     } else {
-                        phi_718_ = _e309[1];
+                        phi_725_ = _e309[1];
                     }
-                    let _e381 = phi_718_;
+                    let _e381 = phi_725_;
                     let _e382 = (_e270 == 2u);
                     if _e382 {
-                        phi_724_ = _e309[2];
+                        phi_731_ = _e309[2];
                     } else {
-                        phi_724_ = _e381;
+                        phi_731_ = _e381;
                     }
-                    let _e385 = phi_724_;
+                    let _e385 = phi_731_;
                     let _e386 = bitcast<u32>(_e385);
                     let _e388 = ((_e386 & 2139095040u) != 0u);
                     let _e402 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e385, _e388) * _e282) * select(0.00000011920929f, 1f, _e388)) * _e288);
                     if _e377 {
-                        phi_764_ = _e336[0];
+                        phi_771_ = _e336[0];
                     } else {
-                        phi_764_ = _e336[1];
+                        phi_771_ = _e336[1];
                     }
-                    let _e406 = phi_764_;
+                    let _e406 = phi_771_;
                     if _e382 {
-                        phi_770_ = _e336[2];
+                        phi_777_ = _e336[2];
                     } else {
-                        phi_770_ = _e406;
+                        phi_777_ = _e406;
                     }
-                    let _e409 = phi_770_;
+                    let _e409 = phi_777_;
                     let _e410 = bitcast<u32>(_e409);
                     let _e412 = ((_e410 & 2139095040u) != 0u);
                     let _e426 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e410 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e410 & 2147483648u))), _e409, _e412) * _e299) * select(0.00000011920929f, 1f, _e412)) * _e305);
@@ -476,33 +463,33 @@ fn function_() {
                     let _e442 = select(38685626000000000000000000f, (1f / _e426), _e430);
                     let _e443 = (_e272 == 0u);
                     if _e443 {
-                        phi_843_ = _e309[0];
+                        phi_850_ = _e309[0];
                     } else {
-                        phi_843_ = _e309[1];
+                        phi_850_ = _e309[1];
                     }
-                    let _e447 = phi_843_;
+                    let _e447 = phi_850_;
                     let _e448 = (_e272 == 2u);
                     if _e448 {
-                        phi_849_ = _e309[2];
+                        phi_856_ = _e309[2];
                     } else {
-                        phi_849_ = _e447;
+                        phi_856_ = _e447;
                     }
-                    let _e451 = phi_849_;
+                    let _e451 = phi_856_;
                     let _e452 = bitcast<u32>(_e451);
                     let _e454 = ((_e452 & 2139095040u) != 0u);
                     let _e468 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * _e282) * select(0.00000011920929f, 1f, _e454)) * _e288);
                     if _e443 {
-                        phi_889_ = _e336[0];
+                        phi_896_ = _e336[0];
                     } else {
-                        phi_889_ = _e336[1];
+                        phi_896_ = _e336[1];
                     }
-                    let _e472 = phi_889_;
+                    let _e472 = phi_896_;
                     if _e448 {
-                        phi_895_ = _e336[2];
+                        phi_902_ = _e336[2];
                     } else {
-                        phi_895_ = _e472;
+                        phi_902_ = _e472;
                     }
-                    let _e475 = phi_895_;
+                    let _e475 = phi_902_;
                     let _e476 = bitcast<u32>(_e475);
                     let _e478 = ((_e476 & 2139095040u) != 0u);
                     let _e492 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e476 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e476 & 2147483648u))), _e475, _e478) * _e299) * select(0.00000011920929f, 1f, _e478)) * _e305);
@@ -522,55 +509,55 @@ fn function_() {
                         let _e530 = (_e523 == 0u);
                         let _e533 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e523)), 32u, _e530)) - 8i);
                         if (_e526 == 255i) {
-                            phi_1014_ = 255i;
+                            phi_1021_ = 255i;
                         } else {
-                            phi_1014_ = (((_e526 + select(0i, 1i, (_e526 == 0i))) - _e533) + _e513);
+                            phi_1021_ = (((_e526 + select(0i, 1i, (_e526 == 0i))) - _e533) + _e513);
                         }
-                        let _e541 = phi_1014_;
+                        let _e541 = phi_1021_;
                         let _e551 = (_e541 <= 0i);
                         if _e551 {
-                            phi_1037_ = u32();
+                            phi_1044_ = u32();
                         } else {
                             if _e530 {
-                                phi_1036_ = u32();
+                                phi_1043_ = u32();
                             } else {
-                                phi_1036_ = select(((bitcast<u32>(_e541) << bitcast<u32>(23i)) | ((_e523 << bitcast<u32>(((_e533 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e541 >= 255i));
+                                phi_1043_ = select(((bitcast<u32>(_e541) << bitcast<u32>(23i)) | ((_e523 << bitcast<u32>(((_e533 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e541 >= 255i));
                             }
-                            let _e555 = phi_1036_;
-                            phi_1037_ = _e555;
+                            let _e555 = phi_1043_;
+                            phi_1044_ = _e555;
                         }
-                        let _e557 = phi_1037_;
+                        let _e557 = phi_1044_;
                         let _e569 = ((_e229 & 8388607u) | (select(0u, 1u, ((_e229 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e572 = bitcast<i32>((_e229 >> bitcast<u32>(23i)));
                         let _e576 = (_e569 == 0u);
                         let _e579 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e569)), 32u, _e576)) - 8i);
                         if (_e572 == 255i) {
-                            phi_1074_ = 255i;
+                            phi_1081_ = 255i;
                         } else {
-                            phi_1074_ = (((_e572 + select(0i, 1i, (_e572 == 0i))) - _e579) + _e513);
+                            phi_1081_ = (((_e572 + select(0i, 1i, (_e572 == 0i))) - _e579) + _e513);
                         }
-                        let _e587 = phi_1074_;
+                        let _e587 = phi_1081_;
                         let _e597 = (_e587 <= 0i);
                         if _e597 {
-                            phi_1097_ = u32();
+                            phi_1104_ = u32();
                         } else {
                             if _e576 {
-                                phi_1096_ = u32();
+                                phi_1103_ = u32();
                             } else {
-                                phi_1096_ = select(((bitcast<u32>(_e587) << bitcast<u32>(23i)) | ((_e569 << bitcast<u32>(((_e579 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e587 >= 255i));
+                                phi_1103_ = select(((bitcast<u32>(_e587) << bitcast<u32>(23i)) | ((_e569 << bitcast<u32>(((_e579 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e587 >= 255i));
                             }
-                            let _e601 = phi_1096_;
-                            phi_1097_ = _e601;
+                            let _e601 = phi_1103_;
+                            phi_1104_ = _e601;
                         }
-                        let _e603 = phi_1097_;
-                        phi_1105_ = bitcast<f32>(((_e228 & 2147483648u) | select(_e603, 0u, select(_e576, true, _e597))));
-                        phi_1106_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e557, 0u, select(_e530, true, _e551))));
+                        let _e603 = phi_1104_;
+                        phi_1112_ = bitcast<f32>(((_e228 & 2147483648u) | select(_e603, 0u, select(_e576, true, _e597))));
+                        phi_1113_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e557, 0u, select(_e530, true, _e551))));
                     } else {
-                        phi_1105_ = 0f;
-                        phi_1106_ = 1f;
+                        phi_1112_ = 0f;
+                        phi_1113_ = 1f;
                     }
-                    let _e609 = phi_1105_;
-                    let _e611 = phi_1106_;
+                    let _e609 = phi_1112_;
+                    let _e611 = phi_1113_;
                     local_9 = array<type_20, 8>(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -580,1540 +567,1458 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e614 = (_e271 % 3u);
-                    let _e615 = (_e614 < 3u);
-                    if _e615 {
+                    let _e616 = (_e271 % 3u);
+                    let _e617 = (_e616 < 3u);
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e617 = local_1[_e614];
-                    let _e620 = (_e270 % 3u);
-                    let _e621 = (_e620 < 3u);
-                    if _e621 {
+                    let _e619 = local_1[_e616];
+                    let _e622 = (_e270 % 3u);
+                    let _e623 = (_e622 < 3u);
+                    if _e623 {
                     } else {
                         break;
                     }
-                    let _e623 = local_1[_e620];
-                    let _e626 = (_e272 % 3u);
-                    let _e627 = (_e626 < 3u);
-                    if _e627 {
+                    let _e625 = local_1[_e622];
+                    let _e628 = (_e272 % 3u);
+                    let _e629 = (_e628 < 3u);
+                    if _e629 {
                     } else {
                         break;
                     }
-                    let _e629 = local_1[_e626];
-                    if _e615 {
+                    let _e631 = local_1[_e628];
+                    if _e617 {
                     } else {
                         break;
                     }
-                    let _e634 = local[_e614];
-                    if _e621 {
+                    let _e636 = local[_e616];
+                    if _e623 {
                     } else {
                         break;
                     }
-                    let _e638 = local[_e620];
-                    if _e627 {
+                    let _e640 = local[_e622];
+                    if _e629 {
                     } else {
                         break;
                     }
-                    let _e642 = local[_e626];
-                    phi_5075_ = false;
-                    phi_4988_ = _e609;
-                    phi_1255_ = ((3u * _e100) + 1u);
-                    phi_1258_ = (_e611 <= _e609);
-                    phi_1260_ = 0u;
-                    phi_1262_ = type_52(type_24(vec4<f32>((f32(_e617) * _e151), (f32(_e623) * _e151), (f32(_e629) * _e151), 0f), vec4<f32>((f32(_e634) * _e151), (f32(_e638) * _e151), (f32(_e642) * _e151), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
+                    let _e644 = local[_e628];
+                    phi_5063_ = false;
+                    phi_4918_ = _e609;
+                    phi_1262_ = (_e611 <= _e609);
+                    phi_1265_ = type_52(type_24(vec4<f32>((f32(_e619) * _e151), (f32(_e625) * _e151), (f32(_e631) * _e151), 0f), vec4<f32>((f32(_e636) * _e151), (f32(_e640) * _e151), (f32(_e644) * _e151), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
+                    phi_1267_ = 0u;
+                    phi_1269_ = ((3u * _e100) + 1u);
                     loop {
-                        let _e652 = phi_5075_;
-                        let _e654 = phi_4988_;
-                        let _e656 = phi_1255_;
-                        let _e658 = phi_1258_;
-                        let _e660 = phi_1260_;
-                        let _e662 = phi_1262_;
-                        if _e658 {
-                            phi_1273_ = true;
+                        let _e652 = phi_5063_;
+                        let _e654 = phi_4918_;
+                        let _e656 = phi_1262_;
+                        let _e658 = phi_1265_;
+                        let _e660 = phi_1267_;
+                        let _e662 = phi_1269_;
+                        if _e656 {
+                            phi_1280_ = true;
                         } else {
-                            phi_1273_ = (_e660 > 0u);
+                            phi_1280_ = (_e660 > 0u);
                         }
-                        let _e665 = phi_1273_;
+                        let _e665 = phi_1280_;
                         if _e665 {
-                            let _e666 = (_e656 > 0u);
+                            let _e666 = (_e662 > 0u);
                             if _e666 {
-                                if _e658 {
-                                    phi_1360_ = _e658;
-                                    phi_1361_ = _e660;
-                                    phi_1362_ = _e662;
+                                if _e656 {
+                                    phi_1367_ = _e656;
+                                    phi_1368_ = _e658;
+                                    phi_1369_ = _e660;
                                 } else {
                                     let _e667 = (_e660 - 1u);
                                     let _e668 = (_e667 % 128u);
                                     let _e669 = (_e668 < 128u);
                                     if _e669 {
                                     } else {
-                                        phi_5415_ = true;
+                                        phi_5320_ = true;
                                         break;
                                     }
                                     let _e671 = local_7[_e668];
                                     if _e669 {
                                     } else {
-                                        phi_5415_ = true;
+                                        phi_5320_ = true;
                                         break;
                                     }
                                     let _e673 = local_6[_e668];
                                     if _e669 {
                                     } else {
-                                        phi_5415_ = true;
+                                        phi_5320_ = true;
                                         break;
                                     }
                                     let _e675 = local_5[_e668];
                                     if _e669 {
                                     } else {
-                                        phi_5415_ = true;
+                                        phi_5320_ = true;
                                         break;
                                     }
                                     let _e677 = local_4[_e668];
                                     if _e669 {
                                     } else {
-                                        phi_5415_ = true;
+                                        phi_5320_ = true;
                                         break;
                                     }
                                     let _e679 = local_3[_e668];
                                     if _e669 {
                                     } else {
-                                        phi_5415_ = true;
+                                        phi_5320_ = true;
                                         break;
                                     }
                                     let _e681 = local_2[_e668];
                                     if _e669 {
                                     } else {
-                                        phi_5415_ = true;
+                                        phi_5320_ = true;
                                         break;
                                     }
                                     let _e686 = local_8[_e668];
                                     if _e669 {
                                     } else {
-                                        phi_5415_ = true;
+                                        phi_5320_ = true;
                                         break;
                                     }
                                     let _e689 = local_10[_e668];
-                                    phi_1360_ = (_e689 <= _e654);
-                                    phi_1361_ = _e667;
-                                    phi_1362_ = type_52(type_24(vec4<f32>(_e671, _e673, _e675, 0f), vec4<f32>(_e677, _e679, _e681, 0f)), _e686);
+                                    phi_1367_ = (_e689 <= _e654);
+                                    phi_1368_ = type_52(type_24(vec4<f32>(_e671, _e673, _e675, 0f), vec4<f32>(_e677, _e679, _e681, 0f)), _e686);
+                                    phi_1369_ = _e667;
                                 }
-                                let _e692 = phi_1360_;
-                                let _e694 = phi_1361_;
-                                let _e696 = phi_1362_;
+                                let _e692 = phi_1367_;
+                                let _e694 = phi_1368_;
+                                let _e696 = phi_1369_;
                                 if _e692 {
-                                    let _e700 = ((_e696.member_1 & 2147483648u) != 0u);
-                                    let _e701 = (_e696.member_1 & 268435455u);
-                                    if _e700 {
-                                        phi_5072_ = _e652;
-                                        phi_5013_ = _e654;
-                                        phi_1381_ = type_8(0u, ((_e696.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e701 = (_e694.member_1 & 268435455u);
+                                    if ((_e694.member_1 & 2147483648u) != 0u) {
+                                        phi_5060_ = _e652;
+                                        phi_5002_ = _e654;
+                                        phi_1388_ = type_8(0u, ((_e694.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e708 = phi_5072_;
-                                            let _e710 = phi_5013_;
-                                            let _e712 = phi_1381_;
-                                            if (_e712.member < _e712.member_1) {
-                                                phi_1382_ = type_8((_e712.member + 1u), _e712.member_1);
-                                                phi_1405_ = type_8(1u, _e712.member);
+                                            let _e1183 = phi_5060_;
+                                            let _e1185 = phi_5002_;
+                                            let _e1187 = phi_1388_;
+                                            if (_e1187.member < _e1187.member_1) {
+                                                phi_1389_ = type_8((_e1187.member + 1u), _e1187.member_1);
+                                                phi_1412_ = type_8(1u, _e1187.member);
                                             } else {
-                                                phi_1382_ = _e712;
-                                                phi_1405_ = type_8(0u, type_8().member_1);
+                                                phi_1389_ = _e1187;
+                                                phi_1412_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e725 = phi_1382_;
-                                            let _e727 = phi_1405_;
-                                            let _e731 = (bitcast<i32>(_e727.member) != 0i);
-                                            if _e731 {
-                                                let _e736 = (_e696.member.member_1.x - _e696.member.member.x);
-                                                let _e739 = (_e696.member.member_1.y - _e696.member.member.y);
-                                                let _e742 = (_e696.member.member_1.z - _e696.member.member.z);
-                                                let _e744 = select(_e739, _e736, (_e736 > _e739));
-                                                let _e746 = select(_e742, _e744, (_e744 > _e742));
-                                                let _e748 = (_e746 < (1024f * _e151));
-                                                if _e748 {
-                                                    phi_1446_ = 0u;
+                                            let _e1200 = phi_1389_;
+                                            let _e1202 = phi_1412_;
+                                            let _e1206 = (bitcast<i32>(_e1202.member) != 0i);
+                                            if _e1206 {
+                                                let _e1211 = (_e694.member.member_1.x - _e694.member.member.x);
+                                                let _e1214 = (_e694.member.member_1.y - _e694.member.member.y);
+                                                let _e1217 = (_e694.member.member_1.z - _e694.member.member.z);
+                                                let _e1219 = select(_e1214, _e1211, (_e1211 > _e1214));
+                                                let _e1221 = select(_e1217, _e1219, (_e1219 > _e1217));
+                                                let _e1223 = (_e1221 < (1024f * _e151));
+                                                if _e1223 {
+                                                    phi_1453_ = 0u;
                                                 } else {
-                                                    phi_1446_ = select(2u, 1u, (_e746 < (2097152f * _e151)));
+                                                    phi_1453_ = select(2u, 1u, (_e1221 < (2097152f * _e151)));
                                                 }
-                                                let _e753 = phi_1446_;
-                                                switch bitcast<i32>(_e753) {
+                                                let _e1228 = phi_1453_;
+                                                switch bitcast<i32>(_e1228) {
                                                     case 0: {
-                                                        phi_1452_ = 1u;
+                                                        phi_1459_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1452_ = 2u;
+                                                        phi_1459_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1452_ = 3u;
+                                                        phi_1459_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1452_ = u32();
+                                                        phi_1459_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e756 = phi_1452_;
-                                                switch bitcast<i32>(_e753) {
+                                                let _e1231 = phi_1459_;
+                                                switch bitcast<i32>(_e1228) {
                                                     case 0: {
-                                                        phi_1462_ = 1u;
+                                                        phi_1469_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1462_ = 2u;
+                                                        phi_1469_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1462_ = 3u;
+                                                        phi_1469_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1462_ = u32();
+                                                        phi_1469_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e763 = phi_1462_;
-                                                let _e765 = ((_e701 + (_e727.member_1 * ((3u * _e756) + 1u))) + (3u * _e763));
-                                                let _e766 = (_e765 < _e103);
-                                                if _e766 {
-                                                    if _e766 {
+                                                let _e1238 = phi_1469_;
+                                                let _e1240 = ((_e701 + (_e1202.member_1 * ((3u * _e1231) + 1u))) + (3u * _e1238));
+                                                let _e1241 = (_e1240 < _e103);
+                                                if _e1241 {
+                                                    if _e1241 {
                                                     } else {
-                                                        phi_5317_ = _e710;
-                                                        phi_5254_ = true;
+                                                        phi_5235_ = _e1185;
+                                                        phi_5230_ = true;
                                                         break;
                                                     }
-                                                    let _e768 = global_5.member[_e765];
-                                                    phi_1478_ = _e768;
+                                                    let _e1243 = global_5.member[_e1240];
+                                                    phi_1485_ = _e1243;
                                                 } else {
-                                                    phi_1478_ = 4294967295u;
+                                                    phi_1485_ = 4294967295u;
                                                 }
-                                                let _e770 = phi_1478_;
-                                                if _e748 {
-                                                    phi_1511_ = 0u;
+                                                let _e1245 = phi_1485_;
+                                                if _e1223 {
+                                                    phi_1518_ = 0u;
                                                 } else {
-                                                    phi_1511_ = select(2u, 1u, (_e746 < (2097152f * _e151)));
+                                                    phi_1518_ = select(2u, 1u, (_e1221 < (2097152f * _e151)));
                                                 }
-                                                let _e775 = phi_1511_;
-                                                switch bitcast<i32>(_e775) {
+                                                let _e1250 = phi_1518_;
+                                                switch bitcast<i32>(_e1250) {
                                                     case 0: {
-                                                        phi_1517_ = 1u;
+                                                        phi_1524_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1517_ = 2u;
+                                                        phi_1524_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1517_ = 3u;
+                                                        phi_1524_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1517_ = u32();
+                                                        phi_1524_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e778 = phi_1517_;
-                                                let _e782 = (_e701 + (_e727.member_1 * ((3u * _e778) + 1u)));
-                                                switch bitcast<i32>(_e775) {
+                                                let _e1253 = phi_1524_;
+                                                let _e1257 = (_e701 + (_e1202.member_1 * ((3u * _e1253) + 1u)));
+                                                switch bitcast<i32>(_e1250) {
                                                     case 0: {
-                                                        let _e1057 = (_e782 < _e103);
-                                                        if _e1057 {
-                                                            if _e1057 {
+                                                        let _e1532 = (_e1257 < _e103);
+                                                        if _e1532 {
+                                                            if _e1532 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e1059 = global_5.member[_e782];
-                                                            phi_1544_ = _e1059;
+                                                            let _e1534 = global_5.member[_e1257];
+                                                            phi_1551_ = _e1534;
                                                         } else {
-                                                            phi_1544_ = 0u;
+                                                            phi_1551_ = 0u;
                                                         }
-                                                        let _e1061 = phi_1544_;
-                                                        let _e1063 = ((10u * _e271) & 31u);
-                                                        let _e1073 = ((10u * _e270) & 31u);
-                                                        let _e1083 = ((10u * _e272) & 31u);
-                                                        let _e1093 = (_e782 + 1u);
-                                                        let _e1094 = (_e1093 < _e103);
-                                                        if _e1094 {
-                                                            if _e1094 {
+                                                        let _e1536 = phi_1551_;
+                                                        let _e1538 = ((10u * _e271) & 31u);
+                                                        let _e1548 = ((10u * _e270) & 31u);
+                                                        let _e1558 = ((10u * _e272) & 31u);
+                                                        let _e1568 = (_e1257 + 1u);
+                                                        let _e1569 = (_e1568 < _e103);
+                                                        if _e1569 {
+                                                            if _e1569 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e1096 = global_5.member[_e1093];
-                                                            phi_1593_ = _e1096;
+                                                            let _e1571 = global_5.member[_e1568];
+                                                            phi_1600_ = _e1571;
                                                         } else {
-                                                            phi_1593_ = 0u;
+                                                            phi_1600_ = 0u;
                                                         }
-                                                        let _e1098 = phi_1593_;
-                                                        let _e1124 = (_e782 + 2u);
-                                                        let _e1125 = (_e1124 < _e103);
-                                                        if _e1125 {
-                                                            if _e1125 {
+                                                        let _e1573 = phi_1600_;
+                                                        let _e1599 = (_e1257 + 2u);
+                                                        let _e1600 = (_e1599 < _e103);
+                                                        if _e1600 {
+                                                            if _e1600 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e1127 = global_5.member[_e1124];
-                                                            phi_1642_ = _e1127;
+                                                            let _e1602 = global_5.member[_e1599];
+                                                            phi_1649_ = _e1602;
                                                         } else {
-                                                            phi_1642_ = 0u;
+                                                            phi_1649_ = 0u;
                                                         }
-                                                        let _e1129 = phi_1642_;
-                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | ((_e1061 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e151))), array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | ((_e1098 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e151))), array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1063)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1073)) & 1023u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | ((_e1129 >> bitcast<u32>(_e1083)) & 1023u))) - 8388608f) * _e151))));
+                                                        let _e1604 = phi_1649_;
+                                                        phi_2150_ = array<array<f32, 3>, 3>(array<f32, 3>((_e694.member.member.x + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e151)), (_e694.member.member.y + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e151)), (_e694.member.member.z + ((bitcast<f32>((1258291200u | ((_e1536 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e151))), array<f32, 3>((_e694.member.member.x + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e151)), (_e694.member.member.y + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e151)), (_e694.member.member.z + ((bitcast<f32>((1258291200u | ((_e1573 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e151))), array<f32, 3>((_e694.member.member.x + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1538)) & 1023u))) - 8388608f) * _e151)), (_e694.member.member.y + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1548)) & 1023u))) - 8388608f) * _e151)), (_e694.member.member.z + ((bitcast<f32>((1258291200u | ((_e1604 >> bitcast<u32>(_e1558)) & 1023u))) - 8388608f) * _e151))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e871 = (_e782 < _e103);
-                                                        if _e871 {
-                                                            if _e871 {
+                                                        let _e1346 = (_e1257 < _e103);
+                                                        if _e1346 {
+                                                            if _e1346 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e873 = global_5.member[_e782];
-                                                            phi_1691_ = _e873;
+                                                            let _e1348 = global_5.member[_e1257];
+                                                            phi_1698_ = _e1348;
                                                         } else {
-                                                            phi_1691_ = 0u;
+                                                            phi_1698_ = 0u;
                                                         }
-                                                        let _e875 = phi_1691_;
-                                                        let _e876 = (_e782 + 1u);
-                                                        let _e877 = (_e876 < _e103);
-                                                        if _e877 {
-                                                            if _e877 {
+                                                        let _e1350 = phi_1698_;
+                                                        let _e1351 = (_e1257 + 1u);
+                                                        let _e1352 = (_e1351 < _e103);
+                                                        if _e1352 {
+                                                            if _e1352 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e879 = global_5.member[_e876];
-                                                            phi_1706_ = _e879;
+                                                            let _e1354 = global_5.member[_e1351];
+                                                            phi_1713_ = _e1354;
                                                         } else {
-                                                            phi_1706_ = 0u;
+                                                            phi_1713_ = 0u;
                                                         }
-                                                        let _e881 = phi_1706_;
-                                                        let _e882 = (_e271 == 1u);
-                                                        if _e882 {
-                                                            phi_1716_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
+                                                        let _e1356 = phi_1713_;
+                                                        let _e1357 = (_e271 == 1u);
+                                                        if _e1357 {
+                                                            phi_1723_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1716_ = (_e881 >> bitcast<u32>(10i));
+                                                            phi_1723_ = (_e1356 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e891 = phi_1716_;
-                                                        let _e899 = (_e270 == 1u);
-                                                        if _e899 {
-                                                            phi_1737_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
+                                                        let _e1366 = phi_1723_;
+                                                        let _e1374 = (_e270 == 1u);
+                                                        if _e1374 {
+                                                            phi_1744_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1737_ = (_e881 >> bitcast<u32>(10i));
+                                                            phi_1744_ = (_e1356 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e908 = phi_1737_;
-                                                        let _e916 = (_e272 == 1u);
-                                                        if _e916 {
-                                                            phi_1758_ = ((_e875 >> bitcast<u32>(21i)) | (_e881 << bitcast<u32>(11i)));
+                                                        let _e1383 = phi_1744_;
+                                                        let _e1391 = (_e272 == 1u);
+                                                        if _e1391 {
+                                                            phi_1765_ = ((_e1350 >> bitcast<u32>(21i)) | (_e1356 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1758_ = (_e881 >> bitcast<u32>(10i));
+                                                            phi_1765_ = (_e1356 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e925 = phi_1758_;
-                                                        let _e934 = (_e782 + 2u);
-                                                        let _e935 = (_e934 < _e103);
-                                                        if _e935 {
-                                                            if _e935 {
+                                                        let _e1400 = phi_1765_;
+                                                        let _e1409 = (_e1257 + 2u);
+                                                        let _e1410 = (_e1409 < _e103);
+                                                        if _e1410 {
+                                                            if _e1410 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e937 = global_5.member[_e934];
-                                                            phi_1788_ = _e937;
+                                                            let _e1412 = global_5.member[_e1409];
+                                                            phi_1795_ = _e1412;
                                                         } else {
-                                                            phi_1788_ = 0u;
+                                                            phi_1795_ = 0u;
                                                         }
-                                                        let _e939 = phi_1788_;
-                                                        let _e940 = (_e782 + 3u);
-                                                        let _e941 = (_e940 < _e103);
-                                                        if _e941 {
-                                                            if _e941 {
+                                                        let _e1414 = phi_1795_;
+                                                        let _e1415 = (_e1257 + 3u);
+                                                        let _e1416 = (_e1415 < _e103);
+                                                        if _e1416 {
+                                                            if _e1416 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e943 = global_5.member[_e940];
-                                                            phi_1803_ = _e943;
+                                                            let _e1418 = global_5.member[_e1415];
+                                                            phi_1810_ = _e1418;
                                                         } else {
-                                                            phi_1803_ = 0u;
+                                                            phi_1810_ = 0u;
                                                         }
-                                                        let _e945 = phi_1803_;
-                                                        if _e882 {
-                                                            phi_1813_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
+                                                        let _e1420 = phi_1810_;
+                                                        if _e1357 {
+                                                            phi_1820_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1813_ = (_e945 >> bitcast<u32>(10i));
+                                                            phi_1820_ = (_e1420 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e954 = phi_1813_;
-                                                        if _e899 {
-                                                            phi_1834_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
+                                                        let _e1429 = phi_1820_;
+                                                        if _e1374 {
+                                                            phi_1841_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1834_ = (_e945 >> bitcast<u32>(10i));
+                                                            phi_1841_ = (_e1420 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e970 = phi_1834_;
-                                                        if _e916 {
-                                                            phi_1855_ = ((_e939 >> bitcast<u32>(21i)) | (_e945 << bitcast<u32>(11i)));
+                                                        let _e1445 = phi_1841_;
+                                                        if _e1391 {
+                                                            phi_1862_ = ((_e1414 >> bitcast<u32>(21i)) | (_e1420 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1855_ = (_e945 >> bitcast<u32>(10i));
+                                                            phi_1862_ = (_e1420 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e986 = phi_1855_;
-                                                        let _e995 = (_e782 + 4u);
-                                                        let _e996 = (_e995 < _e103);
-                                                        if _e996 {
-                                                            if _e996 {
+                                                        let _e1461 = phi_1862_;
+                                                        let _e1470 = (_e1257 + 4u);
+                                                        let _e1471 = (_e1470 < _e103);
+                                                        if _e1471 {
+                                                            if _e1471 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e998 = global_5.member[_e995];
-                                                            phi_1885_ = _e998;
+                                                            let _e1473 = global_5.member[_e1470];
+                                                            phi_1892_ = _e1473;
                                                         } else {
-                                                            phi_1885_ = 0u;
+                                                            phi_1892_ = 0u;
                                                         }
-                                                        let _e1000 = phi_1885_;
-                                                        let _e1001 = (_e782 + 5u);
-                                                        let _e1002 = (_e1001 < _e103);
-                                                        if _e1002 {
-                                                            if _e1002 {
+                                                        let _e1475 = phi_1892_;
+                                                        let _e1476 = (_e1257 + 5u);
+                                                        let _e1477 = (_e1476 < _e103);
+                                                        if _e1477 {
+                                                            if _e1477 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e1004 = global_5.member[_e1001];
-                                                            phi_1900_ = _e1004;
+                                                            let _e1479 = global_5.member[_e1476];
+                                                            phi_1907_ = _e1479;
                                                         } else {
-                                                            phi_1900_ = 0u;
+                                                            phi_1907_ = 0u;
                                                         }
-                                                        let _e1006 = phi_1900_;
-                                                        if _e882 {
-                                                            phi_1910_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
+                                                        let _e1481 = phi_1907_;
+                                                        if _e1357 {
+                                                            phi_1917_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1910_ = (_e1006 >> bitcast<u32>(10i));
+                                                            phi_1917_ = (_e1481 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1015 = phi_1910_;
-                                                        if _e899 {
-                                                            phi_1931_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
+                                                        let _e1490 = phi_1917_;
+                                                        if _e1374 {
+                                                            phi_1938_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1931_ = (_e1006 >> bitcast<u32>(10i));
+                                                            phi_1938_ = (_e1481 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1031 = phi_1931_;
-                                                        if _e916 {
-                                                            phi_1952_ = ((_e1000 >> bitcast<u32>(21i)) | (_e1006 << bitcast<u32>(11i)));
+                                                        let _e1506 = phi_1938_;
+                                                        if _e1391 {
+                                                            phi_1959_ = ((_e1475 >> bitcast<u32>(21i)) | (_e1481 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1952_ = (_e1006 >> bitcast<u32>(10i));
+                                                            phi_1959_ = (_e1481 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1047 = phi_1952_;
-                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | (select(_e891, _e875, _e310) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | (select(_e908, _e875, _e377) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | (select(_e925, _e875, _e443) & 2097151u))) - 8388608f) * _e151))), array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | (select(_e954, _e939, _e310) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | (select(_e970, _e939, _e377) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | (select(_e986, _e939, _e443) & 2097151u))) - 8388608f) * _e151))), array<f32, 3>((_e696.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1015, _e1000, _e310) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1031, _e1000, _e377) & 2097151u))) - 8388608f) * _e151)), (_e696.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1047, _e1000, _e443) & 2097151u))) - 8388608f) * _e151))));
+                                                        let _e1522 = phi_1959_;
+                                                        phi_2150_ = array<array<f32, 3>, 3>(array<f32, 3>((_e694.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1366, _e1350, _e310) & 2097151u))) - 8388608f) * _e151)), (_e694.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1383, _e1350, _e377) & 2097151u))) - 8388608f) * _e151)), (_e694.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1400, _e1350, _e443) & 2097151u))) - 8388608f) * _e151))), array<f32, 3>((_e694.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1429, _e1414, _e310) & 2097151u))) - 8388608f) * _e151)), (_e694.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1445, _e1414, _e377) & 2097151u))) - 8388608f) * _e151)), (_e694.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1461, _e1414, _e443) & 2097151u))) - 8388608f) * _e151))), array<f32, 3>((_e694.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1490, _e1475, _e310) & 2097151u))) - 8388608f) * _e151)), (_e694.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1506, _e1475, _e377) & 2097151u))) - 8388608f) * _e151)), (_e694.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1522, _e1475, _e443) & 2097151u))) - 8388608f) * _e151))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e784 = (_e782 + _e271);
-                                                        let _e785 = (_e784 < _e103);
-                                                        if _e785 {
-                                                            if _e785 {
+                                                        let _e1259 = (_e1257 + _e271);
+                                                        let _e1260 = (_e1259 < _e103);
+                                                        if _e1260 {
+                                                            if _e1260 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e787 = global_5.member[_e784];
-                                                            phi_1983_ = _e787;
+                                                            let _e1262 = global_5.member[_e1259];
+                                                            phi_1990_ = _e1262;
                                                         } else {
-                                                            phi_1983_ = 0u;
+                                                            phi_1990_ = 0u;
                                                         }
-                                                        let _e789 = phi_1983_;
-                                                        let _e793 = (_e782 + _e270);
-                                                        let _e794 = (_e793 < _e103);
-                                                        if _e794 {
-                                                            if _e794 {
+                                                        let _e1264 = phi_1990_;
+                                                        let _e1268 = (_e1257 + _e270);
+                                                        let _e1269 = (_e1268 < _e103);
+                                                        if _e1269 {
+                                                            if _e1269 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e796 = global_5.member[_e793];
-                                                            phi_2001_ = _e796;
+                                                            let _e1271 = global_5.member[_e1268];
+                                                            phi_2008_ = _e1271;
                                                         } else {
-                                                            phi_2001_ = 0u;
+                                                            phi_2008_ = 0u;
                                                         }
-                                                        let _e798 = phi_2001_;
-                                                        let _e802 = (_e782 + _e272);
-                                                        let _e803 = (_e802 < _e103);
-                                                        if _e803 {
-                                                            if _e803 {
+                                                        let _e1273 = phi_2008_;
+                                                        let _e1277 = (_e1257 + _e272);
+                                                        let _e1278 = (_e1277 < _e103);
+                                                        if _e1278 {
+                                                            if _e1278 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e805 = global_5.member[_e802];
-                                                            phi_2019_ = _e805;
+                                                            let _e1280 = global_5.member[_e1277];
+                                                            phi_2026_ = _e1280;
                                                         } else {
-                                                            phi_2019_ = 0u;
+                                                            phi_2026_ = 0u;
                                                         }
-                                                        let _e807 = phi_2019_;
-                                                        let _e812 = (_e782 + 3u);
-                                                        let _e813 = (_e812 + _e271);
-                                                        let _e814 = (_e813 < _e103);
-                                                        if _e814 {
-                                                            if _e814 {
+                                                        let _e1282 = phi_2026_;
+                                                        let _e1287 = (_e1257 + 3u);
+                                                        let _e1288 = (_e1287 + _e271);
+                                                        let _e1289 = (_e1288 < _e103);
+                                                        if _e1289 {
+                                                            if _e1289 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e816 = global_5.member[_e813];
-                                                            phi_2042_ = _e816;
+                                                            let _e1291 = global_5.member[_e1288];
+                                                            phi_2049_ = _e1291;
                                                         } else {
-                                                            phi_2042_ = 0u;
+                                                            phi_2049_ = 0u;
                                                         }
-                                                        let _e818 = phi_2042_;
-                                                        let _e822 = (_e812 + _e270);
-                                                        let _e823 = (_e822 < _e103);
-                                                        if _e823 {
-                                                            if _e823 {
+                                                        let _e1293 = phi_2049_;
+                                                        let _e1297 = (_e1287 + _e270);
+                                                        let _e1298 = (_e1297 < _e103);
+                                                        if _e1298 {
+                                                            if _e1298 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e825 = global_5.member[_e822];
-                                                            phi_2060_ = _e825;
+                                                            let _e1300 = global_5.member[_e1297];
+                                                            phi_2067_ = _e1300;
                                                         } else {
-                                                            phi_2060_ = 0u;
+                                                            phi_2067_ = 0u;
                                                         }
-                                                        let _e827 = phi_2060_;
-                                                        let _e831 = (_e812 + _e272);
-                                                        let _e832 = (_e831 < _e103);
-                                                        if _e832 {
-                                                            if _e832 {
+                                                        let _e1302 = phi_2067_;
+                                                        let _e1306 = (_e1287 + _e272);
+                                                        let _e1307 = (_e1306 < _e103);
+                                                        if _e1307 {
+                                                            if _e1307 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e834 = global_5.member[_e831];
-                                                            phi_2078_ = _e834;
+                                                            let _e1309 = global_5.member[_e1306];
+                                                            phi_2085_ = _e1309;
                                                         } else {
-                                                            phi_2078_ = 0u;
+                                                            phi_2085_ = 0u;
                                                         }
-                                                        let _e836 = phi_2078_;
-                                                        let _e841 = (_e782 + 6u);
-                                                        let _e842 = (_e841 + _e271);
-                                                        let _e843 = (_e842 < _e103);
-                                                        if _e843 {
-                                                            if _e843 {
+                                                        let _e1311 = phi_2085_;
+                                                        let _e1316 = (_e1257 + 6u);
+                                                        let _e1317 = (_e1316 + _e271);
+                                                        let _e1318 = (_e1317 < _e103);
+                                                        if _e1318 {
+                                                            if _e1318 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e845 = global_5.member[_e842];
-                                                            phi_2101_ = _e845;
+                                                            let _e1320 = global_5.member[_e1317];
+                                                            phi_2108_ = _e1320;
                                                         } else {
-                                                            phi_2101_ = 0u;
+                                                            phi_2108_ = 0u;
                                                         }
-                                                        let _e847 = phi_2101_;
-                                                        let _e851 = (_e841 + _e270);
-                                                        let _e852 = (_e851 < _e103);
-                                                        if _e852 {
-                                                            if _e852 {
+                                                        let _e1322 = phi_2108_;
+                                                        let _e1326 = (_e1316 + _e270);
+                                                        let _e1327 = (_e1326 < _e103);
+                                                        if _e1327 {
+                                                            if _e1327 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e854 = global_5.member[_e851];
-                                                            phi_2119_ = _e854;
+                                                            let _e1329 = global_5.member[_e1326];
+                                                            phi_2126_ = _e1329;
                                                         } else {
-                                                            phi_2119_ = 0u;
+                                                            phi_2126_ = 0u;
                                                         }
-                                                        let _e856 = phi_2119_;
-                                                        let _e860 = (_e841 + _e272);
-                                                        let _e861 = (_e860 < _e103);
-                                                        if _e861 {
-                                                            if _e861 {
+                                                        let _e1331 = phi_2126_;
+                                                        let _e1335 = (_e1316 + _e272);
+                                                        let _e1336 = (_e1335 < _e103);
+                                                        if _e1336 {
+                                                            if _e1336 {
                                                             } else {
-                                                                phi_5317_ = _e710;
-                                                                phi_5254_ = true;
+                                                                phi_5235_ = _e1185;
+                                                                phi_5230_ = true;
                                                                 break;
                                                             }
-                                                            let _e863 = global_5.member[_e860];
-                                                            phi_2137_ = _e863;
+                                                            let _e1338 = global_5.member[_e1335];
+                                                            phi_2144_ = _e1338;
                                                         } else {
-                                                            phi_2137_ = 0u;
+                                                            phi_2144_ = 0u;
                                                         }
-                                                        let _e865 = phi_2137_;
-                                                        phi_2143_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e789)) * _e151), (f32(bitcast<i32>(_e798)) * _e151), (f32(bitcast<i32>(_e807)) * _e151)), array<f32, 3>((f32(bitcast<i32>(_e818)) * _e151), (f32(bitcast<i32>(_e827)) * _e151), (f32(bitcast<i32>(_e836)) * _e151)), array<f32, 3>((f32(bitcast<i32>(_e847)) * _e151), (f32(bitcast<i32>(_e856)) * _e151), (f32(bitcast<i32>(_e865)) * _e151)));
+                                                        let _e1340 = phi_2144_;
+                                                        phi_2150_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1264)) * _e151), (f32(bitcast<i32>(_e1273)) * _e151), (f32(bitcast<i32>(_e1282)) * _e151)), array<f32, 3>((f32(bitcast<i32>(_e1293)) * _e151), (f32(bitcast<i32>(_e1302)) * _e151), (f32(bitcast<i32>(_e1311)) * _e151)), array<f32, 3>((f32(bitcast<i32>(_e1322)) * _e151), (f32(bitcast<i32>(_e1331)) * _e151), (f32(bitcast<i32>(_e1340)) * _e151)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2143_ = array<array<f32, 3>, 3>();
+                                                        phi_2150_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1157 = phi_2143_;
-                                                let _e1172 = (_e1157[0][2] - _e468);
-                                                let _e1175 = (((_e1157[0][0] - _e335) * _e504) - (_e1172 * _e372));
-                                                let _e1178 = (((_e1157[0][1] - _e402) * _e504) - (_e1172 * _e438));
-                                                let _e1181 = (_e1157[1][2] - _e468);
-                                                let _e1184 = (((_e1157[1][0] - _e335) * _e504) - (_e1181 * _e372));
-                                                let _e1187 = (((_e1157[1][1] - _e402) * _e504) - (_e1181 * _e438));
-                                                let _e1190 = (_e1157[2][2] - _e468);
-                                                let _e1193 = (((_e1157[2][0] - _e335) * _e504) - (_e1190 * _e372));
-                                                let _e1196 = (((_e1157[2][1] - _e402) * _e504) - (_e1190 * _e438));
-                                                let _e1197 = (_e1193 * _e1187);
-                                                let _e1198 = (_e1196 * _e1184);
-                                                let _e1199 = (_e1175 * _e1196);
-                                                let _e1200 = (_e1178 * _e1193);
-                                                let _e1201 = (_e1184 * _e1178);
-                                                let _e1202 = (_e1187 * _e1175);
-                                                let _e1207 = (((_e1197 >= _e1198) && (_e1199 >= _e1200)) && (_e1201 >= _e1202));
-                                                let _e1213 = (_e1207 || (((_e1197 <= _e1198) && (_e1199 <= _e1200)) && (_e1201 <= _e1202)));
-                                                if _e1213 {
-                                                    let _e1215 = select(-1f, 1f, _e1207);
-                                                    let _e1217 = ((_e1197 - _e1198) * _e1215);
-                                                    let _e1219 = select(0f, _e1217, (_e1217 > 0f));
-                                                    let _e1221 = ((_e1199 - _e1200) * _e1215);
-                                                    let _e1223 = select(0f, _e1221, (_e1221 > 0f));
-                                                    let _e1225 = ((_e1201 - _e1202) * _e1215);
-                                                    let _e1227 = select(0f, _e1225, (_e1225 > 0f));
-                                                    let _e1229 = ((_e1219 + _e1223) + _e1227);
-                                                    let _e1231 = select(_e1157[1][0], _e1157[0][0], (_e1157[0][0] < _e1157[1][0]));
-                                                    let _e1235 = select(_e1157[1][0], _e1157[0][0], (_e1157[0][0] > _e1157[1][0]));
-                                                    let _e1239 = select(_e1157[1][1], _e1157[0][1], (_e1157[0][1] < _e1157[1][1]));
-                                                    let _e1243 = select(_e1157[1][1], _e1157[0][1], (_e1157[0][1] > _e1157[1][1]));
-                                                    let _e1247 = select(_e1157[1][2], _e1157[0][2], (_e1157[0][2] < _e1157[1][2]));
-                                                    let _e1251 = select(_e1157[1][2], _e1157[0][2], (_e1157[0][2] > _e1157[1][2]));
-                                                    let _e1256 = ((select(_e1157[2][0], _e1231, (_e1231 < _e1157[2][0])) - _e373) * _e376);
-                                                    let _e1257 = ((select(_e1157[2][0], _e1235, (_e1235 > _e1157[2][0])) - _e374) * _e376);
-                                                    let _e1260 = ((select(_e1157[2][1], _e1239, (_e1239 < _e1157[2][1])) - _e439) * _e442);
-                                                    let _e1261 = ((select(_e1157[2][1], _e1243, (_e1243 > _e1157[2][1])) - _e440) * _e442);
-                                                    let _e1264 = ((select(_e1157[2][2], _e1247, (_e1247 < _e1157[2][2])) - _e505) * _e508);
-                                                    let _e1265 = ((select(_e1157[2][2], _e1251, (_e1251 > _e1157[2][2])) - _e506) * _e508);
-                                                    let _e1267 = select(_e1265, _e1264, (_e1264 < _e1265));
-                                                    let _e1269 = select(_e1265, _e1264, (_e1264 > _e1265));
-                                                    let _e1271 = select(_e1257, _e1256, (_e1256 < _e1257));
-                                                    let _e1273 = select(_e1261, _e1260, (_e1260 < _e1261));
-                                                    let _e1275 = select(_e1273, _e1271, (_e1271 > _e1273));
-                                                    let _e1277 = select(_e1267, _e1275, (_e1275 > _e1267));
-                                                    let _e1279 = select(_e1257, _e1256, (_e1256 > _e1257));
-                                                    let _e1281 = select(_e1261, _e1260, (_e1260 > _e1261));
-                                                    let _e1283 = select(_e1281, _e1279, (_e1279 < _e1281));
-                                                    let _e1285 = select(_e1269, _e1283, (_e1283 < _e1269));
-                                                    let _e1286 = -(_e1267);
-                                                    let _e1292 = select(_e611, _e1277, (_e1277 > _e611));
-                                                    let _e1296 = select(_e1184, _e1175, (_e1175 < _e1184));
-                                                    let _e1301 = select(_e1184, _e1175, (_e1175 > _e1184));
-                                                    let _e1308 = select(_e1187, _e1178, (_e1178 < _e1187));
-                                                    let _e1313 = select(_e1187, _e1178, (_e1178 > _e1187));
-                                                    let _e1322 = (((((_e1213 && (_e1229 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1193, _e1296, (_e1296 < _e1193)) <= 0f) && (select(_e1193, _e1301, (_e1301 > _e1193)) >= 0f))) && ((select(_e1196, _e1308, (_e1308 < _e1196)) <= 0f) && (select(_e1196, _e1313, (_e1313 > _e1196)) >= 0f))) && (_e1292 <= (_e1285 + (select(_e1286, _e1269, (_e1269 > _e1286)) * 0.0000019073523f)))) && (_e1292 <= _e710));
-                                                    if _e1322 {
-                                                        let _e1327 = (_e1157[1][0] - _e1157[0][0]);
-                                                        let _e1328 = (_e1157[1][1] - _e1157[0][1]);
-                                                        let _e1329 = (_e1157[1][2] - _e1157[0][2]);
-                                                        let _e1330 = vec3<f32>(_e1327, _e1328, _e1329);
-                                                        let _e1331 = (_e1157[2][0] - _e1157[1][0]);
-                                                        let _e1332 = (_e1157[2][1] - _e1157[1][1]);
-                                                        let _e1333 = (_e1157[2][2] - _e1157[1][2]);
-                                                        let _e1334 = vec3<f32>(_e1331, _e1332, _e1333);
-                                                        let _e1335 = (_e1157[0][0] - _e1157[2][0]);
-                                                        let _e1336 = (_e1157[0][1] - _e1157[2][1]);
-                                                        let _e1337 = (_e1157[0][2] - _e1157[2][2]);
-                                                        let _e1338 = vec3<f32>(_e1335, _e1336, _e1337);
-                                                        let _e1339 = abs(_e1327);
-                                                        let _e1340 = abs(_e1328);
-                                                        if (_e1339 != _e1339) {
-                                                            phi_4544_ = true;
+                                                let _e1632 = phi_2150_;
+                                                let _e1647 = (_e1632[0][2] - _e468);
+                                                let _e1650 = (((_e1632[0][0] - _e335) * _e504) - (_e1647 * _e372));
+                                                let _e1653 = (((_e1632[0][1] - _e402) * _e504) - (_e1647 * _e438));
+                                                let _e1656 = (_e1632[1][2] - _e468);
+                                                let _e1659 = (((_e1632[1][0] - _e335) * _e504) - (_e1656 * _e372));
+                                                let _e1662 = (((_e1632[1][1] - _e402) * _e504) - (_e1656 * _e438));
+                                                let _e1665 = (_e1632[2][2] - _e468);
+                                                let _e1668 = (((_e1632[2][0] - _e335) * _e504) - (_e1665 * _e372));
+                                                let _e1671 = (((_e1632[2][1] - _e402) * _e504) - (_e1665 * _e438));
+                                                let _e1672 = (_e1668 * _e1662);
+                                                let _e1673 = (_e1671 * _e1659);
+                                                let _e1674 = (_e1650 * _e1671);
+                                                let _e1675 = (_e1653 * _e1668);
+                                                let _e1676 = (_e1659 * _e1653);
+                                                let _e1677 = (_e1662 * _e1650);
+                                                let _e1682 = (((_e1672 >= _e1673) && (_e1674 >= _e1675)) && (_e1676 >= _e1677));
+                                                let _e1688 = (_e1682 || (((_e1672 <= _e1673) && (_e1674 <= _e1675)) && (_e1676 <= _e1677)));
+                                                if _e1688 {
+                                                    let _e1690 = select(-1f, 1f, _e1682);
+                                                    let _e1692 = ((_e1672 - _e1673) * _e1690);
+                                                    let _e1694 = select(0f, _e1692, (_e1692 > 0f));
+                                                    let _e1696 = ((_e1674 - _e1675) * _e1690);
+                                                    let _e1698 = select(0f, _e1696, (_e1696 > 0f));
+                                                    let _e1700 = ((_e1676 - _e1677) * _e1690);
+                                                    let _e1702 = select(0f, _e1700, (_e1700 > 0f));
+                                                    let _e1704 = ((_e1694 + _e1698) + _e1702);
+                                                    let _e1706 = select(_e1632[1][0], _e1632[0][0], (_e1632[0][0] < _e1632[1][0]));
+                                                    let _e1710 = select(_e1632[1][0], _e1632[0][0], (_e1632[0][0] > _e1632[1][0]));
+                                                    let _e1714 = select(_e1632[1][1], _e1632[0][1], (_e1632[0][1] < _e1632[1][1]));
+                                                    let _e1718 = select(_e1632[1][1], _e1632[0][1], (_e1632[0][1] > _e1632[1][1]));
+                                                    let _e1722 = select(_e1632[1][2], _e1632[0][2], (_e1632[0][2] < _e1632[1][2]));
+                                                    let _e1726 = select(_e1632[1][2], _e1632[0][2], (_e1632[0][2] > _e1632[1][2]));
+                                                    let _e1731 = ((select(_e1632[2][0], _e1706, (_e1706 < _e1632[2][0])) - _e373) * _e376);
+                                                    let _e1732 = ((select(_e1632[2][0], _e1710, (_e1710 > _e1632[2][0])) - _e374) * _e376);
+                                                    let _e1735 = ((select(_e1632[2][1], _e1714, (_e1714 < _e1632[2][1])) - _e439) * _e442);
+                                                    let _e1736 = ((select(_e1632[2][1], _e1718, (_e1718 > _e1632[2][1])) - _e440) * _e442);
+                                                    let _e1739 = ((select(_e1632[2][2], _e1722, (_e1722 < _e1632[2][2])) - _e505) * _e508);
+                                                    let _e1740 = ((select(_e1632[2][2], _e1726, (_e1726 > _e1632[2][2])) - _e506) * _e508);
+                                                    let _e1742 = select(_e1740, _e1739, (_e1739 < _e1740));
+                                                    let _e1744 = select(_e1740, _e1739, (_e1739 > _e1740));
+                                                    let _e1746 = select(_e1732, _e1731, (_e1731 < _e1732));
+                                                    let _e1748 = select(_e1736, _e1735, (_e1735 < _e1736));
+                                                    let _e1750 = select(_e1748, _e1746, (_e1746 > _e1748));
+                                                    let _e1752 = select(_e1742, _e1750, (_e1750 > _e1742));
+                                                    let _e1754 = select(_e1732, _e1731, (_e1731 > _e1732));
+                                                    let _e1756 = select(_e1736, _e1735, (_e1735 > _e1736));
+                                                    let _e1758 = select(_e1756, _e1754, (_e1754 < _e1756));
+                                                    let _e1760 = select(_e1744, _e1758, (_e1758 < _e1744));
+                                                    let _e1761 = -(_e1742);
+                                                    let _e1767 = select(_e611, _e1752, (_e1752 > _e611));
+                                                    let _e1771 = select(_e1659, _e1650, (_e1650 < _e1659));
+                                                    let _e1776 = select(_e1659, _e1650, (_e1650 > _e1659));
+                                                    let _e1783 = select(_e1662, _e1653, (_e1653 < _e1662));
+                                                    let _e1788 = select(_e1662, _e1653, (_e1653 > _e1662));
+                                                    let _e1797 = (((((_e1688 && (_e1704 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1668, _e1771, (_e1771 < _e1668)) <= 0f) && (select(_e1668, _e1776, (_e1776 > _e1668)) >= 0f))) && ((select(_e1671, _e1783, (_e1783 < _e1671)) <= 0f) && (select(_e1671, _e1788, (_e1788 > _e1671)) >= 0f))) && (_e1767 <= (_e1760 + (select(_e1761, _e1744, (_e1744 > _e1761)) * 0.0000019073523f)))) && (_e1767 <= _e1185));
+                                                    if _e1797 {
+                                                        let _e1802 = (_e1632[1][0] - _e1632[0][0]);
+                                                        let _e1803 = (_e1632[1][1] - _e1632[0][1]);
+                                                        let _e1804 = (_e1632[1][2] - _e1632[0][2]);
+                                                        let _e1805 = vec3<f32>(_e1802, _e1803, _e1804);
+                                                        let _e1806 = (_e1632[2][0] - _e1632[1][0]);
+                                                        let _e1807 = (_e1632[2][1] - _e1632[1][1]);
+                                                        let _e1808 = (_e1632[2][2] - _e1632[1][2]);
+                                                        let _e1809 = vec3<f32>(_e1806, _e1807, _e1808);
+                                                        let _e1810 = (_e1632[0][0] - _e1632[2][0]);
+                                                        let _e1811 = (_e1632[0][1] - _e1632[2][1]);
+                                                        let _e1812 = (_e1632[0][2] - _e1632[2][2]);
+                                                        let _e1813 = vec3<f32>(_e1810, _e1811, _e1812);
+                                                        let _e1816 = bitcast<f32>((bitcast<u32>(_e1802) & 2147483647u));
+                                                        let _e1819 = bitcast<f32>((bitcast<u32>(_e1803) & 2147483647u));
+                                                        let _e1821 = select(_e1819, _e1816, (_e1816 > _e1819));
+                                                        let _e1824 = bitcast<f32>((bitcast<u32>(_e1804) & 2147483647u));
+                                                        let _e1826 = select(_e1824, _e1821, (_e1821 > _e1824));
+                                                        let _e1829 = bitcast<f32>((bitcast<u32>(_e1806) & 2147483647u));
+                                                        let _e1832 = bitcast<f32>((bitcast<u32>(_e1807) & 2147483647u));
+                                                        let _e1834 = select(_e1832, _e1829, (_e1829 > _e1832));
+                                                        let _e1837 = bitcast<f32>((bitcast<u32>(_e1808) & 2147483647u));
+                                                        let _e1839 = select(_e1837, _e1834, (_e1834 > _e1837));
+                                                        let _e1842 = bitcast<f32>((bitcast<u32>(_e1810) & 2147483647u));
+                                                        let _e1845 = bitcast<f32>((bitcast<u32>(_e1811) & 2147483647u));
+                                                        let _e1847 = select(_e1845, _e1842, (_e1842 > _e1845));
+                                                        let _e1850 = bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u));
+                                                        let _e1852 = select(_e1850, _e1847, (_e1847 > _e1850));
+                                                        let _e1854 = select(_e1839, _e1826, (_e1826 > _e1839));
+                                                        let _e1856 = select(_e1852, _e1854, (_e1854 > _e1852));
+                                                        if (_e1826 == _e1856) {
+                                                            phi_2681_ = _e1662;
+                                                            phi_2682_ = _e1659;
+                                                            phi_2683_ = _e1653;
+                                                            phi_2684_ = _e1650;
+                                                            phi_2685_ = vec3<f32>(_e1632[0][0], _e1632[0][1], _e1632[0][2]);
+                                                            phi_2686_ = _e1813;
+                                                            phi_2687_ = _e1809;
+                                                            phi_2688_ = _e1805;
                                                         } else {
-                                                            phi_4544_ = (_e1340 >= _e1339);
+                                                            let _e1858 = (_e1839 == _e1856);
+                                                            let _e1863 = vec3(_e1858);
+                                                            phi_2681_ = select(_e1653, _e1671, _e1858);
+                                                            phi_2682_ = select(_e1650, _e1668, _e1858);
+                                                            phi_2683_ = select(_e1671, _e1662, _e1858);
+                                                            phi_2684_ = select(_e1668, _e1659, _e1858);
+                                                            phi_2685_ = select(vec3<f32>(_e1632[2][0], _e1632[2][1], _e1632[2][2]), vec3<f32>(_e1632[1][0], _e1632[1][1], _e1632[1][2]), _e1863);
+                                                            phi_2686_ = select(_e1809, _e1805, _e1863);
+                                                            phi_2687_ = select(_e1805, _e1813, _e1863);
+                                                            phi_2688_ = select(_e1813, _e1809, _e1863);
                                                         }
-                                                        let _e1344 = phi_4544_;
-                                                        let _e1345 = select(_e1339, _e1340, _e1344);
-                                                        let _e1346 = abs(_e1329);
-                                                        if (_e1345 != _e1345) {
-                                                            phi_4559_ = true;
+                                                        let _e1869 = phi_2681_;
+                                                        let _e1871 = phi_2682_;
+                                                        let _e1873 = phi_2683_;
+                                                        let _e1875 = phi_2684_;
+                                                        let _e1877 = phi_2685_;
+                                                        let _e1879 = phi_2686_;
+                                                        let _e1881 = phi_2687_;
+                                                        let _e1883 = phi_2688_;
+                                                        let _e1890 = ((_e1881.y * _e1879.z) - (_e1879.y * _e1881.z));
+                                                        let _e1895 = ((_e1881.z * _e1879.x) - (_e1879.z * _e1881.x));
+                                                        let _e1898 = ((_e1881.x * _e1879.y) - (_e1879.x * _e1881.y));
+                                                        let _e1901 = ((_e1694 >= _e1698) && (_e1694 >= _e1702));
+                                                        let _e1902 = (_e1698 >= _e1702);
+                                                        let _e1916 = (((_e1890 * (select(select(_e1632[2][0], _e1632[1][0], _e1902), _e1632[0][0], _e1901) - _e335)) + (_e1895 * (select(select(_e1632[2][1], _e1632[1][1], _e1902), _e1632[0][1], _e1901) - _e402))) + (_e1898 * (select(select(_e1632[2][2], _e1632[1][2], _e1902), _e1632[0][2], _e1901) - _e468)));
+                                                        let _e1921 = (((_e1890 * _e372) + (_e1895 * _e438)) + (_e1898 * _e504));
+                                                        let _e1922 = (_e1871 - _e1875);
+                                                        let _e1923 = (_e1869 - _e1873);
+                                                        let _e1926 = ((_e1922 * _e1922) + (_e1923 * _e1923));
+                                                        let _e1933 = (-(((_e1875 * _e1922) + (_e1873 * _e1923))) / select(0.000000000000000000000000000000000000011754944f, _e1926, (_e1926 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1935 = select(1f, _e1933, (_e1933 < 1f));
+                                                        let _e1937 = select(0f, _e1935, (_e1935 > 0f));
+                                                        let _e1946 = ((_e1877.x + (_e1883.x * _e1937)) - _e335);
+                                                        let _e1949 = ((_e1877.y + (_e1883.y * _e1937)) - _e402);
+                                                        let _e1952 = ((_e1877.z + (_e1883.z * _e1937)) - _e468);
+                                                        let _e1955 = bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u));
+                                                        let _e1958 = bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u));
+                                                        let _e1960 = select(_e1958, _e1955, (_e1955 > _e1958));
+                                                        let _e1963 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
+                                                        let _e1965 = select(_e1963, _e1960, (_e1960 > _e1963));
+                                                        let _e1971 = bitcast<f32>((bitcast<u32>(_e1890) & 2147483647u));
+                                                        let _e1974 = bitcast<f32>((bitcast<u32>(_e1895) & 2147483647u));
+                                                        let _e1976 = select(_e1974, _e1971, (_e1971 > _e1974));
+                                                        let _e1979 = bitcast<f32>((bitcast<u32>(_e1898) & 2147483647u));
+                                                        let _e1998 = bitcast<f32>((bitcast<u32>(_e1881.x) & 2147483647u));
+                                                        let _e2001 = bitcast<f32>((bitcast<u32>(_e1881.y) & 2147483647u));
+                                                        let _e2003 = select(_e2001, _e1998, (_e1998 > _e2001));
+                                                        let _e2006 = bitcast<f32>((bitcast<u32>(_e1881.z) & 2147483647u));
+                                                        let _e2012 = bitcast<f32>((bitcast<u32>(_e1879.x) & 2147483647u));
+                                                        let _e2015 = bitcast<f32>((bitcast<u32>(_e1879.y) & 2147483647u));
+                                                        let _e2017 = select(_e2015, _e2012, (_e2012 > _e2015));
+                                                        let _e2020 = bitcast<f32>((bitcast<u32>(_e1879.z) & 2147483647u));
+                                                        let _e2026 = ((bitcast<f32>((bitcast<u32>(((((_e1890 * _e1946) + (_e1895 * _e1949)) + (_e1898 * _e1952)) - _e1916)) & 2147483647u)) <= ((0.0000009536743f * select(_e1856, _e1965, (_e1965 > _e1856))) * select(_e1979, _e1976, (_e1976 > _e1979)))) && !((bitcast<f32>((bitcast<u32>(_e1921) & 2147483647u)) <= ((0.0000038146973f * select(_e2006, _e2003, (_e2003 > _e2006))) * select(_e2020, _e2017, (_e2017 > _e2020))))));
+                                                        let _e2027 = (_e1916 / _e1921);
+                                                        if (_e1797 && !(_e2026)) {
+                                                            let _e2030 = (_e1952 / _e504);
+                                                            let _e2038 = (((_e1890 * (_e1946 - (_e372 * _e2030))) + (_e1895 * (_e1949 - (_e438 * _e2030)))) / _e1921);
+                                                            phi_2879_ = select(select(_e2030, (_e2030 + _e2038), (bitcast<f32>((bitcast<u32>(_e2038) & 2147483647u)) <= _e1856)), _e2027, _e2026);
                                                         } else {
-                                                            phi_4559_ = (_e1346 >= _e1345);
+                                                            phi_2879_ = _e2027;
                                                         }
-                                                        let _e1350 = phi_4559_;
-                                                        let _e1351 = select(_e1345, _e1346, _e1350);
-                                                        let _e1352 = abs(_e1331);
-                                                        let _e1353 = abs(_e1332);
-                                                        if (_e1352 != _e1352) {
-                                                            phi_4574_ = true;
-                                                        } else {
-                                                            phi_4574_ = (_e1353 >= _e1352);
-                                                        }
-                                                        let _e1357 = phi_4574_;
-                                                        let _e1358 = select(_e1352, _e1353, _e1357);
-                                                        let _e1359 = abs(_e1333);
-                                                        if (_e1358 != _e1358) {
-                                                            phi_4589_ = true;
-                                                        } else {
-                                                            phi_4589_ = (_e1359 >= _e1358);
-                                                        }
-                                                        let _e1363 = phi_4589_;
-                                                        let _e1364 = select(_e1358, _e1359, _e1363);
-                                                        let _e1365 = abs(_e1335);
-                                                        let _e1366 = abs(_e1336);
-                                                        if (_e1365 != _e1365) {
-                                                            phi_4604_ = true;
-                                                        } else {
-                                                            phi_4604_ = (_e1366 >= _e1365);
-                                                        }
-                                                        let _e1370 = phi_4604_;
-                                                        let _e1371 = select(_e1365, _e1366, _e1370);
-                                                        let _e1372 = abs(_e1337);
-                                                        if (_e1371 != _e1371) {
-                                                            phi_4619_ = true;
-                                                        } else {
-                                                            phi_4619_ = (_e1372 >= _e1371);
-                                                        }
-                                                        let _e1376 = phi_4619_;
-                                                        let _e1377 = select(_e1371, _e1372, _e1376);
-                                                        let _e1379 = select(_e1364, _e1351, (_e1351 > _e1364));
-                                                        let _e1381 = select(_e1377, _e1379, (_e1379 > _e1377));
-                                                        if (_e1351 == _e1381) {
-                                                            phi_2686_ = _e1187;
-                                                            phi_2687_ = _e1184;
-                                                            phi_2688_ = _e1178;
-                                                            phi_2689_ = _e1175;
-                                                            phi_2690_ = vec3<f32>(_e1157[0][0], _e1157[0][1], _e1157[0][2]);
-                                                            phi_2691_ = _e1338;
-                                                            phi_2692_ = _e1334;
-                                                            phi_2693_ = _e1330;
-                                                        } else {
-                                                            let _e1383 = (_e1364 == _e1381);
-                                                            let _e1388 = vec3(_e1383);
-                                                            phi_2686_ = select(_e1178, _e1196, _e1383);
-                                                            phi_2687_ = select(_e1175, _e1193, _e1383);
-                                                            phi_2688_ = select(_e1196, _e1187, _e1383);
-                                                            phi_2689_ = select(_e1193, _e1184, _e1383);
-                                                            phi_2690_ = select(vec3<f32>(_e1157[2][0], _e1157[2][1], _e1157[2][2]), vec3<f32>(_e1157[1][0], _e1157[1][1], _e1157[1][2]), _e1388);
-                                                            phi_2691_ = select(_e1334, _e1330, _e1388);
-                                                            phi_2692_ = select(_e1330, _e1338, _e1388);
-                                                            phi_2693_ = select(_e1338, _e1334, _e1388);
-                                                        }
-                                                        let _e1394 = phi_2686_;
-                                                        let _e1396 = phi_2687_;
-                                                        let _e1398 = phi_2688_;
-                                                        let _e1400 = phi_2689_;
-                                                        let _e1402 = phi_2690_;
-                                                        let _e1404 = phi_2691_;
-                                                        let _e1406 = phi_2692_;
-                                                        let _e1408 = phi_2693_;
-                                                        let _e1415 = ((_e1406.y * _e1404.z) - (_e1404.y * _e1406.z));
-                                                        let _e1420 = ((_e1406.z * _e1404.x) - (_e1404.z * _e1406.x));
-                                                        let _e1423 = ((_e1406.x * _e1404.y) - (_e1404.x * _e1406.y));
-                                                        let _e1426 = ((_e1219 >= _e1223) && (_e1219 >= _e1227));
-                                                        let _e1427 = (_e1223 >= _e1227);
-                                                        let _e1441 = (((_e1415 * (select(select(_e1157[2][0], _e1157[1][0], _e1427), _e1157[0][0], _e1426) - _e335)) + (_e1420 * (select(select(_e1157[2][1], _e1157[1][1], _e1427), _e1157[0][1], _e1426) - _e402))) + (_e1423 * (select(select(_e1157[2][2], _e1157[1][2], _e1427), _e1157[0][2], _e1426) - _e468)));
-                                                        let _e1446 = (((_e1415 * _e372) + (_e1420 * _e438)) + (_e1423 * _e504));
-                                                        let _e1447 = (_e1396 - _e1400);
-                                                        let _e1448 = (_e1394 - _e1398);
-                                                        let _e1451 = ((_e1447 * _e1447) + (_e1448 * _e1448));
-                                                        let _e1458 = (-(((_e1400 * _e1447) + (_e1398 * _e1448))) / select(0.000000000000000000000000000000000000011754944f, _e1451, (_e1451 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1460 = select(1f, _e1458, (_e1458 < 1f));
-                                                        let _e1462 = select(0f, _e1460, (_e1460 > 0f));
-                                                        let _e1471 = ((_e1402.x + (_e1408.x * _e1462)) - _e335);
-                                                        let _e1474 = ((_e1402.y + (_e1408.y * _e1462)) - _e402);
-                                                        let _e1477 = ((_e1402.z + (_e1408.z * _e1462)) - _e468);
-                                                        let _e1480 = bitcast<f32>((bitcast<u32>(_e1471) & 2147483647u));
-                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u));
-                                                        let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
-                                                        let _e1488 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
-                                                        let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
-                                                        let _e1494 = abs(_e1415);
-                                                        let _e1495 = abs(_e1420);
-                                                        if (_e1494 != _e1494) {
-                                                            phi_4634_ = true;
-                                                        } else {
-                                                            phi_4634_ = (_e1495 >= _e1494);
-                                                        }
-                                                        let _e1499 = phi_4634_;
-                                                        let _e1500 = select(_e1494, _e1495, _e1499);
-                                                        let _e1501 = abs(_e1423);
-                                                        if (_e1500 != _e1500) {
-                                                            phi_4649_ = true;
-                                                        } else {
-                                                            phi_4649_ = (_e1501 >= _e1500);
-                                                        }
-                                                        let _e1505 = phi_4649_;
-                                                        let _e1521 = abs(_e1406.x);
-                                                        let _e1522 = abs(_e1406.y);
-                                                        if (_e1521 != _e1521) {
-                                                            phi_4664_ = true;
-                                                        } else {
-                                                            phi_4664_ = (_e1522 >= _e1521);
-                                                        }
-                                                        let _e1526 = phi_4664_;
-                                                        let _e1527 = select(_e1521, _e1522, _e1526);
-                                                        let _e1528 = abs(_e1406.z);
-                                                        if (_e1527 != _e1527) {
-                                                            phi_4679_ = true;
-                                                        } else {
-                                                            phi_4679_ = (_e1528 >= _e1527);
-                                                        }
-                                                        let _e1532 = phi_4679_;
-                                                        let _e1535 = abs(_e1404.x);
-                                                        let _e1536 = abs(_e1404.y);
-                                                        if (_e1535 != _e1535) {
-                                                            phi_4694_ = true;
-                                                        } else {
-                                                            phi_4694_ = (_e1536 >= _e1535);
-                                                        }
-                                                        let _e1540 = phi_4694_;
-                                                        let _e1541 = select(_e1535, _e1536, _e1540);
-                                                        let _e1542 = abs(_e1404.z);
-                                                        if (_e1541 != _e1541) {
-                                                            phi_4709_ = true;
-                                                        } else {
-                                                            phi_4709_ = (_e1542 >= _e1541);
-                                                        }
-                                                        let _e1546 = phi_4709_;
-                                                        let _e1551 = ((bitcast<f32>((bitcast<u32>(((((_e1415 * _e1471) + (_e1420 * _e1474)) + (_e1423 * _e1477)) - _e1441)) & 2147483647u)) <= ((0.0000009536743f * select(_e1381, _e1490, (_e1490 > _e1381))) * select(_e1500, _e1501, _e1505))) && !((bitcast<f32>((bitcast<u32>(_e1446) & 2147483647u)) <= ((0.0000038146973f * select(_e1527, _e1528, _e1532)) * select(_e1541, _e1542, _e1546)))));
-                                                        let _e1552 = (_e1441 / _e1446);
-                                                        if (_e1322 && !(_e1551)) {
-                                                            let _e1555 = (_e1477 / _e504);
-                                                            let _e1563 = (((_e1415 * (_e1471 - (_e372 * _e1555))) + (_e1420 * (_e1474 - (_e438 * _e1555)))) / _e1446);
-                                                            phi_2901_ = select(select(_e1555, (_e1555 + _e1563), (bitcast<f32>((bitcast<u32>(_e1563) & 2147483647u)) <= _e1381)), _e1552, _e1551);
-                                                        } else {
-                                                            phi_2901_ = _e1552;
-                                                        }
-                                                        let _e1572 = phi_2901_;
-                                                        let _e1574 = select(_e1285, _e1572, (_e1572 < _e1285));
-                                                        let _e1576 = select(_e1277, _e1574, (_e1574 > _e1277));
-                                                        let _e1577 = (1f / _e1229);
-                                                        phi_2921_ = type_31(_e1576, (_e1223 * _e1577), (_e1227 * _e1577), ((_e1322 && (_e1576 >= _e611)) && (_e1576 <= _e710)));
-                                                        phi_2922_ = type_31();
+                                                        let _e2047 = phi_2879_;
+                                                        let _e2049 = select(_e1760, _e2047, (_e2047 < _e1760));
+                                                        let _e2051 = select(_e1752, _e2049, (_e2049 > _e1752));
+                                                        let _e2052 = (1f / _e1704);
+                                                        phi_2899_ = type_31(_e2051, (_e1698 * _e2052), (_e1702 * _e2052), ((_e1797 && (_e2051 >= _e611)) && (_e2051 <= _e1185)));
+                                                        phi_2900_ = type_31();
                                                     } else {
-                                                        phi_2921_ = type_31();
-                                                        phi_2922_ = type_31(0f, 0f, 0f, _e1322);
+                                                        phi_2899_ = type_31();
+                                                        phi_2900_ = type_31(0f, 0f, 0f, _e1797);
                                                     }
-                                                    let _e1586 = phi_2921_;
-                                                    let _e1588 = phi_2922_;
-                                                    phi_2925_ = _e1586;
-                                                    phi_2926_ = _e1588;
-                                                    phi_2927_ = select(true, false, _e1322);
+                                                    let _e2061 = phi_2899_;
+                                                    let _e2063 = phi_2900_;
+                                                    phi_2903_ = _e2061;
+                                                    phi_2904_ = _e2063;
+                                                    phi_2905_ = select(true, false, _e1797);
                                                 } else {
-                                                    phi_2925_ = type_31();
-                                                    phi_2926_ = type_31(0f, 0f, 0f, _e1213);
-                                                    phi_2927_ = true;
+                                                    phi_2903_ = type_31();
+                                                    phi_2904_ = type_31(0f, 0f, 0f, _e1688);
+                                                    phi_2905_ = true;
                                                 }
-                                                let _e1591 = phi_2925_;
-                                                let _e1593 = phi_2926_;
-                                                let _e1595 = phi_2927_;
-                                                if _e1595 {
-                                                    phi_2931_ = _e1593;
+                                                let _e2066 = phi_2903_;
+                                                let _e2068 = phi_2904_;
+                                                let _e2070 = phi_2905_;
+                                                if _e2070 {
+                                                    phi_2909_ = _e2068;
                                                 } else {
-                                                    phi_2931_ = _e1591;
+                                                    phi_2909_ = _e2066;
                                                 }
-                                                let _e1597 = phi_2931_;
-                                                if _e1597.member_3 {
-                                                    phi_2940_ = type_20(_e1597.member, _e1597.member_1, _e1597.member_2, _e770);
+                                                let _e2072 = phi_2909_;
+                                                if _e2072.member_3 {
+                                                    phi_2918_ = type_20(_e2072.member, _e2072.member_1, _e2072.member_2, _e1245);
                                                 } else {
-                                                    phi_2940_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2918_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1604 = phi_2940_;
-                                                if (_e1604.member_3 != 4294967295u) {
-                                                    if (_e770 != 4294967295u) {
-                                                        phi_2952_ = type_8(0u, 8u);
-                                                        phi_2955_ = _e1604;
+                                                let _e2079 = phi_2918_;
+                                                if (_e2079.member_3 != 4294967295u) {
+                                                    if (_e1245 != 4294967295u) {
+                                                        phi_2930_ = type_8(0u, 8u);
+                                                        phi_2933_ = _e2079;
                                                         loop {
-                                                            let _e1609 = phi_2952_;
-                                                            let _e1611 = phi_2955_;
-                                                            if (_e1609.member < _e1609.member_1) {
-                                                                phi_2953_ = type_8((_e1609.member + 1u), _e1609.member_1);
-                                                                phi_2978_ = type_8(1u, _e1609.member);
+                                                            let _e2084 = phi_2930_;
+                                                            let _e2086 = phi_2933_;
+                                                            if (_e2084.member < _e2084.member_1) {
+                                                                phi_2931_ = type_8((_e2084.member + 1u), _e2084.member_1);
+                                                                phi_2956_ = type_8(1u, _e2084.member);
                                                             } else {
-                                                                phi_2953_ = _e1609;
-                                                                phi_2978_ = type_8(0u, type_8().member_1);
+                                                                phi_2931_ = _e2084;
+                                                                phi_2956_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1624 = phi_2953_;
-                                                            let _e1626 = phi_2978_;
-                                                            let _e1630 = (bitcast<i32>(_e1626.member) != 0i);
-                                                            if _e1630 {
-                                                                let _e1631 = (_e1626.member_1 < 8u);
-                                                                if _e1631 {
+                                                            let _e2099 = phi_2931_;
+                                                            let _e2101 = phi_2956_;
+                                                            let _e2105 = (bitcast<i32>(_e2101.member) != 0i);
+                                                            if _e2105 {
+                                                                let _e2106 = (_e2101.member_1 < 8u);
+                                                                if _e2106 {
                                                                 } else {
-                                                                    phi_5042_ = true;
+                                                                    phi_5030_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1636 = local_9[_e1626.member_1].member;
-                                                                if (_e1611.member < _e1636) {
-                                                                    phi_3011_ = true;
+                                                                let _e2111 = local_9[_e2101.member_1].member;
+                                                                if (_e2086.member < _e2111) {
+                                                                    phi_2989_ = true;
                                                                 } else {
-                                                                    let _e1638 = local_9[_e1626.member_1].member;
-                                                                    if (_e1611.member == _e1638) {
-                                                                        let _e1643 = local_9[_e1626.member_1].member_3;
-                                                                        phi_3010_ = (_e1611.member_3 < _e1643);
+                                                                    let _e2113 = local_9[_e2101.member_1].member;
+                                                                    if (_e2086.member == _e2113) {
+                                                                        let _e2118 = local_9[_e2101.member_1].member_3;
+                                                                        phi_2988_ = (_e2086.member_3 < _e2118);
                                                                     } else {
-                                                                        phi_3010_ = false;
+                                                                        phi_2988_ = false;
                                                                     }
-                                                                    let _e1646 = phi_3010_;
-                                                                    phi_3011_ = _e1646;
+                                                                    let _e2121 = phi_2988_;
+                                                                    phi_2989_ = _e2121;
                                                                 }
-                                                                let _e1648 = phi_3011_;
-                                                                if _e1648 {
-                                                                    if _e1631 {
+                                                                let _e2123 = phi_2989_;
+                                                                if _e2123 {
+                                                                    if _e2106 {
                                                                     } else {
-                                                                        phi_5042_ = true;
+                                                                        phi_5030_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1649 = local_9[_e1626.member_1];
-                                                                    local_9[_e1626.member_1] = type_20(_e1611.member, _e1611.member_1, _e1611.member_2, _e1611.member_3);
-                                                                    phi_3032_ = type_20(_e1649.member, _e1649.member_1, _e1649.member_2, _e1649.member_3);
+                                                                    let _e2124 = local_9[_e2101.member_1];
+                                                                    local_9[_e2101.member_1] = type_20(_e2086.member, _e2086.member_1, _e2086.member_2, _e2086.member_3);
+                                                                    phi_3010_ = type_20(_e2124.member, _e2124.member_1, _e2124.member_2, _e2124.member_3);
                                                                 } else {
-                                                                    phi_3032_ = _e1611;
+                                                                    phi_3010_ = _e2086;
                                                                 }
-                                                                let _e1660 = phi_3032_;
-                                                                phi_2956_ = _e1660;
+                                                                let _e2135 = phi_3010_;
+                                                                phi_2934_ = _e2135;
                                                             } else {
-                                                                phi_2956_ = type_20();
+                                                                phi_2934_ = type_20();
                                                             }
-                                                            let _e1662 = phi_2956_;
+                                                            let _e2137 = phi_2934_;
                                                             continue;
                                                             continuing {
-                                                                phi_2952_ = _e1624;
-                                                                phi_2955_ = _e1662;
-                                                                phi_5042_ = _e708;
-                                                                break if !(_e1630);
+                                                                phi_2930_ = _e2099;
+                                                                phi_2933_ = _e2137;
+                                                                phi_5030_ = _e1183;
+                                                                break if !(_e2105);
                                                             }
                                                         }
-                                                        let _e1665 = phi_5042_;
-                                                        phi_5317_ = _e710;
-                                                        phi_5254_ = _e1665;
-                                                        if _e1665 {
+                                                        let _e2140 = phi_5030_;
+                                                        phi_5235_ = _e1185;
+                                                        phi_5230_ = _e2140;
+                                                        if _e2140 {
                                                             break;
                                                         }
-                                                        let _e1668 = local_9[7u].member_3;
-                                                        if (_e1668 != 4294967295u) {
-                                                            let _e1672 = local_9[7u].member;
-                                                            phi_5413_ = _e1672;
+                                                        let _e2143 = local_9[7u].member_3;
+                                                        if (_e2143 != 4294967295u) {
+                                                            let _e2147 = local_9[7u].member;
+                                                            phi_5319_ = _e2147;
                                                         } else {
-                                                            phi_5413_ = _e710;
+                                                            phi_5319_ = _e1185;
                                                         }
-                                                        let _e1674 = phi_5413_;
-                                                        phi_5412_ = _e1674;
-                                                        phi_5257_ = _e1665;
+                                                        let _e2149 = phi_5319_;
+                                                        phi_5318_ = _e2149;
+                                                        phi_5233_ = _e2140;
                                                     } else {
-                                                        phi_5412_ = _e710;
-                                                        phi_5257_ = _e708;
+                                                        phi_5318_ = _e1185;
+                                                        phi_5233_ = _e1183;
                                                     }
-                                                    let _e1676 = phi_5412_;
-                                                    let _e1678 = phi_5257_;
-                                                    phi_5411_ = _e1676;
-                                                    phi_5256_ = _e1678;
+                                                    let _e2151 = phi_5318_;
+                                                    let _e2153 = phi_5233_;
+                                                    phi_5317_ = _e2151;
+                                                    phi_5232_ = _e2153;
                                                 } else {
-                                                    phi_5411_ = _e710;
-                                                    phi_5256_ = _e708;
+                                                    phi_5317_ = _e1185;
+                                                    phi_5232_ = _e1183;
                                                 }
-                                                let _e1680 = phi_5411_;
-                                                let _e1682 = phi_5256_;
-                                                phi_5410_ = _e1680;
-                                                phi_5255_ = _e1682;
+                                                let _e2155 = phi_5317_;
+                                                let _e2157 = phi_5232_;
+                                                phi_5316_ = _e2155;
+                                                phi_5231_ = _e2157;
                                             } else {
-                                                phi_5410_ = _e710;
-                                                phi_5255_ = _e708;
+                                                phi_5316_ = _e1185;
+                                                phi_5231_ = _e1183;
                                             }
-                                            let _e1684 = phi_5410_;
-                                            let _e1686 = phi_5255_;
+                                            let _e2159 = phi_5316_;
+                                            let _e2161 = phi_5231_;
                                             continue;
                                             continuing {
-                                                phi_5072_ = _e1686;
-                                                phi_5013_ = _e1684;
-                                                phi_1381_ = _e725;
-                                                phi_5317_ = _e1684;
-                                                phi_5254_ = _e1686;
-                                                break if !(_e731);
+                                                phi_5060_ = _e2161;
+                                                phi_5002_ = _e2159;
+                                                phi_1388_ = _e1200;
+                                                phi_5235_ = _e2159;
+                                                phi_5230_ = _e2161;
+                                                break if !(_e1206);
                                             }
                                         }
-                                        let _e1689 = phi_5317_;
-                                        let _e1691 = phi_5254_;
-                                        phi_5415_ = _e1691;
-                                        if _e1691 {
+                                        let _e2164 = phi_5235_;
+                                        let _e2166 = phi_5230_;
+                                        phi_5320_ = _e2166;
+                                        if _e2166 {
                                             break;
                                         }
-                                        phi_5506_ = _e1691;
-                                        phi_5316_ = _e1689;
+                                        phi_5439_ = _e2164;
+                                        phi_5324_ = _e2166;
+                                        phi_4285_ = false;
+                                        phi_4286_ = _e694;
+                                        phi_4287_ = select(_e696, 0u, (_e611 > _e2164));
                                     } else {
-                                        phi_5506_ = _e652;
-                                        phi_5316_ = _e654;
-                                    }
-                                    let _e1693 = phi_5506_;
-                                    let _e1695 = phi_5316_;
-                                    if _e700 {
-                                        phi_4309_ = bool();
-                                        phi_4310_ = u32();
-                                        phi_4311_ = type_52();
-                                    } else {
-                                        if (_e696.member_1 >= _e100) {
-                                            phi_3844_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e694.member_1 >= _e100) {
+                                            phi_3823_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e696.member_1 < _e100) {
+                                            if (_e694.member_1 < _e100) {
                                             } else {
-                                                phi_5415_ = true;
+                                                phi_5320_ = true;
                                                 break;
                                             }
-                                            let _e1698 = (_e271 * 2u);
-                                            let _e1700 = ((1u + _e1698) % 7u);
-                                            if (_e1700 < 7u) {
+                                            let _e708 = (_e271 * 2u);
+                                            let _e710 = ((1u + _e708) % 7u);
+                                            if (_e710 < 7u) {
                                             } else {
-                                                phi_5415_ = true;
+                                                phi_5320_ = true;
                                                 break;
                                             }
-                                            let _e1705 = global_4.member[_e696.member_1][_e1700];
-                                            let _e1707 = ((_e1698 + 2u) % 7u);
-                                            if (_e1707 < 7u) {
+                                            let _e715 = global_4.member[_e694.member_1][_e710];
+                                            let _e717 = ((_e708 + 2u) % 7u);
+                                            if (_e717 < 7u) {
                                             } else {
-                                                phi_5415_ = true;
+                                                phi_5320_ = true;
                                                 break;
                                             }
-                                            let _e1712 = global_4.member[_e696.member_1][_e1707];
-                                            let _e1713 = (_e270 * 2u);
-                                            let _e1715 = ((1u + _e1713) % 7u);
-                                            if (_e1715 < 7u) {
+                                            let _e722 = global_4.member[_e694.member_1][_e717];
+                                            let _e723 = (_e270 * 2u);
+                                            let _e725 = ((1u + _e723) % 7u);
+                                            if (_e725 < 7u) {
                                             } else {
-                                                phi_5415_ = true;
+                                                phi_5320_ = true;
                                                 break;
                                             }
-                                            let _e1720 = global_4.member[_e696.member_1][_e1715];
-                                            let _e1722 = ((_e1713 + 2u) % 7u);
-                                            if (_e1722 < 7u) {
+                                            let _e730 = global_4.member[_e694.member_1][_e725];
+                                            let _e732 = ((_e723 + 2u) % 7u);
+                                            if (_e732 < 7u) {
                                             } else {
-                                                phi_5415_ = true;
+                                                phi_5320_ = true;
                                                 break;
                                             }
-                                            let _e1727 = global_4.member[_e696.member_1][_e1722];
-                                            let _e1728 = (_e272 * 2u);
-                                            let _e1730 = ((1u + _e1728) % 7u);
-                                            if (_e1730 < 7u) {
+                                            let _e737 = global_4.member[_e694.member_1][_e732];
+                                            let _e738 = (_e272 * 2u);
+                                            let _e740 = ((1u + _e738) % 7u);
+                                            if (_e740 < 7u) {
                                             } else {
-                                                phi_5415_ = true;
+                                                phi_5320_ = true;
                                                 break;
                                             }
-                                            let _e1735 = global_4.member[_e696.member_1][_e1730];
-                                            let _e1737 = ((_e1728 + 2u) % 7u);
-                                            if (_e1737 < 7u) {
+                                            let _e745 = global_4.member[_e694.member_1][_e740];
+                                            let _e747 = ((_e738 + 2u) % 7u);
+                                            if (_e747 < 7u) {
                                             } else {
-                                                phi_5415_ = true;
+                                                phi_5320_ = true;
                                                 break;
                                             }
-                                            let _e1742 = global_4.member[_e696.member_1][_e1737];
-                                            let _e1765 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.x - _e696.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1766 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.y - _e696.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1767 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.z - _e696.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e1769 = select(_e151, _e1765, (_e1765 > _e151));
-                                            let _e1771 = select(_e151, _e1766, (_e1766 > _e151));
-                                            let _e1773 = select(_e151, _e1767, (_e1767 > _e151));
-                                            let _e1804 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1705 & 2097151u))) - 8388608f) * _e1769));
-                                            let _e1809 = (bitcast<i32>((_e1705 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1812 = bitcast<f32>((_e1804 & bitcast<u32>(_e1809)));
-                                            let _e1813 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1720 & 2097151u))) - 8388608f) * _e1771));
-                                            let _e1818 = (bitcast<i32>((_e1720 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1821 = bitcast<f32>((_e1813 & bitcast<u32>(_e1818)));
-                                            let _e1822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1735 & 2097151u))) - 8388608f) * _e1773));
-                                            let _e1827 = (bitcast<i32>((_e1735 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1830 = bitcast<f32>((_e1822 & bitcast<u32>(_e1827)));
-                                            let _e1834 = bitcast<f32>((_e1804 & bitcast<u32>(~(_e1809))));
-                                            let _e1838 = bitcast<f32>((_e1813 & bitcast<u32>(~(_e1818))));
-                                            let _e1842 = bitcast<f32>((_e1822 & bitcast<u32>(~(_e1827))));
-                                            let _e1843 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1712 & 2097151u))) - 8388608f) * _e1769));
-                                            let _e1848 = (bitcast<i32>((_e1712 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1851 = bitcast<f32>((_e1843 & bitcast<u32>(_e1848)));
-                                            let _e1852 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1727 & 2097151u))) - 8388608f) * _e1771));
-                                            let _e1857 = (bitcast<i32>((_e1727 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1860 = bitcast<f32>((_e1852 & bitcast<u32>(_e1857)));
-                                            let _e1861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1742 & 2097151u))) - 8388608f) * _e1773));
-                                            let _e1866 = (bitcast<i32>((_e1742 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e1869 = bitcast<f32>((_e1861 & bitcast<u32>(_e1866)));
-                                            let _e1873 = bitcast<f32>((_e1843 & bitcast<u32>(~(_e1848))));
-                                            let _e1877 = bitcast<f32>((_e1852 & bitcast<u32>(~(_e1857))));
-                                            let _e1881 = bitcast<f32>((_e1861 & bitcast<u32>(~(_e1866))));
-                                            let _e1882 = (_e696.member.member.x + _e1812);
-                                            let _e1883 = (_e696.member.member.y + _e1821);
-                                            let _e1884 = (_e696.member.member.z + _e1830);
-                                            let _e1887 = (_e696.member.member_1.x - _e1851);
-                                            let _e1888 = (_e696.member.member_1.y - _e1860);
-                                            let _e1889 = (_e696.member.member_1.z - _e1869);
-                                            let _e1908 = (_e1887 - _e1882);
-                                            let _e1909 = (_e1888 - _e1883);
-                                            let _e1910 = (_e1889 - _e1884);
-                                            let _e1912 = select(_e1909, _e1908, (_e1908 > _e1909));
-                                            let _e1914 = select(_e1910, _e1912, (_e1912 > _e1910));
-                                            if (_e1914 < (1024f * _e151)) {
-                                                phi_3545_ = 0u;
+                                            let _e752 = global_4.member[_e694.member_1][_e747];
+                                            let _e775 = (bitcast<f32>((bitcast<u32>((_e694.member.member_1.x - _e694.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e776 = (bitcast<f32>((bitcast<u32>((_e694.member.member_1.y - _e694.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e777 = (bitcast<f32>((bitcast<u32>((_e694.member.member_1.z - _e694.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e779 = select(_e151, _e775, (_e775 > _e151));
+                                            let _e781 = select(_e151, _e776, (_e776 > _e151));
+                                            let _e783 = select(_e151, _e777, (_e777 > _e151));
+                                            let _e814 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e715 & 2097151u))) - 8388608f) * _e779));
+                                            let _e819 = (bitcast<i32>((_e715 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e822 = bitcast<f32>((_e814 & bitcast<u32>(_e819)));
+                                            let _e823 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 2097151u))) - 8388608f) * _e781));
+                                            let _e828 = (bitcast<i32>((_e730 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e831 = bitcast<f32>((_e823 & bitcast<u32>(_e828)));
+                                            let _e832 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 2097151u))) - 8388608f) * _e783));
+                                            let _e837 = (bitcast<i32>((_e745 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e840 = bitcast<f32>((_e832 & bitcast<u32>(_e837)));
+                                            let _e844 = bitcast<f32>((_e814 & bitcast<u32>(~(_e819))));
+                                            let _e848 = bitcast<f32>((_e823 & bitcast<u32>(~(_e828))));
+                                            let _e852 = bitcast<f32>((_e832 & bitcast<u32>(~(_e837))));
+                                            let _e853 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e722 & 2097151u))) - 8388608f) * _e779));
+                                            let _e858 = (bitcast<i32>((_e722 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e861 = bitcast<f32>((_e853 & bitcast<u32>(_e858)));
+                                            let _e862 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e737 & 2097151u))) - 8388608f) * _e781));
+                                            let _e867 = (bitcast<i32>((_e737 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e870 = bitcast<f32>((_e862 & bitcast<u32>(_e867)));
+                                            let _e871 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e752 & 2097151u))) - 8388608f) * _e783));
+                                            let _e876 = (bitcast<i32>((_e752 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e879 = bitcast<f32>((_e871 & bitcast<u32>(_e876)));
+                                            let _e883 = bitcast<f32>((_e853 & bitcast<u32>(~(_e858))));
+                                            let _e887 = bitcast<f32>((_e862 & bitcast<u32>(~(_e867))));
+                                            let _e891 = bitcast<f32>((_e871 & bitcast<u32>(~(_e876))));
+                                            let _e892 = (_e694.member.member.x + _e822);
+                                            let _e893 = (_e694.member.member.y + _e831);
+                                            let _e894 = (_e694.member.member.z + _e840);
+                                            let _e897 = (_e694.member.member_1.x - _e861);
+                                            let _e898 = (_e694.member.member_1.y - _e870);
+                                            let _e899 = (_e694.member.member_1.z - _e879);
+                                            let _e918 = (_e897 - _e892);
+                                            let _e919 = (_e898 - _e893);
+                                            let _e920 = (_e899 - _e894);
+                                            let _e922 = select(_e919, _e918, (_e918 > _e919));
+                                            let _e924 = select(_e920, _e922, (_e922 > _e920));
+                                            if (_e924 < (1024f * _e151)) {
+                                                phi_3524_ = 0u;
                                             } else {
-                                                phi_3545_ = select(2u, 1u, (_e1914 < (2097152f * _e151)));
+                                                phi_3524_ = select(2u, 1u, (_e924 < (2097152f * _e151)));
                                             }
-                                            let _e1921 = phi_3545_;
-                                            switch bitcast<i32>(_e1921) {
+                                            let _e931 = phi_3524_;
+                                            switch bitcast<i32>(_e931) {
                                                 case 0: {
-                                                    phi_3551_ = 1u;
+                                                    phi_3530_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3551_ = 2u;
+                                                    phi_3530_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3551_ = 3u;
+                                                    phi_3530_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3551_ = u32();
+                                                    phi_3530_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1924 = phi_3551_;
-                                            let _e1930 = global_4.member[_e696.member_1][0u];
-                                            let _e1934 = global_4.member[_e696.member_1][2u];
-                                            let _e1938 = global_4.member[_e696.member_1][4u];
-                                            let _e1942 = global_4.member[_e696.member_1][6u];
-                                            let _e1954 = (((_e1934 >> bitcast<u32>(22i)) | ((_e1938 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1942 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e1955 = (_e1930 & 268435455u);
-                                            let _e1956 = (_e1954 & 268435455u);
-                                            let _e1959 = ((_e1930 >> bitcast<u32>(28u)) & 7u);
-                                            let _e1967 = ((_e1930 >> bitcast<u32>(31i)) | (((_e1954 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e1968 = (_e1959 != 0u);
-                                            if (_e1959 == 0u) {
-                                                phi_3806_ = _e1955;
+                                            let _e934 = phi_3530_;
+                                            let _e940 = global_4.member[_e694.member_1][0u];
+                                            let _e944 = global_4.member[_e694.member_1][2u];
+                                            let _e948 = global_4.member[_e694.member_1][4u];
+                                            let _e952 = global_4.member[_e694.member_1][6u];
+                                            let _e964 = (((_e944 >> bitcast<u32>(22i)) | ((_e948 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e952 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e965 = (_e940 & 268435455u);
+                                            let _e966 = (_e964 & 268435455u);
+                                            let _e969 = ((_e940 >> bitcast<u32>(28u)) & 7u);
+                                            let _e977 = ((_e940 >> bitcast<u32>(31i)) | (((_e964 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e978 = (_e969 != 0u);
+                                            if (_e969 == 0u) {
+                                                phi_3785_ = _e965;
                                             } else {
-                                                if (_e1959 == 7u) {
-                                                    phi_3805_ = 2147483648u;
+                                                if (_e969 == 7u) {
+                                                    phi_3784_ = 2147483648u;
                                                 } else {
-                                                    phi_3805_ = ((2147483648u | (_e1959 << bitcast<u32>(28u))) | (_e1956 & 268435455u));
+                                                    phi_3784_ = ((2147483648u | (_e969 << bitcast<u32>(28u))) | (_e966 & 268435455u));
                                                 }
-                                                let _e1977 = phi_3805_;
-                                                phi_3806_ = _e1977;
+                                                let _e987 = phi_3784_;
+                                                phi_3785_ = _e987;
                                             }
-                                            let _e1979 = phi_3806_;
-                                            if _e1968 {
-                                                let _e1980 = (_e1959 != 7u);
-                                                if _e1980 {
-                                                    phi_3816_ = (_e1956 + (_e1959 * ((3u * _e1924) + 1u)));
+                                            let _e989 = phi_3785_;
+                                            if _e978 {
+                                                let _e990 = (_e969 != 7u);
+                                                if _e990 {
+                                                    phi_3795_ = (_e966 + (_e969 * ((3u * _e934) + 1u)));
                                                 } else {
-                                                    phi_3816_ = u32();
+                                                    phi_3795_ = u32();
                                                 }
-                                                let _e1984 = phi_3816_;
-                                                phi_3818_ = _e1984;
-                                                phi_3819_ = select(true, false, _e1980);
+                                                let _e994 = phi_3795_;
+                                                phi_3797_ = _e994;
+                                                phi_3798_ = select(true, false, _e990);
                                             } else {
-                                                phi_3818_ = u32();
-                                                phi_3819_ = true;
+                                                phi_3797_ = u32();
+                                                phi_3798_ = true;
                                             }
-                                            let _e1987 = phi_3818_;
-                                            let _e1989 = phi_3819_;
-                                            if (_e1967 == 0u) {
-                                                phi_3840_ = (_e1955 + select(0u, 1u, !(_e1968)));
+                                            let _e997 = phi_3797_;
+                                            let _e999 = phi_3798_;
+                                            if (_e977 == 0u) {
+                                                phi_3819_ = (_e965 + select(0u, 1u, !(_e978)));
                                             } else {
-                                                if (_e1967 == 7u) {
-                                                    phi_3839_ = 2147483648u;
+                                                if (_e977 == 7u) {
+                                                    phi_3818_ = 2147483648u;
                                                 } else {
-                                                    phi_3839_ = ((2147483648u | (_e1967 << bitcast<u32>(28u))) | (select(_e1987, _e1956, _e1989) & 268435455u));
+                                                    phi_3818_ = ((2147483648u | (_e977 << bitcast<u32>(28u))) | (select(_e997, _e966, _e999) & 268435455u));
                                                 }
-                                                let _e2002 = phi_3839_;
-                                                phi_3840_ = _e2002;
+                                                let _e1012 = phi_3818_;
+                                                phi_3819_ = _e1012;
                                             }
-                                            let _e2004 = phi_3840_;
-                                            phi_3844_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e1882, (_e696.member.member.x + _e1834), _e1887, (_e696.member.member_1.x - _e1873)), vec4<f32>(_e1883, (_e696.member.member.y + _e1838), _e1888, (_e696.member.member_1.y - _e1877)), vec4<f32>(_e1884, (_e696.member.member.z + _e1842), _e1889, (_e696.member.member_1.z - _e1881))), type_52(type_24((_e696.member.member + vec4<f32>(_e1812, _e1821, _e1830, 0f)), (_e696.member.member_1 - vec4<f32>(_e1851, _e1860, _e1869, 0f))), _e1979), type_52(type_24((_e696.member.member + vec4<f32>(_e1834, _e1838, _e1842, 0f)), (_e696.member.member_1 - vec4<f32>(_e1873, _e1877, _e1881, 0f))), _e2004));
+                                            let _e1014 = phi_3819_;
+                                            phi_3823_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e892, (_e694.member.member.x + _e844), _e897, (_e694.member.member_1.x - _e883)), vec4<f32>(_e893, (_e694.member.member.y + _e848), _e898, (_e694.member.member_1.y - _e887)), vec4<f32>(_e894, (_e694.member.member.z + _e852), _e899, (_e694.member.member_1.z - _e891))), type_52(type_24((_e694.member.member + vec4<f32>(_e822, _e831, _e840, 0f)), (_e694.member.member_1 - vec4<f32>(_e861, _e870, _e879, 0f))), _e989), type_52(type_24((_e694.member.member + vec4<f32>(_e844, _e848, _e852, 0f)), (_e694.member.member_1 - vec4<f32>(_e883, _e887, _e891, 0f))), _e1014));
                                         }
-                                        let _e2009 = phi_3844_;
-                                        let _e2020 = ((_e2009.member[0].x - _e373) * _e376);
-                                        let _e2021 = ((_e2009.member[0].y - _e373) * _e376);
-                                        let _e2022 = ((_e2009.member[0].z - _e374) * _e376);
-                                        let _e2023 = ((_e2009.member[0].w - _e374) * _e376);
-                                        let _e2033 = ((_e2009.member[1].x - _e439) * _e442);
-                                        let _e2034 = ((_e2009.member[1].y - _e439) * _e442);
-                                        let _e2035 = ((_e2009.member[1].z - _e440) * _e442);
-                                        let _e2036 = ((_e2009.member[1].w - _e440) * _e442);
-                                        let _e2046 = ((_e2009.member[2].x - _e505) * _e508);
-                                        let _e2047 = ((_e2009.member[2].y - _e505) * _e508);
-                                        let _e2048 = ((_e2009.member[2].z - _e506) * _e508);
-                                        let _e2049 = ((_e2009.member[2].w - _e506) * _e508);
-                                        let _e2051 = select(_e2048, _e2046, (_e2046 < _e2048));
-                                        let _e2053 = select(_e2049, _e2047, (_e2047 < _e2049));
-                                        let _e2055 = select(_e2048, _e2046, (_e2046 > _e2048));
-                                        let _e2057 = select(_e2049, _e2047, (_e2047 > _e2049));
-                                        let _e2059 = select(_e2022, _e2020, (_e2020 < _e2022));
-                                        let _e2061 = select(_e2023, _e2021, (_e2021 < _e2023));
-                                        let _e2063 = select(_e2035, _e2033, (_e2033 < _e2035));
-                                        let _e2065 = select(_e2036, _e2034, (_e2034 < _e2036));
-                                        let _e2067 = select(_e2063, _e2059, (_e2059 > _e2063));
-                                        let _e2069 = select(_e2065, _e2061, (_e2061 > _e2065));
-                                        let _e2071 = select(_e2051, _e2067, (_e2067 > _e2051));
-                                        let _e2073 = select(_e2053, _e2069, (_e2069 > _e2053));
-                                        let _e2075 = select(_e2022, _e2020, (_e2020 > _e2022));
-                                        let _e2077 = select(_e2023, _e2021, (_e2021 > _e2023));
-                                        let _e2079 = select(_e2035, _e2033, (_e2033 > _e2035));
-                                        let _e2081 = select(_e2036, _e2034, (_e2034 > _e2036));
-                                        let _e2083 = select(_e2079, _e2075, (_e2075 < _e2079));
-                                        let _e2085 = select(_e2081, _e2077, (_e2077 < _e2081));
-                                        let _e2090 = -(_e2051);
-                                        let _e2091 = -(_e2053);
-                                        let _e2098 = (select(_e2055, _e2083, (_e2083 < _e2055)) + (select(_e2090, _e2055, (_e2055 > _e2090)) * 0.0000019073523f));
-                                        let _e2099 = (select(_e2057, _e2085, (_e2085 < _e2057)) + (select(_e2091, _e2057, (_e2057 > _e2091)) * 0.0000019073523f));
-                                        let _e2101 = select(_e611, _e2071, (_e2071 > _e611));
-                                        let _e2103 = select(_e611, _e2073, (_e2073 > _e611));
-                                        let _e2108 = (_e2101 <= select(_e1695, _e2098, (_e2098 < _e1695)));
-                                        let _e2109 = (_e2103 <= select(_e1695, _e2099, (_e2099 < _e1695)));
-                                        let _e2110 = (_e2101 <= _e2103);
-                                        if _e2108 {
-                                            if _e2109 {
-                                                if _e2110 {
-                                                    phi_4207_ = _e2009.member_2;
+                                        let _e1019 = phi_3823_;
+                                        let _e1030 = ((_e1019.member[0].x - _e373) * _e376);
+                                        let _e1031 = ((_e1019.member[0].y - _e373) * _e376);
+                                        let _e1032 = ((_e1019.member[0].z - _e374) * _e376);
+                                        let _e1033 = ((_e1019.member[0].w - _e374) * _e376);
+                                        let _e1043 = ((_e1019.member[1].x - _e439) * _e442);
+                                        let _e1044 = ((_e1019.member[1].y - _e439) * _e442);
+                                        let _e1045 = ((_e1019.member[1].z - _e440) * _e442);
+                                        let _e1046 = ((_e1019.member[1].w - _e440) * _e442);
+                                        let _e1056 = ((_e1019.member[2].x - _e505) * _e508);
+                                        let _e1057 = ((_e1019.member[2].y - _e505) * _e508);
+                                        let _e1058 = ((_e1019.member[2].z - _e506) * _e508);
+                                        let _e1059 = ((_e1019.member[2].w - _e506) * _e508);
+                                        let _e1061 = select(_e1058, _e1056, (_e1056 < _e1058));
+                                        let _e1063 = select(_e1059, _e1057, (_e1057 < _e1059));
+                                        let _e1065 = select(_e1058, _e1056, (_e1056 > _e1058));
+                                        let _e1067 = select(_e1059, _e1057, (_e1057 > _e1059));
+                                        let _e1069 = select(_e1032, _e1030, (_e1030 < _e1032));
+                                        let _e1071 = select(_e1033, _e1031, (_e1031 < _e1033));
+                                        let _e1073 = select(_e1045, _e1043, (_e1043 < _e1045));
+                                        let _e1075 = select(_e1046, _e1044, (_e1044 < _e1046));
+                                        let _e1077 = select(_e1073, _e1069, (_e1069 > _e1073));
+                                        let _e1079 = select(_e1075, _e1071, (_e1071 > _e1075));
+                                        let _e1081 = select(_e1061, _e1077, (_e1077 > _e1061));
+                                        let _e1083 = select(_e1063, _e1079, (_e1079 > _e1063));
+                                        let _e1085 = select(_e1032, _e1030, (_e1030 > _e1032));
+                                        let _e1087 = select(_e1033, _e1031, (_e1031 > _e1033));
+                                        let _e1089 = select(_e1045, _e1043, (_e1043 > _e1045));
+                                        let _e1091 = select(_e1046, _e1044, (_e1044 > _e1046));
+                                        let _e1093 = select(_e1089, _e1085, (_e1085 < _e1089));
+                                        let _e1095 = select(_e1091, _e1087, (_e1087 < _e1091));
+                                        let _e1100 = -(_e1061);
+                                        let _e1101 = -(_e1063);
+                                        let _e1108 = (select(_e1065, _e1093, (_e1093 < _e1065)) + (select(_e1100, _e1065, (_e1065 > _e1100)) * 0.0000019073523f));
+                                        let _e1109 = (select(_e1067, _e1095, (_e1095 < _e1067)) + (select(_e1101, _e1067, (_e1067 > _e1101)) * 0.0000019073523f));
+                                        let _e1111 = select(_e611, _e1081, (_e1081 > _e611));
+                                        let _e1113 = select(_e611, _e1083, (_e1083 > _e611));
+                                        let _e1118 = (_e1111 <= select(_e654, _e1108, (_e1108 < _e654)));
+                                        let _e1119 = (_e1113 <= select(_e654, _e1109, (_e1109 < _e654)));
+                                        let _e1120 = (_e1111 <= _e1113);
+                                        if _e1118 {
+                                            if _e1119 {
+                                                if _e1120 {
+                                                    phi_4186_ = _e1019.member_2;
                                                 } else {
-                                                    phi_4207_ = _e2009.member_1;
+                                                    phi_4186_ = _e1019.member_1;
                                                 }
-                                                let _e2114 = phi_4207_;
-                                                let _e2135 = (_e694 % 128u);
-                                                let _e2136 = (_e2135 < 128u);
-                                                if _e2136 {
+                                                let _e1124 = phi_4186_;
+                                                let _e1145 = (_e696 % 128u);
+                                                let _e1146 = (_e1145 < 128u);
+                                                if _e1146 {
                                                 } else {
-                                                    phi_5415_ = true;
+                                                    phi_5320_ = true;
                                                     break;
                                                 }
-                                                local_8[_e2135] = _e2114.member_1;
-                                                if _e2136 {
+                                                local_8[_e1145] = _e1124.member_1;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_5415_ = true;
+                                                    phi_5320_ = true;
                                                     break;
                                                 }
-                                                local_7[_e2135] = _e2114.member.member.x;
-                                                if _e2136 {
+                                                local_7[_e1145] = _e1124.member.member.x;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_5415_ = true;
+                                                    phi_5320_ = true;
                                                     break;
                                                 }
-                                                local_6[_e2135] = _e2114.member.member.y;
-                                                if _e2136 {
+                                                local_6[_e1145] = _e1124.member.member.y;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_5415_ = true;
+                                                    phi_5320_ = true;
                                                     break;
                                                 }
-                                                local_5[_e2135] = _e2114.member.member.z;
-                                                if _e2136 {
+                                                local_5[_e1145] = _e1124.member.member.z;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_5415_ = true;
+                                                    phi_5320_ = true;
                                                     break;
                                                 }
-                                                local_4[_e2135] = _e2114.member.member_1.x;
-                                                if _e2136 {
+                                                local_4[_e1145] = _e1124.member.member_1.x;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_5415_ = true;
+                                                    phi_5320_ = true;
                                                     break;
                                                 }
-                                                local_3[_e2135] = _e2114.member.member_1.y;
-                                                if _e2136 {
+                                                local_3[_e1145] = _e1124.member.member_1.y;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_5415_ = true;
+                                                    phi_5320_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2135] = _e2114.member.member_1.z;
-                                                if _e2136 {
+                                                local_2[_e1145] = _e1124.member.member_1.z;
+                                                if _e1146 {
                                                 } else {
-                                                    phi_5415_ = true;
+                                                    phi_5320_ = true;
                                                     break;
                                                 }
-                                                local_10[_e2135] = select(_e2101, _e2103, _e2110);
-                                                if _e2110 {
-                                                    phi_4283_ = _e2009.member_1;
+                                                local_10[_e1145] = select(_e1111, _e1113, _e1120);
+                                                if _e1120 {
+                                                    phi_4262_ = _e1019.member_1;
                                                 } else {
-                                                    phi_4283_ = _e2009.member_2;
+                                                    phi_4262_ = _e1019.member_2;
                                                 }
-                                                let _e2149 = phi_4283_;
-                                                phi_4284_ = (_e694 + 1u);
-                                                phi_4285_ = _e2149;
+                                                let _e1159 = phi_4262_;
+                                                phi_4263_ = _e1159;
+                                                phi_4264_ = (_e696 + 1u);
                                             } else {
-                                                phi_4284_ = u32();
-                                                phi_4285_ = type_52();
+                                                phi_4263_ = type_52();
+                                                phi_4264_ = u32();
                                             }
-                                            let _e2151 = phi_4284_;
-                                            let _e2153 = phi_4285_;
-                                            phi_4287_ = _e2151;
-                                            phi_4288_ = _e2153;
-                                            phi_4289_ = select(true, false, _e2109);
+                                            let _e1161 = phi_4263_;
+                                            let _e1163 = phi_4264_;
+                                            phi_4266_ = _e1161;
+                                            phi_4267_ = _e1163;
+                                            phi_4268_ = select(true, false, _e1119);
                                         } else {
-                                            phi_4287_ = u32();
-                                            phi_4288_ = type_52();
-                                            phi_4289_ = true;
+                                            phi_4266_ = type_52();
+                                            phi_4267_ = u32();
+                                            phi_4268_ = true;
                                         }
-                                        let _e2156 = phi_4287_;
-                                        let _e2158 = phi_4288_;
-                                        let _e2160 = phi_4289_;
-                                        if _e2160 {
-                                            if _e2108 {
-                                                phi_4298_ = _e2009.member_1;
+                                        let _e1166 = phi_4266_;
+                                        let _e1168 = phi_4267_;
+                                        let _e1170 = phi_4268_;
+                                        if _e1170 {
+                                            if _e1118 {
+                                                phi_4277_ = _e1019.member_1;
                                             } else {
-                                                phi_4298_ = _e2009.member_2;
+                                                phi_4277_ = _e1019.member_2;
                                             }
-                                            let _e2164 = phi_4298_;
-                                            phi_4303_ = select(_e2109, true, _e2108);
-                                            phi_4305_ = _e2164;
+                                            let _e1174 = phi_4277_;
+                                            phi_4282_ = select(_e1119, true, _e1118);
+                                            phi_4283_ = _e1174;
                                         } else {
-                                            phi_4303_ = _e692;
-                                            phi_4305_ = _e2158;
+                                            phi_4282_ = _e692;
+                                            phi_4283_ = _e1166;
                                         }
-                                        let _e2167 = phi_4303_;
-                                        let _e2169 = phi_4305_;
-                                        phi_4309_ = _e2167;
-                                        phi_4310_ = select(_e2156, _e694, _e2160);
-                                        phi_4311_ = _e2169;
+                                        let _e1177 = phi_4282_;
+                                        let _e1179 = phi_4283_;
+                                        phi_5439_ = _e654;
+                                        phi_5324_ = _e652;
+                                        phi_4285_ = _e1177;
+                                        phi_4286_ = _e1179;
+                                        phi_4287_ = select(_e1168, _e696, _e1170);
                                     }
-                                    let _e2172 = phi_4309_;
-                                    let _e2174 = phi_4310_;
-                                    let _e2176 = phi_4311_;
-                                    if _e700 {
-                                        phi_4321_ = _e696;
-                                    } else {
-                                        phi_4321_ = _e2176;
-                                    }
-                                    let _e2178 = phi_4321_;
-                                    phi_5534_ = _e1695;
-                                    phi_5418_ = _e1693;
-                                    phi_4322_ = (_e656 - 1u);
-                                    phi_4323_ = select(_e2172, false, _e700);
-                                    phi_4324_ = select(_e2174, _e694, _e700);
-                                    phi_4325_ = _e2178;
+                                    let _e2170 = phi_5439_;
+                                    let _e2172 = phi_5324_;
+                                    let _e2174 = phi_4285_;
+                                    let _e2176 = phi_4286_;
+                                    let _e2178 = phi_4287_;
+                                    phi_5438_ = _e2170;
+                                    phi_5323_ = _e2172;
+                                    phi_4288_ = _e2174;
+                                    phi_4289_ = _e2176;
+                                    phi_4290_ = _e2178;
+                                    phi_4291_ = (_e662 - 1u);
                                 } else {
-                                    phi_5534_ = _e654;
-                                    phi_5418_ = _e652;
-                                    phi_4322_ = _e656;
-                                    phi_4323_ = _e692;
-                                    phi_4324_ = _e694;
-                                    phi_4325_ = _e696;
+                                    phi_5438_ = _e654;
+                                    phi_5323_ = _e652;
+                                    phi_4288_ = _e692;
+                                    phi_4289_ = _e694;
+                                    phi_4290_ = _e696;
+                                    phi_4291_ = _e662;
                                 }
-                                let _e2182 = phi_5534_;
-                                let _e2184 = phi_5418_;
-                                let _e2186 = phi_4322_;
-                                let _e2188 = phi_4323_;
-                                let _e2190 = phi_4324_;
-                                let _e2192 = phi_4325_;
-                                phi_5533_ = _e2182;
-                                phi_5417_ = _e2184;
-                                phi_4326_ = _e2186;
-                                phi_4327_ = _e2188;
-                                phi_4328_ = _e2190;
-                                phi_4329_ = _e2192;
+                                let _e2180 = phi_5438_;
+                                let _e2182 = phi_5323_;
+                                let _e2184 = phi_4288_;
+                                let _e2186 = phi_4289_;
+                                let _e2188 = phi_4290_;
+                                let _e2190 = phi_4291_;
+                                phi_5437_ = _e2180;
+                                phi_5322_ = _e2182;
+                                phi_4292_ = _e2184;
+                                phi_4293_ = _e2186;
+                                phi_4294_ = _e2188;
+                                phi_4295_ = _e2190;
                             } else {
-                                phi_5533_ = _e654;
-                                phi_5417_ = _e652;
-                                phi_4326_ = u32();
-                                phi_4327_ = bool();
-                                phi_4328_ = u32();
-                                phi_4329_ = type_52();
+                                phi_5437_ = _e654;
+                                phi_5322_ = _e652;
+                                phi_4292_ = bool();
+                                phi_4293_ = type_52();
+                                phi_4294_ = u32();
+                                phi_4295_ = u32();
                             }
-                            let _e2194 = phi_5533_;
-                            let _e2196 = phi_5417_;
-                            let _e2198 = phi_4326_;
-                            let _e2200 = phi_4327_;
-                            let _e2202 = phi_4328_;
-                            let _e2204 = phi_4329_;
-                            phi_5532_ = _e2194;
-                            phi_5416_ = _e2196;
-                            phi_1256_ = _e2198;
-                            phi_1259_ = _e2200;
-                            phi_1261_ = _e2202;
-                            phi_1263_ = _e2204;
-                            phi_4330_ = _e666;
+                            let _e2192 = phi_5437_;
+                            let _e2194 = phi_5322_;
+                            let _e2196 = phi_4292_;
+                            let _e2198 = phi_4293_;
+                            let _e2200 = phi_4294_;
+                            let _e2202 = phi_4295_;
+                            phi_5436_ = _e2192;
+                            phi_5321_ = _e2194;
+                            phi_1263_ = _e2196;
+                            phi_1266_ = _e2198;
+                            phi_1268_ = _e2200;
+                            phi_1270_ = _e2202;
+                            phi_4296_ = _e666;
                         } else {
-                            phi_5532_ = _e654;
-                            phi_5416_ = _e652;
-                            phi_1256_ = u32();
-                            phi_1259_ = bool();
-                            phi_1261_ = u32();
-                            phi_1263_ = type_52();
-                            phi_4330_ = false;
+                            phi_5436_ = _e654;
+                            phi_5321_ = _e652;
+                            phi_1263_ = bool();
+                            phi_1266_ = type_52();
+                            phi_1268_ = u32();
+                            phi_1270_ = u32();
+                            phi_4296_ = false;
                         }
-                        let _e2206 = phi_5532_;
-                        let _e2208 = phi_5416_;
-                        let _e2210 = phi_1256_;
-                        let _e2212 = phi_1259_;
-                        let _e2214 = phi_1261_;
-                        let _e2216 = phi_1263_;
-                        let _e2218 = phi_4330_;
+                        let _e2204 = phi_5436_;
+                        let _e2206 = phi_5321_;
+                        let _e2208 = phi_1263_;
+                        let _e2210 = phi_1266_;
+                        let _e2212 = phi_1268_;
+                        let _e2214 = phi_1270_;
+                        let _e2216 = phi_4296_;
                         continue;
                         continuing {
-                            phi_5075_ = _e2208;
-                            phi_4988_ = _e2206;
-                            phi_1255_ = _e2210;
-                            phi_1258_ = _e2212;
-                            phi_1260_ = _e2214;
-                            phi_1262_ = _e2216;
-                            phi_5415_ = _e2208;
-                            break if !(_e2218);
+                            phi_5063_ = _e2206;
+                            phi_4918_ = _e2204;
+                            phi_1262_ = _e2208;
+                            phi_1265_ = _e2210;
+                            phi_1267_ = _e2212;
+                            phi_1269_ = _e2214;
+                            phi_5320_ = _e2206;
+                            break if !(_e2216);
                         }
                     }
-                    let _e2221 = phi_5415_;
-                    if _e2221 {
+                    let _e2219 = phi_5320_;
+                    if _e2219 {
                         break;
                     }
-                    phi_4337_ = type_8(0u, 8u);
+                    phi_4303_ = type_8(0u, 8u);
                     loop {
-                        let _e2223 = phi_4337_;
-                        if (_e2223.member < _e2223.member_1) {
-                            phi_4338_ = type_8((_e2223.member + 1u), _e2223.member_1);
-                            phi_4361_ = type_8(1u, _e2223.member);
+                        let _e2221 = phi_4303_;
+                        if (_e2221.member < _e2221.member_1) {
+                            phi_4304_ = type_8((_e2221.member + 1u), _e2221.member_1);
+                            phi_4327_ = type_8(1u, _e2221.member);
                         } else {
-                            phi_4338_ = _e2223;
-                            phi_4361_ = type_8(0u, type_8().member_1);
+                            phi_4304_ = _e2221;
+                            phi_4327_ = type_8(0u, type_8().member_1);
                         }
-                        let _e2236 = phi_4338_;
-                        let _e2238 = phi_4361_;
-                        let _e2242 = (bitcast<i32>(_e2238.member) != 0i);
-                        if _e2242 {
-                            let _e2243 = (_e2238.member_1 < 8u);
-                            if _e2243 {
+                        let _e2234 = phi_4304_;
+                        let _e2236 = phi_4327_;
+                        let _e2240 = (bitcast<i32>(_e2236.member) != 0i);
+                        if _e2240 {
+                            let _e2241 = (_e2236.member_1 < 8u);
+                            if _e2241 {
                             } else {
-                                phi_5514_ = true;
+                                phi_5418_ = true;
                                 break;
                             }
-                            let _e2245 = local_9[_e2238.member_1];
-                            if (_e2245.member_3 != 4294967295u) {
-                                let _e2251 = -(_e513);
-                                let _e2252 = bitcast<u32>(_e2245.member);
-                                let _e2256 = (bitcast<i32>((_e2252 >> bitcast<u32>(23i))) & 255i);
-                                let _e2257 = (_e2256 + _e2251);
-                                if (_e2256 == 255i) {
-                                    phi_4434_ = _e2245.member;
+                            let _e2243 = local_9[_e2236.member_1];
+                            if (_e2243.member_3 != 4294967295u) {
+                                let _e2249 = -(_e513);
+                                let _e2250 = bitcast<u32>(_e2243.member);
+                                let _e2254 = (bitcast<i32>((_e2250 >> bitcast<u32>(23i))) & 255i);
+                                let _e2255 = (_e2254 + _e2249);
+                                if (_e2254 == 255i) {
+                                    phi_4400_ = _e2243.member;
                                 } else {
-                                    if (_e2256 > 0i) {
-                                        if (_e2257 > 0i) {
-                                            let _e2261 = (_e2257 < 255i);
-                                            if _e2261 {
-                                                phi_4413_ = bitcast<f32>((_e2252 + bitcast<u32>((_e2251 << bitcast<u32>(23i)))));
+                                    if (_e2254 > 0i) {
+                                        if (_e2255 > 0i) {
+                                            let _e2259 = (_e2255 < 255i);
+                                            if _e2259 {
+                                                phi_4379_ = bitcast<f32>((_e2250 + bitcast<u32>((_e2249 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_4413_ = f32();
+                                                phi_4379_ = f32();
                                             }
-                                            let _e2268 = phi_4413_;
-                                            phi_4415_ = _e2268;
-                                            phi_4416_ = select(true, false, _e2261);
+                                            let _e2266 = phi_4379_;
+                                            phi_4381_ = _e2266;
+                                            phi_4382_ = select(true, false, _e2259);
                                         } else {
-                                            phi_4415_ = f32();
-                                            phi_4416_ = true;
+                                            phi_4381_ = f32();
+                                            phi_4382_ = true;
                                         }
-                                        let _e2271 = phi_4415_;
-                                        let _e2273 = phi_4416_;
-                                        phi_4417_ = _e2271;
-                                        phi_4418_ = _e2273;
+                                        let _e2269 = phi_4381_;
+                                        let _e2271 = phi_4382_;
+                                        phi_4383_ = _e2269;
+                                        phi_4384_ = _e2271;
                                     } else {
-                                        phi_4417_ = f32();
-                                        phi_4418_ = true;
+                                        phi_4383_ = f32();
+                                        phi_4384_ = true;
                                     }
-                                    let _e2275 = phi_4417_;
-                                    let _e2277 = phi_4418_;
-                                    if _e2277 {
-                                        let _e2278 = (_e2252 & 2147483648u);
-                                        let _e2285 = ((_e2252 & 8388607u) | (select(0u, 1u, ((_e2252 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                        let _e2289 = (_e2285 == 0u);
-                                        if _e2289 {
-                                            phi_4935_ = bitcast<f32>(_e2278);
+                                    let _e2273 = phi_4383_;
+                                    let _e2275 = phi_4384_;
+                                    if _e2275 {
+                                        let _e2276 = (_e2250 & 2147483648u);
+                                        let _e2283 = ((_e2250 & 8388607u) | (select(0u, 1u, ((_e2250 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                        let _e2287 = (_e2283 == 0u);
+                                        if _e2287 {
+                                            phi_4865_ = bitcast<f32>(_e2276);
                                         } else {
-                                            let _e2294 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2285)), 32u, _e2289) - 8u);
-                                            let _e2297 = (_e2285 << bitcast<u32>((_e2294 & 31u)));
-                                            let _e2299 = ((_e2257 + select(0i, 1i, (_e2256 == 0i))) - bitcast<i32>(_e2294));
-                                            if (_e2299 >= 255i) {
-                                                phi_4925_ = bitcast<f32>((_e2278 | 2139095040u));
-                                                phi_4926_ = f32();
-                                                phi_4927_ = true;
+                                            let _e2292 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2283)), 32u, _e2287) - 8u);
+                                            let _e2295 = (_e2283 << bitcast<u32>((_e2292 & 31u)));
+                                            let _e2297 = ((_e2255 + select(0i, 1i, (_e2254 == 0i))) - bitcast<i32>(_e2292));
+                                            if (_e2297 >= 255i) {
+                                                phi_4855_ = bitcast<f32>((_e2276 | 2139095040u));
+                                                phi_4856_ = f32();
+                                                phi_4857_ = true;
                                             } else {
-                                                let _e2301 = (_e2299 > 0i);
-                                                if _e2301 {
-                                                    phi_4919_ = bitcast<f32>(((_e2278 | (bitcast<u32>(_e2299) << bitcast<u32>(23i))) | (_e2297 & 8388607u)));
-                                                    phi_4920_ = f32();
+                                                let _e2299 = (_e2297 > 0i);
+                                                if _e2299 {
+                                                    phi_4849_ = bitcast<f32>(((_e2276 | (bitcast<u32>(_e2297) << bitcast<u32>(23i))) | (_e2295 & 8388607u)));
+                                                    phi_4850_ = f32();
                                                 } else {
-                                                    if (_e2299 < -24i) {
-                                                        phi_4885_ = 26u;
+                                                    if (_e2297 < -24i) {
+                                                        phi_4815_ = 26u;
                                                     } else {
-                                                        phi_4885_ = bitcast<u32>((1i - _e2299));
+                                                        phi_4815_ = bitcast<u32>((1i - _e2297));
                                                     }
-                                                    let _e2306 = phi_4885_;
-                                                    let _e2307 = (_e2306 & 31u);
-                                                    let _e2309 = (_e2297 >> bitcast<u32>(_e2307));
-                                                    let _e2313 = (_e2297 & ((1u << bitcast<u32>(_e2307)) - 1u));
-                                                    let _e2317 = (1u << bitcast<u32>(((_e2306 - 1u) & 31u)));
-                                                    if (_e2313 > _e2317) {
-                                                        phi_4906_ = true;
+                                                    let _e2304 = phi_4815_;
+                                                    let _e2305 = (_e2304 & 31u);
+                                                    let _e2307 = (_e2295 >> bitcast<u32>(_e2305));
+                                                    let _e2311 = (_e2295 & ((1u << bitcast<u32>(_e2305)) - 1u));
+                                                    let _e2315 = (1u << bitcast<u32>(((_e2304 - 1u) & 31u)));
+                                                    if (_e2311 > _e2315) {
+                                                        phi_4836_ = true;
                                                     } else {
-                                                        if (_e2313 == _e2317) {
-                                                            phi_4903_ = ((_e2309 & 1u) == 1u);
+                                                        if (_e2311 == _e2315) {
+                                                            phi_4833_ = ((_e2307 & 1u) == 1u);
                                                         } else {
-                                                            phi_4903_ = false;
+                                                            phi_4833_ = false;
                                                         }
-                                                        let _e2323 = phi_4903_;
-                                                        phi_4906_ = _e2323;
+                                                        let _e2321 = phi_4833_;
+                                                        phi_4836_ = _e2321;
                                                     }
-                                                    let _e2325 = phi_4906_;
-                                                    phi_4919_ = f32();
-                                                    phi_4920_ = bitcast<f32>((_e2278 | (_e2309 + select(0u, 1u, _e2325))));
+                                                    let _e2323 = phi_4836_;
+                                                    phi_4849_ = f32();
+                                                    phi_4850_ = bitcast<f32>((_e2276 | (_e2307 + select(0u, 1u, _e2323))));
                                                 }
-                                                let _e2338 = phi_4919_;
-                                                let _e2340 = phi_4920_;
-                                                phi_4925_ = _e2338;
-                                                phi_4926_ = _e2340;
-                                                phi_4927_ = _e2301;
+                                                let _e2336 = phi_4849_;
+                                                let _e2338 = phi_4850_;
+                                                phi_4855_ = _e2336;
+                                                phi_4856_ = _e2338;
+                                                phi_4857_ = _e2299;
                                             }
-                                            let _e2344 = phi_4925_;
-                                            let _e2346 = phi_4926_;
-                                            let _e2348 = phi_4927_;
-                                            phi_4935_ = select(_e2346, _e2344, _e2348);
+                                            let _e2342 = phi_4855_;
+                                            let _e2344 = phi_4856_;
+                                            let _e2346 = phi_4857_;
+                                            phi_4865_ = select(_e2344, _e2342, _e2346);
                                         }
-                                        let _e2352 = phi_4935_;
-                                        phi_4433_ = _e2352;
+                                        let _e2350 = phi_4865_;
+                                        phi_4399_ = _e2350;
                                     } else {
-                                        phi_4433_ = _e2275;
+                                        phi_4399_ = _e2273;
                                     }
-                                    let _e2354 = phi_4433_;
-                                    phi_4434_ = _e2354;
+                                    let _e2352 = phi_4399_;
+                                    phi_4400_ = _e2352;
                                 }
-                                let _e2356 = phi_4434_;
-                                let _e2357 = bitcast<u32>(_e2356);
-                                if ((_e2357 & 2147483647u) >= 2139095040u) {
-                                    phi_4446_ = bitcast<f32>(((_e2357 & 2147483648u) | 2139095039u));
+                                let _e2354 = phi_4400_;
+                                let _e2355 = bitcast<u32>(_e2354);
+                                if ((_e2355 & 2147483647u) >= 2139095040u) {
+                                    phi_4412_ = bitcast<f32>(((_e2355 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_4446_ = _e2356;
+                                    phi_4412_ = _e2354;
                                 }
-                                let _e2364 = phi_4446_;
-                                phi_4451_ = type_20(_e2364, _e2245.member_1, _e2245.member_2, _e2245.member_3);
+                                let _e2362 = phi_4412_;
+                                phi_4417_ = type_20(_e2362, _e2243.member_1, _e2243.member_2, _e2243.member_3);
                             } else {
-                                phi_4451_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_4417_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2367 = phi_4451_;
-                            if _e2243 {
+                            let _e2365 = phi_4417_;
+                            if _e2241 {
                             } else {
-                                phi_5514_ = true;
+                                phi_5418_ = true;
                                 break;
                             }
-                            local_9[_e2238.member_1] = type_20(_e2367.member, _e2367.member_1, _e2367.member_2, _e2367.member_3);
+                            local_9[_e2236.member_1] = type_20(_e2365.member, _e2365.member_1, _e2365.member_2, _e2365.member_3);
                         }
                         continue;
                         continuing {
-                            phi_4337_ = _e2236;
-                            phi_5514_ = _e2221;
-                            break if !(_e2242);
+                            phi_4303_ = _e2234;
+                            phi_5418_ = _e2219;
+                            break if !(_e2240);
                         }
                     }
-                    let _e2375 = phi_5514_;
-                    if _e2375 {
+                    let _e2373 = phi_5418_;
+                    if _e2373 {
                         break;
                     }
-                    let _e2376 = local_9;
+                    let _e2374 = local_9;
                     if _e159 {
                     } else {
                         break;
                     }
-                    global_6.member[_e157] = array<type_20, 8>(type_20(_e2376[0].member, _e2376[0].member_1, _e2376[0].member_2, _e2376[0].member_3), type_20(_e2376[1].member, _e2376[1].member_1, _e2376[1].member_2, _e2376[1].member_3), type_20(_e2376[2].member, _e2376[2].member_1, _e2376[2].member_2, _e2376[2].member_3), type_20(_e2376[3].member, _e2376[3].member_1, _e2376[3].member_2, _e2376[3].member_3), type_20(_e2376[4].member, _e2376[4].member_1, _e2376[4].member_2, _e2376[4].member_3), type_20(_e2376[5].member, _e2376[5].member_1, _e2376[5].member_2, _e2376[5].member_3), type_20(_e2376[6].member, _e2376[6].member_1, _e2376[6].member_2, _e2376[6].member_3), type_20(_e2376[7].member, _e2376[7].member_1, _e2376[7].member_2, _e2376[7].member_3));
+                    global_6.member[_e157] = array<type_20, 8>(type_20(_e2374[0].member, _e2374[0].member_1, _e2374[0].member_2, _e2374[0].member_3), type_20(_e2374[1].member, _e2374[1].member_1, _e2374[1].member_2, _e2374[1].member_3), type_20(_e2374[2].member, _e2374[2].member_1, _e2374[2].member_2, _e2374[2].member_3), type_20(_e2374[3].member, _e2374[3].member_1, _e2374[3].member_2, _e2374[3].member_3), type_20(_e2374[4].member, _e2374[4].member_1, _e2374[4].member_2, _e2374[4].member_3), type_20(_e2374[5].member, _e2374[5].member_1, _e2374[5].member_2, _e2374[5].member_3), type_20(_e2374[6].member, _e2374[6].member_1, _e2374[6].member_2, _e2374[6].member_3), type_20(_e2374[7].member, _e2374[7].member_1, _e2374[7].member_2, _e2374[7].member_3));
                 }
             }
             break;

@@ -120,145 +120,131 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_455_: i32;
-    var phi_456_: i32;
-    var phi_466_: bool;
-    var phi_476_: u32;
-    var phi_477_: u32;
-    var phi_479_: bool;
+    var phi_462_: i32;
+    var phi_463_: i32;
+    var phi_473_: bool;
+    var phi_483_: u32;
     var phi_484_: u32;
-    var phi_517_: i32;
-    var phi_535_: f32;
-    var phi_541_: f32;
-    var phi_581_: f32;
-    var phi_587_: f32;
-    var phi_660_: f32;
-    var phi_666_: f32;
-    var phi_706_: f32;
-    var phi_712_: f32;
-    var phi_785_: f32;
-    var phi_791_: f32;
-    var phi_831_: f32;
-    var phi_837_: f32;
-    var phi_956_: i32;
-    var phi_978_: u32;
-    var phi_979_: u32;
-    var phi_1016_: i32;
-    var phi_1038_: u32;
-    var phi_1039_: u32;
-    var phi_1047_: f32;
-    var phi_1048_: f32;
-    var phi_3771_: bool;
-    var phi_1140_: type_42;
-    var phi_1143_: u32;
-    var phi_1145_: bool;
-    var phi_1147_: u32;
-    var phi_1149_: type_53;
-    var phi_1160_: bool;
-    var phi_1246_: bool;
-    var phi_1247_: u32;
-    var phi_1248_: type_53;
-    var phi_1266_: type_42;
-    var phi_1269_: type_7;
-    var phi_1270_: type_7;
-    var phi_1292_: type_7;
-    var phi_1316_: u32;
-    var phi_1408_: array<array<f32, 3>, 3>;
-    var phi_3492_: bool;
-    var phi_3507_: bool;
-    var phi_3522_: bool;
-    var phi_3537_: bool;
-    var phi_3552_: bool;
-    var phi_3567_: bool;
-    var phi_1950_: f32;
-    var phi_1951_: f32;
-    var phi_1952_: f32;
-    var phi_1953_: f32;
-    var phi_1954_: vec3<f32>;
-    var phi_1955_: vec3<f32>;
-    var phi_1956_: vec3<f32>;
-    var phi_1957_: vec3<f32>;
-    var phi_3582_: bool;
-    var phi_3597_: bool;
-    var phi_3612_: bool;
-    var phi_3627_: bool;
-    var phi_3642_: bool;
-    var phi_3657_: bool;
-    var phi_2165_: f32;
-    var phi_2185_: type_41;
-    var phi_2186_: type_41;
-    var phi_2189_: type_41;
-    var phi_2190_: type_41;
-    var phi_2191_: bool;
-    var phi_2195_: type_41;
-    var phi_2204_: type_23;
-    var phi_2229_: bool;
-    var phi_2230_: bool;
-    var phi_2237_: type_42;
-    var phi_2238_: type_42;
-    var phi_2239_: type_42;
-    var phi_1267_: type_42;
-    var phi_3765_: bool;
-    var phi_3989_: bool;
-    var phi_2240_: type_42;
-    var phi_2261_: type_46;
-    var phi_3150_: type_53;
+    var phi_486_: bool;
+    var phi_491_: u32;
+    var phi_524_: i32;
+    var phi_542_: f32;
+    var phi_548_: f32;
+    var phi_588_: f32;
+    var phi_594_: f32;
+    var phi_667_: f32;
+    var phi_673_: f32;
+    var phi_713_: f32;
+    var phi_719_: f32;
+    var phi_792_: f32;
+    var phi_798_: f32;
+    var phi_838_: f32;
+    var phi_844_: f32;
+    var phi_963_: i32;
+    var phi_985_: u32;
+    var phi_986_: u32;
+    var phi_1023_: i32;
+    var phi_1045_: u32;
+    var phi_1046_: u32;
+    var phi_1054_: f32;
+    var phi_1055_: f32;
+    var phi_3697_: bool;
+    var phi_1147_: type_42;
+    var phi_1150_: bool;
+    var phi_1152_: type_53;
+    var phi_1154_: u32;
+    var phi_1156_: u32;
+    var phi_1167_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: type_53;
+    var phi_1255_: u32;
+    var phi_2238_: type_46;
+    var phi_3127_: type_53;
+    var phi_3203_: type_53;
+    var phi_3204_: type_53;
+    var phi_3205_: u32;
+    var phi_3207_: type_53;
+    var phi_3208_: u32;
+    var phi_3209_: bool;
+    var phi_3216_: type_53;
+    var phi_3221_: bool;
+    var phi_3222_: type_53;
+    var phi_1273_: type_42;
+    var phi_1276_: type_7;
+    var phi_1277_: type_7;
+    var phi_1299_: type_7;
+    var phi_1323_: u32;
+    var phi_1415_: array<array<f32, 3>, 3>;
+    var phi_1945_: f32;
+    var phi_1946_: f32;
+    var phi_1947_: f32;
+    var phi_1948_: f32;
+    var phi_1949_: vec3<f32>;
+    var phi_1950_: vec3<f32>;
+    var phi_1951_: vec3<f32>;
+    var phi_1952_: vec3<f32>;
+    var phi_2143_: f32;
+    var phi_2163_: type_41;
+    var phi_2164_: type_41;
+    var phi_2167_: type_41;
+    var phi_2168_: type_41;
+    var phi_2169_: bool;
+    var phi_2173_: type_41;
+    var phi_2182_: type_23;
+    var phi_2207_: bool;
+    var phi_2208_: bool;
+    var phi_2215_: type_42;
+    var phi_2216_: type_42;
+    var phi_2217_: type_42;
+    var phi_1274_: type_42;
+    var phi_3691_: bool;
+    var local_10: type_42;
+    var phi_3848_: bool;
+    var phi_3224_: type_42;
+    var phi_3225_: bool;
     var phi_3226_: type_53;
     var phi_3227_: u32;
-    var phi_3228_: type_53;
-    var phi_3230_: u32;
-    var phi_3231_: type_53;
-    var phi_3232_: bool;
-    var phi_3239_: type_53;
-    var phi_3244_: bool;
-    var phi_3246_: type_53;
-    var phi_3251_: type_42;
-    var phi_3252_: bool;
-    var phi_3253_: u32;
-    var phi_3254_: type_53;
-    var phi_3262_: type_42;
-    var phi_3265_: type_53;
-    var phi_3933_: bool;
-    var phi_3266_: type_42;
-    var phi_3267_: u32;
-    var phi_3268_: bool;
-    var phi_3269_: u32;
-    var phi_3270_: type_53;
-    var phi_3932_: bool;
-    var phi_3271_: type_42;
-    var phi_3272_: u32;
-    var phi_3273_: bool;
-    var phi_3274_: u32;
-    var phi_3275_: type_53;
-    var phi_3931_: bool;
-    var phi_1141_: type_42;
-    var phi_1144_: u32;
-    var phi_1146_: bool;
-    var phi_1148_: u32;
-    var phi_1150_: type_53;
-    var phi_3276_: bool;
-    var phi_3930_: bool;
-    var local_10: type_42;
-    var phi_3314_: f32;
-    var phi_3316_: f32;
-    var phi_3317_: bool;
-    var phi_3318_: f32;
-    var phi_3319_: bool;
-    var phi_3685_: u32;
-    var phi_3703_: bool;
-    var phi_3706_: bool;
-    var phi_3719_: f32;
-    var phi_3720_: f32;
-    var phi_3725_: f32;
-    var phi_3726_: f32;
-    var phi_3727_: bool;
-    var phi_3735_: f32;
-    var phi_3334_: f32;
-    var phi_3335_: f32;
-    var phi_3347_: f32;
-    var phi_3352_: type_23;
+    var phi_3847_: bool;
+    var phi_3228_: type_42;
+    var phi_3229_: bool;
+    var phi_3230_: type_53;
+    var phi_3231_: u32;
+    var phi_3232_: u32;
+    var phi_3846_: bool;
+    var phi_3233_: type_42;
+    var phi_3234_: bool;
+    var phi_3235_: type_53;
+    var phi_3236_: u32;
+    var phi_3237_: u32;
+    var phi_3845_: bool;
+    var phi_1148_: type_42;
+    var phi_1151_: bool;
+    var phi_1153_: type_53;
+    var phi_1155_: u32;
+    var phi_1157_: u32;
+    var phi_3238_: bool;
+    var phi_3844_: bool;
     var local_11: type_42;
+    var phi_3276_: f32;
+    var phi_3278_: f32;
+    var phi_3279_: bool;
+    var phi_3280_: f32;
+    var phi_3281_: bool;
+    var phi_3611_: u32;
+    var phi_3629_: bool;
+    var phi_3632_: bool;
+    var phi_3645_: f32;
+    var phi_3646_: f32;
+    var phi_3651_: f32;
+    var phi_3652_: f32;
+    var phi_3653_: bool;
+    var phi_3661_: f32;
+    var phi_3296_: f32;
+    var phi_3297_: f32;
+    var phi_3309_: f32;
+    var phi_3314_: type_23;
     var local_12: type_42;
+    var local_13: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -311,85 +297,85 @@ fn function_() {
                         if _e224 {
                             let _e227 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
                             if (_e227 >= 8388608u) {
-                                phi_455_ = (bitcast<i32>((_e227 >> bitcast<u32>(23i))) - 127i);
+                                phi_462_ = (bitcast<i32>((_e227 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_455_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
+                                phi_462_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u))));
                             }
-                            let _e241 = phi_455_;
-                            phi_456_ = _e241;
+                            let _e241 = phi_462_;
+                            phi_463_ = _e241;
                         } else {
-                            phi_456_ = 0i;
+                            phi_463_ = 0i;
                         }
-                        let _e243 = phi_456_;
+                        let _e243 = phi_463_;
                         let _e244 = (_e153 == _e197);
                         if _e244 {
-                            phi_466_ = true;
+                            phi_473_ = true;
                         } else {
-                            phi_466_ = (_e161 == _e197);
+                            phi_473_ = (_e161 == _e197);
                         }
-                        let _e247 = phi_466_;
+                        let _e247 = phi_473_;
                         let _e248 = select(1u, 0u, _e244);
                         if _e247 {
                             let _e249 = (_e248 + 1u);
-                            phi_476_ = _e249;
-                            phi_477_ = _e249;
-                            phi_479_ = select(true, false, (_e249 == 2u));
+                            phi_483_ = _e249;
+                            phi_484_ = _e249;
+                            phi_486_ = select(true, false, (_e249 == 2u));
                         } else {
-                            phi_476_ = u32();
-                            phi_477_ = 0u;
-                            phi_479_ = true;
-                        }
-                        let _e253 = phi_476_;
-                        let _e255 = phi_477_;
-                        let _e257 = phi_479_;
-                        if _e257 {
-                            phi_484_ = (_e255 + 1u);
-                        } else {
+                            phi_483_ = u32();
                             phi_484_ = 0u;
+                            phi_486_ = true;
                         }
-                        let _e261 = phi_484_;
+                        let _e253 = phi_483_;
+                        let _e255 = phi_484_;
+                        let _e257 = phi_486_;
+                        if _e257 {
+                            phi_491_ = (_e255 + 1u);
+                        } else {
+                            phi_491_ = 0u;
+                        }
+                        let _e261 = phi_491_;
                         let _e262 = select(_e253, _e255, _e257);
                         let _e263 = select(_e248, select(2u, _e248, _e247), _e257);
                         let _e264 = -(_e243);
                         if (_e264 < -126i) {
-                            phi_517_ = -126i;
+                            phi_524_ = -126i;
                         } else {
-                            phi_517_ = select(_e264, 127i, (_e264 > 127i));
+                            phi_524_ = select(_e264, 127i, (_e264 > 127i));
                         }
-                        let _e269 = phi_517_;
+                        let _e269 = phi_524_;
                         let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
                         let _e280 = bitcast<f32>((bitcast<u32>(((_e264 - _e269) + 127i)) << bitcast<u32>(23i)));
                         let _e285 = global_4.member[_e132].member.member;
                         let _e286 = (_e262 == 0u);
                         if _e286 {
-                            phi_535_ = _e285[0];
+                            phi_542_ = _e285[0];
                         } else {
-                            phi_535_ = _e285[1];
+                            phi_542_ = _e285[1];
                         }
-                        let _e290 = phi_535_;
+                        let _e290 = phi_542_;
                         let _e291 = (_e262 == 2u);
                         if _e291 {
-                            phi_541_ = _e285[2];
+                            phi_548_ = _e285[2];
                         } else {
-                            phi_541_ = _e290;
+                            phi_548_ = _e290;
                         }
-                        let _e294 = phi_541_;
+                        let _e294 = phi_548_;
                         let _e295 = bitcast<u32>(_e294);
                         let _e297 = ((_e295 & 2139095040u) != 0u);
                         let _e309 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e295 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e295 & 2147483648u))), _e294, _e297) * select(0.00000011920929f, 1f, _e297));
                         let _e310 = global_4.member[_e132].member.member_2;
                         if _e286 {
-                            phi_581_ = _e310[0];
+                            phi_588_ = _e310[0];
                         } else {
-                            phi_581_ = _e310[1];
+                            phi_588_ = _e310[1];
                         }
-                        let _e314 = phi_581_;
+                        let _e314 = phi_588_;
                         if _e291 {
-                            phi_587_ = _e310[2];
+                            phi_594_ = _e310[2];
                         } else {
-                            phi_587_ = _e314;
+                            phi_594_ = _e314;
                         }
-                        let _e317 = phi_587_;
+                        let _e317 = phi_594_;
                         let _e318 = bitcast<u32>(_e317);
                         let _e320 = ((_e318 & 2139095040u) != 0u);
                         let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e274) * select(0.00000011920929f, 1f, _e320)) * _e280);
@@ -403,33 +389,33 @@ fn function_() {
                         let _e350 = select(38685626000000000000000000f, (1f / _e334), _e338);
                         let _e351 = (_e261 == 0u);
                         if _e351 {
-                            phi_660_ = _e285[0];
+                            phi_667_ = _e285[0];
                         } else {
-                            phi_660_ = _e285[1];
+                            phi_667_ = _e285[1];
                         }
-                        let _e355 = phi_660_;
+                        let _e355 = phi_667_;
                         let _e356 = (_e261 == 2u);
                         if _e356 {
-                            phi_666_ = _e285[2];
+                            phi_673_ = _e285[2];
                         } else {
-                            phi_666_ = _e355;
+                            phi_673_ = _e355;
                         }
-                        let _e359 = phi_666_;
+                        let _e359 = phi_673_;
                         let _e360 = bitcast<u32>(_e359);
                         let _e362 = ((_e360 & 2139095040u) != 0u);
                         let _e374 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e360 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e360 & 2147483648u))), _e359, _e362) * select(0.00000011920929f, 1f, _e362));
                         if _e351 {
-                            phi_706_ = _e310[0];
+                            phi_713_ = _e310[0];
                         } else {
-                            phi_706_ = _e310[1];
+                            phi_713_ = _e310[1];
                         }
-                        let _e378 = phi_706_;
+                        let _e378 = phi_713_;
                         if _e356 {
-                            phi_712_ = _e310[2];
+                            phi_719_ = _e310[2];
                         } else {
-                            phi_712_ = _e378;
+                            phi_719_ = _e378;
                         }
-                        let _e381 = phi_712_;
+                        let _e381 = phi_719_;
                         let _e382 = bitcast<u32>(_e381);
                         let _e384 = ((_e382 & 2139095040u) != 0u);
                         let _e398 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e382 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e382 & 2147483648u))), _e381, _e384) * _e274) * select(0.00000011920929f, 1f, _e384)) * _e280);
@@ -443,33 +429,33 @@ fn function_() {
                         let _e414 = select(38685626000000000000000000f, (1f / _e398), _e402);
                         let _e415 = (_e263 == 0u);
                         if _e415 {
-                            phi_785_ = _e285[0];
+                            phi_792_ = _e285[0];
                         } else {
-                            phi_785_ = _e285[1];
+                            phi_792_ = _e285[1];
                         }
-                        let _e419 = phi_785_;
+                        let _e419 = phi_792_;
                         let _e420 = (_e263 == 2u);
                         if _e420 {
-                            phi_791_ = _e285[2];
+                            phi_798_ = _e285[2];
                         } else {
-                            phi_791_ = _e419;
+                            phi_798_ = _e419;
                         }
-                        let _e423 = phi_791_;
+                        let _e423 = phi_798_;
                         let _e424 = bitcast<u32>(_e423);
                         let _e426 = ((_e424 & 2139095040u) != 0u);
                         let _e438 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e424 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e424 & 2147483648u))), _e423, _e426) * select(0.00000011920929f, 1f, _e426));
                         if _e415 {
-                            phi_831_ = _e310[0];
+                            phi_838_ = _e310[0];
                         } else {
-                            phi_831_ = _e310[1];
+                            phi_838_ = _e310[1];
                         }
-                        let _e442 = phi_831_;
+                        let _e442 = phi_838_;
                         if _e420 {
-                            phi_837_ = _e310[2];
+                            phi_844_ = _e310[2];
                         } else {
-                            phi_837_ = _e442;
+                            phi_844_ = _e442;
                         }
-                        let _e445 = phi_837_;
+                        let _e445 = phi_844_;
                         let _e446 = bitcast<u32>(_e445);
                         let _e448 = ((_e446 & 2139095040u) != 0u);
                         let _e462 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e446 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e446 & 2147483648u))), _e445, _e448) * _e274) * select(0.00000011920929f, 1f, _e448)) * _e280);
@@ -488,55 +474,55 @@ fn function_() {
                             let _e499 = (_e492 == 0u);
                             let _e502 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e492)), 32u, _e499)) - 8i);
                             if (_e495 == 255i) {
-                                phi_956_ = 255i;
+                                phi_963_ = 255i;
                             } else {
-                                phi_956_ = (((_e495 + select(0i, 1i, (_e495 == 0i))) - _e502) + _e243);
+                                phi_963_ = (((_e495 + select(0i, 1i, (_e495 == 0i))) - _e502) + _e243);
                             }
-                            let _e510 = phi_956_;
+                            let _e510 = phi_963_;
                             let _e520 = (_e510 <= 0i);
                             if _e520 {
-                                phi_979_ = u32();
+                                phi_986_ = u32();
                             } else {
                                 if _e499 {
-                                    phi_978_ = u32();
+                                    phi_985_ = u32();
                                 } else {
-                                    phi_978_ = select(((bitcast<u32>(_e510) << bitcast<u32>(23i)) | ((_e492 << bitcast<u32>(((_e502 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e510 >= 255i));
+                                    phi_985_ = select(((bitcast<u32>(_e510) << bitcast<u32>(23i)) | ((_e492 << bitcast<u32>(((_e502 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e510 >= 255i));
                                 }
-                                let _e524 = phi_978_;
-                                phi_979_ = _e524;
+                                let _e524 = phi_985_;
+                                phi_986_ = _e524;
                             }
-                            let _e526 = phi_979_;
+                            let _e526 = phi_986_;
                             let _e538 = ((_e220 & 8388607u) | (select(0u, 1u, ((_e220 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e541 = bitcast<i32>((_e220 >> bitcast<u32>(23i)));
                             let _e545 = (_e538 == 0u);
                             let _e548 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e538)), 32u, _e545)) - 8i);
                             if (_e541 == 255i) {
-                                phi_1016_ = 255i;
+                                phi_1023_ = 255i;
                             } else {
-                                phi_1016_ = (((_e541 + select(0i, 1i, (_e541 == 0i))) - _e548) + _e243);
+                                phi_1023_ = (((_e541 + select(0i, 1i, (_e541 == 0i))) - _e548) + _e243);
                             }
-                            let _e556 = phi_1016_;
+                            let _e556 = phi_1023_;
                             let _e566 = (_e556 <= 0i);
                             if _e566 {
-                                phi_1039_ = u32();
+                                phi_1046_ = u32();
                             } else {
                                 if _e545 {
-                                    phi_1038_ = u32();
+                                    phi_1045_ = u32();
                                 } else {
-                                    phi_1038_ = select(((bitcast<u32>(_e556) << bitcast<u32>(23i)) | ((_e538 << bitcast<u32>(((_e548 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e556 >= 255i));
+                                    phi_1045_ = select(((bitcast<u32>(_e556) << bitcast<u32>(23i)) | ((_e538 << bitcast<u32>(((_e548 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e556 >= 255i));
                                 }
-                                let _e570 = phi_1038_;
-                                phi_1039_ = _e570;
+                                let _e570 = phi_1045_;
+                                phi_1046_ = _e570;
                             }
-                            let _e572 = phi_1039_;
-                            phi_1047_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e572, 0u, select(_e545, true, _e566))));
-                            phi_1048_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e526, 0u, select(_e499, true, _e520))));
+                            let _e572 = phi_1046_;
+                            phi_1054_ = bitcast<f32>(((_e219 & 2147483648u) | select(_e572, 0u, select(_e545, true, _e566))));
+                            phi_1055_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e526, 0u, select(_e499, true, _e520))));
                         } else {
-                            phi_1047_ = 0f;
-                            phi_1048_ = 1f;
+                            phi_1054_ = 0f;
+                            phi_1055_ = 1f;
                         }
-                        let _e578 = phi_1047_;
-                        let _e580 = phi_1048_;
+                        let _e578 = phi_1054_;
+                        let _e580 = phi_1055_;
                         if _e139 {
                         } else {
                             break;
@@ -551,1028 +537,942 @@ fn function_() {
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 3>(bitcast<f32>(_e104), bitcast<f32>(_e108), bitcast<f32>(_e112));
-                        let _e590 = (_e262 % 3u);
-                        let _e591 = (_e590 < 3u);
-                        if _e591 {
+                        let _e592 = (_e262 % 3u);
+                        let _e593 = (_e592 < 3u);
+                        if _e593 {
                         } else {
                             break;
                         }
-                        let _e593 = local_9[_e590];
-                        let _e594 = (_e261 % 3u);
-                        let _e595 = (_e594 < 3u);
-                        if _e595 {
+                        let _e595 = local_9[_e592];
+                        let _e596 = (_e261 % 3u);
+                        let _e597 = (_e596 < 3u);
+                        if _e597 {
                         } else {
                             break;
                         }
-                        let _e597 = local_9[_e594];
-                        let _e598 = (_e263 % 3u);
-                        let _e599 = (_e598 < 3u);
-                        if _e599 {
+                        let _e599 = local_9[_e596];
+                        let _e600 = (_e263 % 3u);
+                        let _e601 = (_e600 < 3u);
+                        if _e601 {
                         } else {
                             break;
                         }
-                        let _e601 = local_9[_e598];
+                        let _e603 = local_9[_e600];
                         local_8 = array<f32, 3>(bitcast<f32>(_e116), bitcast<f32>(_e120), bitcast<f32>(_e124));
-                        if _e591 {
+                        if _e593 {
                         } else {
                             break;
                         }
-                        let _e605 = local_8[_e590];
-                        if _e595 {
+                        let _e607 = local_8[_e592];
+                        if _e597 {
                         } else {
                             break;
                         }
-                        let _e607 = local_8[_e594];
-                        if _e599 {
+                        let _e609 = local_8[_e596];
+                        if _e601 {
                         } else {
                             break;
                         }
-                        let _e609 = local_8[_e598];
-                        phi_3771_ = false;
-                        phi_1140_ = type_42(type_38(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e578), 0u, 0u);
-                        phi_1143_ = ((3u * _e90) + 1u);
-                        phi_1145_ = (_e580 <= _e578);
-                        phi_1147_ = 0u;
-                        phi_1149_ = type_53(type_51(array<f32, 3>(_e593, _e597, _e601), array<f32, 3>(_e605, _e607, _e609)), select(0u, 2147483648u, (_e90 == 0u)));
+                        let _e611 = local_8[_e600];
+                        phi_3697_ = false;
+                        phi_1147_ = type_42(type_38(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e578), 0u, 0u);
+                        phi_1150_ = (_e580 <= _e578);
+                        phi_1152_ = type_53(type_51(array<f32, 3>(_e595, _e599, _e603), array<f32, 3>(_e607, _e609, _e611)), select(0u, 2147483648u, (_e90 == 0u)));
+                        phi_1154_ = 0u;
+                        phi_1156_ = ((3u * _e90) + 1u);
                         loop {
-                            let _e617 = phi_3771_;
-                            let _e619 = phi_1140_;
-                            let _e621 = phi_1143_;
-                            let _e623 = phi_1145_;
-                            let _e625 = phi_1147_;
-                            let _e627 = phi_1149_;
-                            local_10 = _e619;
+                            let _e617 = phi_3697_;
+                            let _e619 = phi_1147_;
+                            let _e621 = phi_1150_;
+                            let _e623 = phi_1152_;
+                            let _e625 = phi_1154_;
+                            let _e627 = phi_1156_;
                             local_11 = _e619;
-                            if _e623 {
-                                phi_1160_ = true;
+                            local_12 = _e619;
+                            if _e621 {
+                                phi_1167_ = true;
                             } else {
-                                phi_1160_ = (_e625 > 0u);
+                                phi_1167_ = (_e625 > 0u);
                             }
-                            let _e630 = phi_1160_;
+                            let _e630 = phi_1167_;
                             if _e630 {
-                                let _e631 = (_e621 > 0u);
+                                let _e631 = (_e627 > 0u);
                                 if _e631 {
-                                    if _e623 {
-                                        phi_1246_ = _e623;
-                                        phi_1247_ = _e625;
-                                        phi_1248_ = _e627;
+                                    if _e621 {
+                                        phi_1253_ = _e621;
+                                        phi_1254_ = _e623;
+                                        phi_1255_ = _e625;
                                     } else {
                                         let _e632 = (_e625 - 1u);
                                         let _e633 = (_e632 % 128u);
                                         let _e634 = (_e633 < 128u);
                                         if _e634 {
                                         } else {
-                                            phi_3930_ = true;
+                                            phi_3844_ = true;
                                             break;
                                         }
                                         let _e636 = local_6[_e633];
                                         if _e634 {
                                         } else {
-                                            phi_3930_ = true;
+                                            phi_3844_ = true;
                                             break;
                                         }
                                         let _e638 = local_5[_e633];
                                         if _e634 {
                                         } else {
-                                            phi_3930_ = true;
+                                            phi_3844_ = true;
                                             break;
                                         }
                                         let _e640 = local_4[_e633];
                                         if _e634 {
                                         } else {
-                                            phi_3930_ = true;
+                                            phi_3844_ = true;
                                             break;
                                         }
                                         let _e642 = local_3[_e633];
                                         if _e634 {
                                         } else {
-                                            phi_3930_ = true;
+                                            phi_3844_ = true;
                                             break;
                                         }
                                         let _e645 = local_2[_e633];
                                         if _e634 {
                                         } else {
-                                            phi_3930_ = true;
+                                            phi_3844_ = true;
                                             break;
                                         }
                                         let _e647 = local_1[_e633];
                                         if _e634 {
                                         } else {
-                                            phi_3930_ = true;
+                                            phi_3844_ = true;
                                             break;
                                         }
                                         let _e649 = local[_e633];
                                         if _e634 {
                                         } else {
-                                            phi_3930_ = true;
+                                            phi_3844_ = true;
                                             break;
                                         }
                                         let _e654 = local_7[_e633];
-                                        phi_1246_ = (_e654 <= _e619.member.member_1);
-                                        phi_1247_ = _e632;
-                                        phi_1248_ = type_53(type_51(array<f32, 3>(_e638, _e640, _e642), array<f32, 3>(_e645, _e647, _e649)), _e636);
+                                        phi_1253_ = (_e654 <= _e619.member.member_1);
+                                        phi_1254_ = type_53(type_51(array<f32, 3>(_e638, _e640, _e642), array<f32, 3>(_e645, _e647, _e649)), _e636);
+                                        phi_1255_ = _e632;
                                     }
-                                    let _e659 = phi_1246_;
-                                    let _e661 = phi_1247_;
-                                    let _e663 = phi_1248_;
+                                    let _e659 = phi_1253_;
+                                    let _e661 = phi_1254_;
+                                    let _e663 = phi_1255_;
                                     if _e659 {
-                                        let _e667 = ((_e663.member_1 & 2147483648u) != 0u);
-                                        if _e667 {
-                                            phi_1266_ = _e619;
-                                            phi_1269_ = type_7(0u, ((_e663.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        if ((_e661.member_1 & 2147483648u) != 0u) {
+                                            phi_1273_ = _e619;
+                                            phi_1276_ = type_7(0u, ((_e661.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e674 = phi_1266_;
-                                                let _e676 = phi_1269_;
-                                                local_12 = _e674;
-                                                if (_e676.member < _e676.member_1) {
-                                                    phi_1270_ = type_7((_e676.member + 1u), _e676.member_1);
-                                                    phi_1292_ = type_7(1u, _e676.member);
+                                                let _e1045 = phi_1273_;
+                                                let _e1047 = phi_1276_;
+                                                local_10 = _e1045;
+                                                local_13 = _e1045;
+                                                if (_e1047.member < _e1047.member_1) {
+                                                    phi_1277_ = type_7((_e1047.member + 1u), _e1047.member_1);
+                                                    phi_1299_ = type_7(1u, _e1047.member);
                                                 } else {
-                                                    phi_1270_ = _e676;
-                                                    phi_1292_ = type_7(0u, type_7().member_1);
+                                                    phi_1277_ = _e1047;
+                                                    phi_1299_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e689 = phi_1270_;
-                                                let _e691 = phi_1292_;
-                                                let _e695 = (bitcast<i32>(_e691.member) != 0i);
-                                                if _e695 {
-                                                    let _e701 = type_42(_e674.member, _e674.member_1, (_e674.member_2 + 1u));
-                                                    let _e702 = ((_e663.member_1 & 268435455u) + _e691.member_1);
-                                                    let _e703 = (_e702 < _e92);
-                                                    if _e703 {
-                                                        if _e703 {
+                                                let _e1060 = phi_1277_;
+                                                let _e1062 = phi_1299_;
+                                                let _e1066 = (bitcast<i32>(_e1062.member) != 0i);
+                                                if _e1066 {
+                                                    let _e1072 = type_42(_e1045.member, _e1045.member_1, (_e1045.member_2 + 1u));
+                                                    let _e1073 = ((_e661.member_1 & 268435455u) + _e1062.member_1);
+                                                    let _e1074 = (_e1073 < _e92);
+                                                    if _e1074 {
+                                                        if _e1074 {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e707 = global_1.member[_e702].member_1;
-                                                        phi_1316_ = _e707;
+                                                        let _e1078 = global_1.member[_e1073].member_1;
+                                                        phi_1323_ = _e1078;
                                                     } else {
-                                                        phi_1316_ = 4294967295u;
+                                                        phi_1323_ = 4294967295u;
                                                     }
-                                                    let _e709 = phi_1316_;
-                                                    if (_e702 >= _e92) {
-                                                        phi_1408_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e1080 = phi_1323_;
+                                                    if (_e1073 >= _e92) {
+                                                        phi_1415_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e703 {
+                                                        if _e1074 {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        if (_e590 < 9u) {
+                                                        if (_e592 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e716 = global_1.member[_e702].member[_e590];
-                                                        if (_e594 < 9u) {
+                                                        let _e1087 = global_1.member[_e1073].member[_e592];
+                                                        if (_e596 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e722 = global_1.member[_e702].member[_e594];
-                                                        if (_e598 < 9u) {
+                                                        let _e1093 = global_1.member[_e1073].member[_e596];
+                                                        if (_e600 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e728 = global_1.member[_e702].member[_e598];
-                                                        let _e730 = (3u + _e590);
-                                                        if (_e730 < 9u) {
+                                                        let _e1099 = global_1.member[_e1073].member[_e600];
+                                                        let _e1101 = (3u + _e592);
+                                                        if (_e1101 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e736 = global_1.member[_e702].member[_e730];
-                                                        let _e737 = (3u + _e594);
-                                                        if (_e737 < 9u) {
+                                                        let _e1107 = global_1.member[_e1073].member[_e1101];
+                                                        let _e1108 = (3u + _e596);
+                                                        if (_e1108 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e743 = global_1.member[_e702].member[_e737];
-                                                        let _e744 = (3u + _e598);
-                                                        if (_e744 < 9u) {
+                                                        let _e1114 = global_1.member[_e1073].member[_e1108];
+                                                        let _e1115 = (3u + _e600);
+                                                        if (_e1115 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e750 = global_1.member[_e702].member[_e744];
-                                                        let _e752 = (6u + _e590);
-                                                        if (_e752 < 9u) {
+                                                        let _e1121 = global_1.member[_e1073].member[_e1115];
+                                                        let _e1123 = (6u + _e592);
+                                                        if (_e1123 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e758 = global_1.member[_e702].member[_e752];
-                                                        let _e759 = (6u + _e594);
-                                                        if (_e759 < 9u) {
+                                                        let _e1129 = global_1.member[_e1073].member[_e1123];
+                                                        let _e1130 = (6u + _e596);
+                                                        if (_e1130 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e765 = global_1.member[_e702].member[_e759];
-                                                        let _e766 = (6u + _e598);
-                                                        if (_e766 < 9u) {
+                                                        let _e1136 = global_1.member[_e1073].member[_e1130];
+                                                        let _e1137 = (6u + _e600);
+                                                        if (_e1137 < 9u) {
                                                         } else {
-                                                            phi_3765_ = true;
+                                                            phi_3691_ = true;
                                                             break;
                                                         }
-                                                        let _e772 = global_1.member[_e702].member[_e766];
-                                                        phi_1408_ = array<array<f32, 3>, 3>(array<f32, 3>(_e716, _e722, _e728), array<f32, 3>(_e736, _e743, _e750), array<f32, 3>(_e758, _e765, _e772));
+                                                        let _e1143 = global_1.member[_e1073].member[_e1137];
+                                                        phi_1415_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1087, _e1093, _e1099), array<f32, 3>(_e1107, _e1114, _e1121), array<f32, 3>(_e1129, _e1136, _e1143));
                                                     }
-                                                    let _e776 = phi_1408_;
-                                                    let _e793 = (_e776[0][2] - _e438);
-                                                    let _e796 = (((_e776[0][0] - _e309) * _e474) - (_e793 * _e346));
-                                                    let _e799 = (((_e776[0][1] - _e374) * _e474) - (_e793 * _e410));
-                                                    let _e802 = (_e776[1][2] - _e438);
-                                                    let _e805 = (((_e776[1][0] - _e309) * _e474) - (_e802 * _e346));
-                                                    let _e808 = (((_e776[1][1] - _e374) * _e474) - (_e802 * _e410));
-                                                    let _e811 = (_e776[2][2] - _e438);
-                                                    let _e814 = (((_e776[2][0] - _e309) * _e474) - (_e811 * _e346));
-                                                    let _e817 = (((_e776[2][1] - _e374) * _e474) - (_e811 * _e410));
-                                                    let _e818 = (_e814 * _e808);
-                                                    let _e819 = (_e817 * _e805);
-                                                    let _e820 = (_e796 * _e817);
-                                                    let _e821 = (_e799 * _e814);
-                                                    let _e822 = (_e805 * _e799);
-                                                    let _e823 = (_e808 * _e796);
-                                                    let _e828 = (((_e818 >= _e819) && (_e820 >= _e821)) && (_e822 >= _e823));
-                                                    let _e834 = (_e828 || (((_e818 <= _e819) && (_e820 <= _e821)) && (_e822 <= _e823)));
-                                                    if _e834 {
-                                                        let _e836 = select(-1f, 1f, _e828);
-                                                        let _e838 = ((_e818 - _e819) * _e836);
-                                                        let _e840 = select(0f, _e838, (_e838 > 0f));
-                                                        let _e842 = ((_e820 - _e821) * _e836);
-                                                        let _e844 = select(0f, _e842, (_e842 > 0f));
-                                                        let _e846 = ((_e822 - _e823) * _e836);
-                                                        let _e848 = select(0f, _e846, (_e846 > 0f));
-                                                        let _e850 = ((_e840 + _e844) + _e848);
-                                                        let _e852 = select(_e776[1][0], _e776[0][0], (_e776[0][0] < _e776[1][0]));
-                                                        let _e856 = select(_e776[1][0], _e776[0][0], (_e776[0][0] > _e776[1][0]));
-                                                        let _e860 = select(_e776[1][1], _e776[0][1], (_e776[0][1] < _e776[1][1]));
-                                                        let _e864 = select(_e776[1][1], _e776[0][1], (_e776[0][1] > _e776[1][1]));
-                                                        let _e868 = select(_e776[1][2], _e776[0][2], (_e776[0][2] < _e776[1][2]));
-                                                        let _e872 = select(_e776[1][2], _e776[0][2], (_e776[0][2] > _e776[1][2]));
-                                                        let _e877 = ((select(_e776[2][0], _e852, (_e852 < _e776[2][0])) - _e347) * _e350);
-                                                        let _e878 = ((select(_e776[2][0], _e856, (_e856 > _e776[2][0])) - _e348) * _e350);
-                                                        let _e881 = ((select(_e776[2][1], _e860, (_e860 < _e776[2][1])) - _e411) * _e414);
-                                                        let _e882 = ((select(_e776[2][1], _e864, (_e864 > _e776[2][1])) - _e412) * _e414);
-                                                        let _e885 = ((select(_e776[2][2], _e868, (_e868 < _e776[2][2])) - _e475) * _e478);
-                                                        let _e886 = ((select(_e776[2][2], _e872, (_e872 > _e776[2][2])) - _e476) * _e478);
-                                                        let _e888 = select(_e886, _e885, (_e885 < _e886));
-                                                        let _e890 = select(_e886, _e885, (_e885 > _e886));
-                                                        let _e892 = select(_e878, _e877, (_e877 < _e878));
-                                                        let _e894 = select(_e882, _e881, (_e881 < _e882));
-                                                        let _e896 = select(_e894, _e892, (_e892 > _e894));
-                                                        let _e898 = select(_e888, _e896, (_e896 > _e888));
-                                                        let _e900 = select(_e878, _e877, (_e877 > _e878));
-                                                        let _e902 = select(_e882, _e881, (_e881 > _e882));
-                                                        let _e904 = select(_e902, _e900, (_e900 < _e902));
-                                                        let _e906 = select(_e890, _e904, (_e904 < _e890));
-                                                        let _e907 = -(_e888);
-                                                        let _e913 = select(_e580, _e898, (_e898 > _e580));
-                                                        let _e917 = select(_e805, _e796, (_e796 < _e805));
-                                                        let _e922 = select(_e805, _e796, (_e796 > _e805));
-                                                        let _e929 = select(_e808, _e799, (_e799 < _e808));
-                                                        let _e934 = select(_e808, _e799, (_e799 > _e808));
-                                                        let _e943 = (((((_e834 && (_e850 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e814, _e917, (_e917 < _e814)) <= 0f) && (select(_e814, _e922, (_e922 > _e814)) >= 0f))) && ((select(_e817, _e929, (_e929 < _e817)) <= 0f) && (select(_e817, _e934, (_e934 > _e817)) >= 0f))) && (_e913 <= (_e906 + (select(_e907, _e890, (_e890 > _e907)) * 0.0000019073523f)))) && (_e913 <= _e674.member.member_1));
-                                                        if _e943 {
-                                                            let _e948 = (_e776[1][0] - _e776[0][0]);
-                                                            let _e949 = (_e776[1][1] - _e776[0][1]);
-                                                            let _e950 = (_e776[1][2] - _e776[0][2]);
-                                                            let _e951 = vec3<f32>(_e948, _e949, _e950);
-                                                            let _e952 = (_e776[2][0] - _e776[1][0]);
-                                                            let _e953 = (_e776[2][1] - _e776[1][1]);
-                                                            let _e954 = (_e776[2][2] - _e776[1][2]);
-                                                            let _e955 = vec3<f32>(_e952, _e953, _e954);
-                                                            let _e956 = (_e776[0][0] - _e776[2][0]);
-                                                            let _e957 = (_e776[0][1] - _e776[2][1]);
-                                                            let _e958 = (_e776[0][2] - _e776[2][2]);
-                                                            let _e959 = vec3<f32>(_e956, _e957, _e958);
-                                                            let _e960 = abs(_e948);
-                                                            let _e961 = abs(_e949);
-                                                            if (_e960 != _e960) {
-                                                                phi_3492_ = true;
+                                                    let _e1147 = phi_1415_;
+                                                    let _e1164 = (_e1147[0][2] - _e438);
+                                                    let _e1167 = (((_e1147[0][0] - _e309) * _e474) - (_e1164 * _e346));
+                                                    let _e1170 = (((_e1147[0][1] - _e374) * _e474) - (_e1164 * _e410));
+                                                    let _e1173 = (_e1147[1][2] - _e438);
+                                                    let _e1176 = (((_e1147[1][0] - _e309) * _e474) - (_e1173 * _e346));
+                                                    let _e1179 = (((_e1147[1][1] - _e374) * _e474) - (_e1173 * _e410));
+                                                    let _e1182 = (_e1147[2][2] - _e438);
+                                                    let _e1185 = (((_e1147[2][0] - _e309) * _e474) - (_e1182 * _e346));
+                                                    let _e1188 = (((_e1147[2][1] - _e374) * _e474) - (_e1182 * _e410));
+                                                    let _e1189 = (_e1185 * _e1179);
+                                                    let _e1190 = (_e1188 * _e1176);
+                                                    let _e1191 = (_e1167 * _e1188);
+                                                    let _e1192 = (_e1170 * _e1185);
+                                                    let _e1193 = (_e1176 * _e1170);
+                                                    let _e1194 = (_e1179 * _e1167);
+                                                    let _e1199 = (((_e1189 >= _e1190) && (_e1191 >= _e1192)) && (_e1193 >= _e1194));
+                                                    let _e1205 = (_e1199 || (((_e1189 <= _e1190) && (_e1191 <= _e1192)) && (_e1193 <= _e1194)));
+                                                    if _e1205 {
+                                                        let _e1207 = select(-1f, 1f, _e1199);
+                                                        let _e1209 = ((_e1189 - _e1190) * _e1207);
+                                                        let _e1211 = select(0f, _e1209, (_e1209 > 0f));
+                                                        let _e1213 = ((_e1191 - _e1192) * _e1207);
+                                                        let _e1215 = select(0f, _e1213, (_e1213 > 0f));
+                                                        let _e1217 = ((_e1193 - _e1194) * _e1207);
+                                                        let _e1219 = select(0f, _e1217, (_e1217 > 0f));
+                                                        let _e1221 = ((_e1211 + _e1215) + _e1219);
+                                                        let _e1223 = select(_e1147[1][0], _e1147[0][0], (_e1147[0][0] < _e1147[1][0]));
+                                                        let _e1227 = select(_e1147[1][0], _e1147[0][0], (_e1147[0][0] > _e1147[1][0]));
+                                                        let _e1231 = select(_e1147[1][1], _e1147[0][1], (_e1147[0][1] < _e1147[1][1]));
+                                                        let _e1235 = select(_e1147[1][1], _e1147[0][1], (_e1147[0][1] > _e1147[1][1]));
+                                                        let _e1239 = select(_e1147[1][2], _e1147[0][2], (_e1147[0][2] < _e1147[1][2]));
+                                                        let _e1243 = select(_e1147[1][2], _e1147[0][2], (_e1147[0][2] > _e1147[1][2]));
+                                                        let _e1248 = ((select(_e1147[2][0], _e1223, (_e1223 < _e1147[2][0])) - _e347) * _e350);
+                                                        let _e1249 = ((select(_e1147[2][0], _e1227, (_e1227 > _e1147[2][0])) - _e348) * _e350);
+                                                        let _e1252 = ((select(_e1147[2][1], _e1231, (_e1231 < _e1147[2][1])) - _e411) * _e414);
+                                                        let _e1253 = ((select(_e1147[2][1], _e1235, (_e1235 > _e1147[2][1])) - _e412) * _e414);
+                                                        let _e1256 = ((select(_e1147[2][2], _e1239, (_e1239 < _e1147[2][2])) - _e475) * _e478);
+                                                        let _e1257 = ((select(_e1147[2][2], _e1243, (_e1243 > _e1147[2][2])) - _e476) * _e478);
+                                                        let _e1259 = select(_e1257, _e1256, (_e1256 < _e1257));
+                                                        let _e1261 = select(_e1257, _e1256, (_e1256 > _e1257));
+                                                        let _e1263 = select(_e1249, _e1248, (_e1248 < _e1249));
+                                                        let _e1265 = select(_e1253, _e1252, (_e1252 < _e1253));
+                                                        let _e1267 = select(_e1265, _e1263, (_e1263 > _e1265));
+                                                        let _e1269 = select(_e1259, _e1267, (_e1267 > _e1259));
+                                                        let _e1271 = select(_e1249, _e1248, (_e1248 > _e1249));
+                                                        let _e1273 = select(_e1253, _e1252, (_e1252 > _e1253));
+                                                        let _e1275 = select(_e1273, _e1271, (_e1271 < _e1273));
+                                                        let _e1277 = select(_e1261, _e1275, (_e1275 < _e1261));
+                                                        let _e1278 = -(_e1259);
+                                                        let _e1284 = select(_e580, _e1269, (_e1269 > _e580));
+                                                        let _e1288 = select(_e1176, _e1167, (_e1167 < _e1176));
+                                                        let _e1293 = select(_e1176, _e1167, (_e1167 > _e1176));
+                                                        let _e1300 = select(_e1179, _e1170, (_e1170 < _e1179));
+                                                        let _e1305 = select(_e1179, _e1170, (_e1170 > _e1179));
+                                                        let _e1314 = (((((_e1205 && (_e1221 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1185, _e1288, (_e1288 < _e1185)) <= 0f) && (select(_e1185, _e1293, (_e1293 > _e1185)) >= 0f))) && ((select(_e1188, _e1300, (_e1300 < _e1188)) <= 0f) && (select(_e1188, _e1305, (_e1305 > _e1188)) >= 0f))) && (_e1284 <= (_e1277 + (select(_e1278, _e1261, (_e1261 > _e1278)) * 0.0000019073523f)))) && (_e1284 <= _e1045.member.member_1));
+                                                        if _e1314 {
+                                                            let _e1319 = (_e1147[1][0] - _e1147[0][0]);
+                                                            let _e1320 = (_e1147[1][1] - _e1147[0][1]);
+                                                            let _e1321 = (_e1147[1][2] - _e1147[0][2]);
+                                                            let _e1322 = vec3<f32>(_e1319, _e1320, _e1321);
+                                                            let _e1323 = (_e1147[2][0] - _e1147[1][0]);
+                                                            let _e1324 = (_e1147[2][1] - _e1147[1][1]);
+                                                            let _e1325 = (_e1147[2][2] - _e1147[1][2]);
+                                                            let _e1326 = vec3<f32>(_e1323, _e1324, _e1325);
+                                                            let _e1327 = (_e1147[0][0] - _e1147[2][0]);
+                                                            let _e1328 = (_e1147[0][1] - _e1147[2][1]);
+                                                            let _e1329 = (_e1147[0][2] - _e1147[2][2]);
+                                                            let _e1330 = vec3<f32>(_e1327, _e1328, _e1329);
+                                                            let _e1333 = bitcast<f32>((bitcast<u32>(_e1319) & 2147483647u));
+                                                            let _e1336 = bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u));
+                                                            let _e1338 = select(_e1336, _e1333, (_e1333 > _e1336));
+                                                            let _e1341 = bitcast<f32>((bitcast<u32>(_e1321) & 2147483647u));
+                                                            let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
+                                                            let _e1346 = bitcast<f32>((bitcast<u32>(_e1323) & 2147483647u));
+                                                            let _e1349 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
+                                                            let _e1351 = select(_e1349, _e1346, (_e1346 > _e1349));
+                                                            let _e1354 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
+                                                            let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
+                                                            let _e1359 = bitcast<f32>((bitcast<u32>(_e1327) & 2147483647u));
+                                                            let _e1362 = bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u));
+                                                            let _e1364 = select(_e1362, _e1359, (_e1359 > _e1362));
+                                                            let _e1367 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
+                                                            let _e1369 = select(_e1367, _e1364, (_e1364 > _e1367));
+                                                            let _e1371 = select(_e1356, _e1343, (_e1343 > _e1356));
+                                                            let _e1373 = select(_e1369, _e1371, (_e1371 > _e1369));
+                                                            if (_e1343 == _e1373) {
+                                                                phi_1945_ = _e1179;
+                                                                phi_1946_ = _e1176;
+                                                                phi_1947_ = _e1170;
+                                                                phi_1948_ = _e1167;
+                                                                phi_1949_ = vec3<f32>(_e1147[0][0], _e1147[0][1], _e1147[0][2]);
+                                                                phi_1950_ = _e1330;
+                                                                phi_1951_ = _e1326;
+                                                                phi_1952_ = _e1322;
                                                             } else {
-                                                                phi_3492_ = (_e961 >= _e960);
+                                                                let _e1375 = (_e1356 == _e1373);
+                                                                let _e1380 = vec3(_e1375);
+                                                                phi_1945_ = select(_e1170, _e1188, _e1375);
+                                                                phi_1946_ = select(_e1167, _e1185, _e1375);
+                                                                phi_1947_ = select(_e1188, _e1179, _e1375);
+                                                                phi_1948_ = select(_e1185, _e1176, _e1375);
+                                                                phi_1949_ = select(vec3<f32>(_e1147[2][0], _e1147[2][1], _e1147[2][2]), vec3<f32>(_e1147[1][0], _e1147[1][1], _e1147[1][2]), _e1380);
+                                                                phi_1950_ = select(_e1326, _e1322, _e1380);
+                                                                phi_1951_ = select(_e1322, _e1330, _e1380);
+                                                                phi_1952_ = select(_e1330, _e1326, _e1380);
                                                             }
-                                                            let _e965 = phi_3492_;
-                                                            let _e966 = select(_e960, _e961, _e965);
-                                                            let _e967 = abs(_e950);
-                                                            if (_e966 != _e966) {
-                                                                phi_3507_ = true;
+                                                            let _e1386 = phi_1945_;
+                                                            let _e1388 = phi_1946_;
+                                                            let _e1390 = phi_1947_;
+                                                            let _e1392 = phi_1948_;
+                                                            let _e1394 = phi_1949_;
+                                                            let _e1396 = phi_1950_;
+                                                            let _e1398 = phi_1951_;
+                                                            let _e1400 = phi_1952_;
+                                                            let _e1407 = ((_e1398.y * _e1396.z) - (_e1396.y * _e1398.z));
+                                                            let _e1412 = ((_e1398.z * _e1396.x) - (_e1396.z * _e1398.x));
+                                                            let _e1415 = ((_e1398.x * _e1396.y) - (_e1396.x * _e1398.y));
+                                                            let _e1418 = ((_e1211 >= _e1215) && (_e1211 >= _e1219));
+                                                            let _e1419 = (_e1215 >= _e1219);
+                                                            let _e1433 = (((_e1407 * (select(select(_e1147[2][0], _e1147[1][0], _e1419), _e1147[0][0], _e1418) - _e309)) + (_e1412 * (select(select(_e1147[2][1], _e1147[1][1], _e1419), _e1147[0][1], _e1418) - _e374))) + (_e1415 * (select(select(_e1147[2][2], _e1147[1][2], _e1419), _e1147[0][2], _e1418) - _e438)));
+                                                            let _e1438 = (((_e1407 * _e346) + (_e1412 * _e410)) + (_e1415 * _e474));
+                                                            let _e1439 = (_e1388 - _e1392);
+                                                            let _e1440 = (_e1386 - _e1390);
+                                                            let _e1443 = ((_e1439 * _e1439) + (_e1440 * _e1440));
+                                                            let _e1450 = (-(((_e1392 * _e1439) + (_e1390 * _e1440))) / select(0.000000000000000000000000000000000000011754944f, _e1443, (_e1443 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1452 = select(1f, _e1450, (_e1450 < 1f));
+                                                            let _e1454 = select(0f, _e1452, (_e1452 > 0f));
+                                                            let _e1463 = ((_e1394.x + (_e1400.x * _e1454)) - _e309);
+                                                            let _e1466 = ((_e1394.y + (_e1400.y * _e1454)) - _e374);
+                                                            let _e1469 = ((_e1394.z + (_e1400.z * _e1454)) - _e438);
+                                                            let _e1472 = bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u));
+                                                            let _e1475 = bitcast<f32>((bitcast<u32>(_e1466) & 2147483647u));
+                                                            let _e1477 = select(_e1475, _e1472, (_e1472 > _e1475));
+                                                            let _e1480 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
+                                                            let _e1482 = select(_e1480, _e1477, (_e1477 > _e1480));
+                                                            let _e1488 = bitcast<f32>((bitcast<u32>(_e1407) & 2147483647u));
+                                                            let _e1491 = bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u));
+                                                            let _e1493 = select(_e1491, _e1488, (_e1488 > _e1491));
+                                                            let _e1496 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
+                                                            let _e1515 = bitcast<f32>((bitcast<u32>(_e1398.x) & 2147483647u));
+                                                            let _e1518 = bitcast<f32>((bitcast<u32>(_e1398.y) & 2147483647u));
+                                                            let _e1520 = select(_e1518, _e1515, (_e1515 > _e1518));
+                                                            let _e1523 = bitcast<f32>((bitcast<u32>(_e1398.z) & 2147483647u));
+                                                            let _e1529 = bitcast<f32>((bitcast<u32>(_e1396.x) & 2147483647u));
+                                                            let _e1532 = bitcast<f32>((bitcast<u32>(_e1396.y) & 2147483647u));
+                                                            let _e1534 = select(_e1532, _e1529, (_e1529 > _e1532));
+                                                            let _e1537 = bitcast<f32>((bitcast<u32>(_e1396.z) & 2147483647u));
+                                                            let _e1543 = ((bitcast<f32>((bitcast<u32>(((((_e1407 * _e1463) + (_e1412 * _e1466)) + (_e1415 * _e1469)) - _e1433)) & 2147483647u)) <= ((0.0000009536743f * select(_e1373, _e1482, (_e1482 > _e1373))) * select(_e1496, _e1493, (_e1493 > _e1496)))) && !((bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u)) <= ((0.0000038146973f * select(_e1523, _e1520, (_e1520 > _e1523))) * select(_e1537, _e1534, (_e1534 > _e1537))))));
+                                                            let _e1544 = (_e1433 / _e1438);
+                                                            if (_e1314 && !(_e1543)) {
+                                                                let _e1547 = (_e1469 / _e474);
+                                                                let _e1555 = (((_e1407 * (_e1463 - (_e346 * _e1547))) + (_e1412 * (_e1466 - (_e410 * _e1547)))) / _e1438);
+                                                                phi_2143_ = select(select(_e1547, (_e1547 + _e1555), (bitcast<f32>((bitcast<u32>(_e1555) & 2147483647u)) <= _e1373)), _e1544, _e1543);
                                                             } else {
-                                                                phi_3507_ = (_e967 >= _e966);
+                                                                phi_2143_ = _e1544;
                                                             }
-                                                            let _e971 = phi_3507_;
-                                                            let _e972 = select(_e966, _e967, _e971);
-                                                            let _e973 = abs(_e952);
-                                                            let _e974 = abs(_e953);
-                                                            if (_e973 != _e973) {
-                                                                phi_3522_ = true;
-                                                            } else {
-                                                                phi_3522_ = (_e974 >= _e973);
-                                                            }
-                                                            let _e978 = phi_3522_;
-                                                            let _e979 = select(_e973, _e974, _e978);
-                                                            let _e980 = abs(_e954);
-                                                            if (_e979 != _e979) {
-                                                                phi_3537_ = true;
-                                                            } else {
-                                                                phi_3537_ = (_e980 >= _e979);
-                                                            }
-                                                            let _e984 = phi_3537_;
-                                                            let _e985 = select(_e979, _e980, _e984);
-                                                            let _e986 = abs(_e956);
-                                                            let _e987 = abs(_e957);
-                                                            if (_e986 != _e986) {
-                                                                phi_3552_ = true;
-                                                            } else {
-                                                                phi_3552_ = (_e987 >= _e986);
-                                                            }
-                                                            let _e991 = phi_3552_;
-                                                            let _e992 = select(_e986, _e987, _e991);
-                                                            let _e993 = abs(_e958);
-                                                            if (_e992 != _e992) {
-                                                                phi_3567_ = true;
-                                                            } else {
-                                                                phi_3567_ = (_e993 >= _e992);
-                                                            }
-                                                            let _e997 = phi_3567_;
-                                                            let _e998 = select(_e992, _e993, _e997);
-                                                            let _e1000 = select(_e985, _e972, (_e972 > _e985));
-                                                            let _e1002 = select(_e998, _e1000, (_e1000 > _e998));
-                                                            if (_e972 == _e1002) {
-                                                                phi_1950_ = _e808;
-                                                                phi_1951_ = _e805;
-                                                                phi_1952_ = _e799;
-                                                                phi_1953_ = _e796;
-                                                                phi_1954_ = vec3<f32>(_e776[0][0], _e776[0][1], _e776[0][2]);
-                                                                phi_1955_ = _e959;
-                                                                phi_1956_ = _e955;
-                                                                phi_1957_ = _e951;
-                                                            } else {
-                                                                let _e1004 = (_e985 == _e1002);
-                                                                let _e1009 = vec3(_e1004);
-                                                                phi_1950_ = select(_e799, _e817, _e1004);
-                                                                phi_1951_ = select(_e796, _e814, _e1004);
-                                                                phi_1952_ = select(_e817, _e808, _e1004);
-                                                                phi_1953_ = select(_e814, _e805, _e1004);
-                                                                phi_1954_ = select(vec3<f32>(_e776[2][0], _e776[2][1], _e776[2][2]), vec3<f32>(_e776[1][0], _e776[1][1], _e776[1][2]), _e1009);
-                                                                phi_1955_ = select(_e955, _e951, _e1009);
-                                                                phi_1956_ = select(_e951, _e959, _e1009);
-                                                                phi_1957_ = select(_e959, _e955, _e1009);
-                                                            }
-                                                            let _e1015 = phi_1950_;
-                                                            let _e1017 = phi_1951_;
-                                                            let _e1019 = phi_1952_;
-                                                            let _e1021 = phi_1953_;
-                                                            let _e1023 = phi_1954_;
-                                                            let _e1025 = phi_1955_;
-                                                            let _e1027 = phi_1956_;
-                                                            let _e1029 = phi_1957_;
-                                                            let _e1036 = ((_e1027.y * _e1025.z) - (_e1025.y * _e1027.z));
-                                                            let _e1041 = ((_e1027.z * _e1025.x) - (_e1025.z * _e1027.x));
-                                                            let _e1044 = ((_e1027.x * _e1025.y) - (_e1025.x * _e1027.y));
-                                                            let _e1047 = ((_e840 >= _e844) && (_e840 >= _e848));
-                                                            let _e1048 = (_e844 >= _e848);
-                                                            let _e1062 = (((_e1036 * (select(select(_e776[2][0], _e776[1][0], _e1048), _e776[0][0], _e1047) - _e309)) + (_e1041 * (select(select(_e776[2][1], _e776[1][1], _e1048), _e776[0][1], _e1047) - _e374))) + (_e1044 * (select(select(_e776[2][2], _e776[1][2], _e1048), _e776[0][2], _e1047) - _e438)));
-                                                            let _e1067 = (((_e1036 * _e346) + (_e1041 * _e410)) + (_e1044 * _e474));
-                                                            let _e1068 = (_e1017 - _e1021);
-                                                            let _e1069 = (_e1015 - _e1019);
-                                                            let _e1072 = ((_e1068 * _e1068) + (_e1069 * _e1069));
-                                                            let _e1079 = (-(((_e1021 * _e1068) + (_e1019 * _e1069))) / select(0.000000000000000000000000000000000000011754944f, _e1072, (_e1072 > 0.000000000000000000000000000000000000011754944f)));
-                                                            let _e1081 = select(1f, _e1079, (_e1079 < 1f));
-                                                            let _e1083 = select(0f, _e1081, (_e1081 > 0f));
-                                                            let _e1092 = ((_e1023.x + (_e1029.x * _e1083)) - _e309);
-                                                            let _e1095 = ((_e1023.y + (_e1029.y * _e1083)) - _e374);
-                                                            let _e1098 = ((_e1023.z + (_e1029.z * _e1083)) - _e438);
-                                                            let _e1101 = bitcast<f32>((bitcast<u32>(_e1092) & 2147483647u));
-                                                            let _e1104 = bitcast<f32>((bitcast<u32>(_e1095) & 2147483647u));
-                                                            let _e1106 = select(_e1104, _e1101, (_e1101 > _e1104));
-                                                            let _e1109 = bitcast<f32>((bitcast<u32>(_e1098) & 2147483647u));
-                                                            let _e1111 = select(_e1109, _e1106, (_e1106 > _e1109));
-                                                            let _e1115 = abs(_e1036);
-                                                            let _e1116 = abs(_e1041);
-                                                            if (_e1115 != _e1115) {
-                                                                phi_3582_ = true;
-                                                            } else {
-                                                                phi_3582_ = (_e1116 >= _e1115);
-                                                            }
-                                                            let _e1120 = phi_3582_;
-                                                            let _e1121 = select(_e1115, _e1116, _e1120);
-                                                            let _e1122 = abs(_e1044);
-                                                            if (_e1121 != _e1121) {
-                                                                phi_3597_ = true;
-                                                            } else {
-                                                                phi_3597_ = (_e1122 >= _e1121);
-                                                            }
-                                                            let _e1126 = phi_3597_;
-                                                            let _e1142 = abs(_e1027.x);
-                                                            let _e1143 = abs(_e1027.y);
-                                                            if (_e1142 != _e1142) {
-                                                                phi_3612_ = true;
-                                                            } else {
-                                                                phi_3612_ = (_e1143 >= _e1142);
-                                                            }
-                                                            let _e1147 = phi_3612_;
-                                                            let _e1148 = select(_e1142, _e1143, _e1147);
-                                                            let _e1149 = abs(_e1027.z);
-                                                            if (_e1148 != _e1148) {
-                                                                phi_3627_ = true;
-                                                            } else {
-                                                                phi_3627_ = (_e1149 >= _e1148);
-                                                            }
-                                                            let _e1153 = phi_3627_;
-                                                            let _e1156 = abs(_e1025.x);
-                                                            let _e1157 = abs(_e1025.y);
-                                                            if (_e1156 != _e1156) {
-                                                                phi_3642_ = true;
-                                                            } else {
-                                                                phi_3642_ = (_e1157 >= _e1156);
-                                                            }
-                                                            let _e1161 = phi_3642_;
-                                                            let _e1162 = select(_e1156, _e1157, _e1161);
-                                                            let _e1163 = abs(_e1025.z);
-                                                            if (_e1162 != _e1162) {
-                                                                phi_3657_ = true;
-                                                            } else {
-                                                                phi_3657_ = (_e1163 >= _e1162);
-                                                            }
-                                                            let _e1167 = phi_3657_;
-                                                            let _e1172 = ((bitcast<f32>((bitcast<u32>(((((_e1036 * _e1092) + (_e1041 * _e1095)) + (_e1044 * _e1098)) - _e1062)) & 2147483647u)) <= ((0.0000009536743f * select(_e1002, _e1111, (_e1111 > _e1002))) * select(_e1121, _e1122, _e1126))) && !((bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u)) <= ((0.0000038146973f * select(_e1148, _e1149, _e1153)) * select(_e1162, _e1163, _e1167)))));
-                                                            let _e1173 = (_e1062 / _e1067);
-                                                            if (_e943 && !(_e1172)) {
-                                                                let _e1176 = (_e1098 / _e474);
-                                                                let _e1184 = (((_e1036 * (_e1092 - (_e346 * _e1176))) + (_e1041 * (_e1095 - (_e410 * _e1176)))) / _e1067);
-                                                                phi_2165_ = select(select(_e1176, (_e1176 + _e1184), (bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u)) <= _e1002)), _e1173, _e1172);
-                                                            } else {
-                                                                phi_2165_ = _e1173;
-                                                            }
-                                                            let _e1193 = phi_2165_;
-                                                            let _e1195 = select(_e906, _e1193, (_e1193 < _e906));
-                                                            let _e1197 = select(_e898, _e1195, (_e1195 > _e898));
-                                                            let _e1198 = (1f / _e850);
-                                                            phi_2185_ = type_41(_e1197, (_e844 * _e1198), (_e848 * _e1198), ((_e943 && (_e1197 >= _e580)) && (_e1197 <= _e674.member.member_1)));
-                                                            phi_2186_ = type_41();
+                                                            let _e1564 = phi_2143_;
+                                                            let _e1566 = select(_e1277, _e1564, (_e1564 < _e1277));
+                                                            let _e1568 = select(_e1269, _e1566, (_e1566 > _e1269));
+                                                            let _e1569 = (1f / _e1221);
+                                                            phi_2163_ = type_41(_e1568, (_e1215 * _e1569), (_e1219 * _e1569), ((_e1314 && (_e1568 >= _e580)) && (_e1568 <= _e1045.member.member_1)));
+                                                            phi_2164_ = type_41();
                                                         } else {
-                                                            phi_2185_ = type_41();
-                                                            phi_2186_ = type_41(0f, 0f, 0f, _e943);
+                                                            phi_2163_ = type_41();
+                                                            phi_2164_ = type_41(0f, 0f, 0f, _e1314);
                                                         }
-                                                        let _e1207 = phi_2185_;
-                                                        let _e1209 = phi_2186_;
-                                                        phi_2189_ = _e1207;
-                                                        phi_2190_ = _e1209;
-                                                        phi_2191_ = select(true, false, _e943);
+                                                        let _e1578 = phi_2163_;
+                                                        let _e1580 = phi_2164_;
+                                                        phi_2167_ = _e1578;
+                                                        phi_2168_ = _e1580;
+                                                        phi_2169_ = select(true, false, _e1314);
                                                     } else {
-                                                        phi_2189_ = type_41();
-                                                        phi_2190_ = type_41(0f, 0f, 0f, _e834);
-                                                        phi_2191_ = true;
+                                                        phi_2167_ = type_41();
+                                                        phi_2168_ = type_41(0f, 0f, 0f, _e1205);
+                                                        phi_2169_ = true;
                                                     }
-                                                    let _e1212 = phi_2189_;
-                                                    let _e1214 = phi_2190_;
-                                                    let _e1216 = phi_2191_;
-                                                    if _e1216 {
-                                                        phi_2195_ = _e1214;
+                                                    let _e1583 = phi_2167_;
+                                                    let _e1585 = phi_2168_;
+                                                    let _e1587 = phi_2169_;
+                                                    if _e1587 {
+                                                        phi_2173_ = _e1585;
                                                     } else {
-                                                        phi_2195_ = _e1212;
+                                                        phi_2173_ = _e1583;
                                                     }
-                                                    let _e1218 = phi_2195_;
-                                                    if _e1218.member_3 {
-                                                        phi_2204_ = type_23(_e1218.member, _e1218.member_1, _e1218.member_2, _e709);
+                                                    let _e1589 = phi_2173_;
+                                                    if _e1589.member_3 {
+                                                        phi_2182_ = type_23(_e1589.member, _e1589.member_1, _e1589.member_2, _e1080);
                                                     } else {
-                                                        phi_2204_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_2182_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     }
-                                                    let _e1225 = phi_2204_;
-                                                    if (_e1225.member_3 != 4294967295u) {
-                                                        if (_e709 != _e586) {
-                                                            if (_e1225.member < _e674.member.member.member) {
-                                                                phi_2230_ = true;
+                                                    let _e1596 = phi_2182_;
+                                                    if (_e1596.member_3 != 4294967295u) {
+                                                        if (_e1080 != _e586) {
+                                                            if (_e1596.member < _e1045.member.member.member) {
+                                                                phi_2208_ = true;
                                                             } else {
-                                                                if (_e1225.member == _e674.member.member.member) {
-                                                                    phi_2229_ = (_e1225.member_3 < _e674.member.member.member_3);
+                                                                if (_e1596.member == _e1045.member.member.member) {
+                                                                    phi_2207_ = (_e1596.member_3 < _e1045.member.member.member_3);
                                                                 } else {
-                                                                    phi_2229_ = false;
+                                                                    phi_2207_ = false;
                                                                 }
-                                                                let _e1240 = phi_2229_;
-                                                                phi_2230_ = _e1240;
+                                                                let _e1611 = phi_2207_;
+                                                                phi_2208_ = _e1611;
                                                             }
-                                                            let _e1242 = phi_2230_;
-                                                            if _e1242 {
-                                                                phi_2237_ = type_42(type_38(_e1225, _e1225.member), _e701.member_1, _e701.member_2);
+                                                            let _e1613 = phi_2208_;
+                                                            if _e1613 {
+                                                                phi_2215_ = type_42(type_38(_e1596, _e1596.member), _e1072.member_1, _e1072.member_2);
                                                             } else {
-                                                                phi_2237_ = _e701;
+                                                                phi_2215_ = _e1072;
                                                             }
-                                                            let _e1249 = phi_2237_;
-                                                            phi_2238_ = _e1249;
+                                                            let _e1620 = phi_2215_;
+                                                            phi_2216_ = _e1620;
                                                         } else {
-                                                            phi_2238_ = _e701;
+                                                            phi_2216_ = _e1072;
                                                         }
-                                                        let _e1251 = phi_2238_;
-                                                        phi_2239_ = _e1251;
+                                                        let _e1622 = phi_2216_;
+                                                        phi_2217_ = _e1622;
                                                     } else {
-                                                        phi_2239_ = _e701;
+                                                        phi_2217_ = _e1072;
                                                     }
-                                                    let _e1253 = phi_2239_;
-                                                    phi_1267_ = _e1253;
+                                                    let _e1624 = phi_2217_;
+                                                    phi_1274_ = _e1624;
                                                 } else {
-                                                    phi_1267_ = type_42();
+                                                    phi_1274_ = type_42();
                                                 }
-                                                let _e1255 = phi_1267_;
+                                                let _e1626 = phi_1274_;
                                                 continue;
                                                 continuing {
-                                                    phi_1266_ = _e1255;
-                                                    phi_1269_ = _e689;
-                                                    phi_3765_ = _e617;
-                                                    break if !(_e695);
+                                                    phi_1273_ = _e1626;
+                                                    phi_1276_ = _e1060;
+                                                    phi_3691_ = _e617;
+                                                    break if !(_e1066);
                                                 }
                                             }
-                                            let _e1258 = phi_3765_;
-                                            phi_3930_ = _e1258;
-                                            if _e1258 {
+                                            let _e1629 = phi_3691_;
+                                            phi_3844_ = _e1629;
+                                            if _e1629 {
                                                 break;
                                             }
-                                            phi_3989_ = _e1258;
-                                            let _e1941 = local_12;
-                                            phi_2240_ = _e1941;
+                                            let _e1631 = local_10;
+                                            phi_3848_ = _e1629;
+                                            let _e1939 = local_13;
+                                            phi_3224_ = _e1939;
+                                            phi_3225_ = false;
+                                            phi_3226_ = _e661;
+                                            phi_3227_ = select(_e663, 0u, (_e580 > _e1631.member.member_1));
                                         } else {
-                                            phi_3989_ = _e617;
-                                            phi_2240_ = _e619;
-                                        }
-                                        let _e1260 = phi_3989_;
-                                        let _e1262 = phi_2240_;
-                                        if _e667 {
-                                            phi_3251_ = type_42();
-                                            phi_3252_ = bool();
-                                            phi_3253_ = u32();
-                                            phi_3254_ = type_53();
-                                        } else {
-                                            let _e1263 = (_e663.member_1 < _e90);
-                                            if _e1263 {
-                                                if _e1263 {
+                                            let _e672 = (_e661.member_1 < _e90);
+                                            if _e672 {
+                                                if _e672 {
                                                 } else {
-                                                    phi_3930_ = true;
+                                                    phi_3844_ = true;
                                                     break;
                                                 }
-                                                let _e1265 = global_7.member[_e663.member_1];
-                                                phi_2261_ = _e1265;
+                                                let _e674 = global_7.member[_e661.member_1];
+                                                phi_2238_ = _e674;
                                             } else {
-                                                phi_2261_ = type_46(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2238_ = type_46(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e1267 = phi_2261_;
-                                            let _e1282 = ((10u * _e262) & 31u);
-                                            let _e1285 = ((_e1267.member[0] >> bitcast<u32>(_e1282)) & 1023u);
-                                            let _e1293 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[0] - _e663.member.member[0]) * 0.0009775171f)) ^ _e128));
-                                            let _e1298 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1285)) - 8388608f) * _e1293)) ^ _e128)));
-                                            let _e1302 = select(select(_e663.member.member_1[0], _e1298, (_e1298 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1285 == 1023u));
-                                            let _e1304 = ((10u * _e261) & 31u);
-                                            let _e1307 = ((_e1267.member[0] >> bitcast<u32>(_e1304)) & 1023u);
-                                            let _e1315 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[1] - _e663.member.member[1]) * 0.0009775171f)) ^ _e128));
-                                            let _e1320 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1307)) - 8388608f) * _e1315)) ^ _e128)));
-                                            let _e1324 = select(select(_e663.member.member_1[1], _e1320, (_e1320 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1307 == 1023u));
-                                            let _e1326 = ((10u * _e263) & 31u);
-                                            let _e1329 = ((_e1267.member[0] >> bitcast<u32>(_e1326)) & 1023u);
-                                            let _e1337 = bitcast<f32>((bitcast<u32>(((_e663.member.member_1[2] - _e663.member.member[2]) * 0.0009775171f)) ^ _e128));
-                                            let _e1342 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1329)) - 8388608f) * _e1337)) ^ _e128)));
-                                            let _e1346 = select(select(_e663.member.member_1[2], _e1342, (_e1342 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1329 == 1023u));
-                                            let _e1349 = ((_e1267.member[1] >> bitcast<u32>(_e1282)) & 1023u);
-                                            let _e1357 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1349)) - 8388608f) * _e1293)) ^ _e128)));
-                                            let _e1361 = select(select(_e663.member.member_1[0], _e1357, (_e1357 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1349 == 1023u));
-                                            let _e1364 = ((_e1267.member[1] >> bitcast<u32>(_e1304)) & 1023u);
-                                            let _e1372 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1364)) - 8388608f) * _e1315)) ^ _e128)));
-                                            let _e1376 = select(select(_e663.member.member_1[1], _e1372, (_e1372 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1364 == 1023u));
-                                            let _e1379 = ((_e1267.member[1] >> bitcast<u32>(_e1326)) & 1023u);
-                                            let _e1387 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1379)) - 8388608f) * _e1337)) ^ _e128)));
-                                            let _e1391 = select(select(_e663.member.member_1[2], _e1387, (_e1387 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1379 == 1023u));
-                                            let _e1397 = ((_e1267.member_1[0] >> bitcast<u32>(_e1282)) & 1023u);
-                                            let _e1405 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1397)) - 8388608f) * _e1293)) ^ _e128)));
-                                            let _e1409 = select(select(_e663.member.member_1[0], _e1405, (_e1405 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1397 == 1023u));
-                                            let _e1412 = ((_e1267.member_1[0] >> bitcast<u32>(_e1304)) & 1023u);
-                                            let _e1420 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1412)) - 8388608f) * _e1315)) ^ _e128)));
-                                            let _e1424 = select(select(_e663.member.member_1[1], _e1420, (_e1420 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1412 == 1023u));
-                                            let _e1427 = ((_e1267.member_1[0] >> bitcast<u32>(_e1326)) & 1023u);
-                                            let _e1435 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1427)) - 8388608f) * _e1337)) ^ _e128)));
-                                            let _e1439 = select(select(_e663.member.member_1[2], _e1435, (_e1435 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1427 == 1023u));
-                                            let _e1442 = ((_e1267.member_1[1] >> bitcast<u32>(_e1282)) & 1023u);
-                                            let _e1450 = (_e663.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1442)) - 8388608f) * _e1293)) ^ _e128)));
-                                            let _e1454 = select(select(_e663.member.member_1[0], _e1450, (_e1450 < _e663.member.member_1[0])), _e663.member.member_1[0], (_e1442 == 1023u));
-                                            let _e1457 = ((_e1267.member_1[1] >> bitcast<u32>(_e1304)) & 1023u);
-                                            let _e1465 = (_e663.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1457)) - 8388608f) * _e1315)) ^ _e128)));
-                                            let _e1469 = select(select(_e663.member.member_1[1], _e1465, (_e1465 < _e663.member.member_1[1])), _e663.member.member_1[1], (_e1457 == 1023u));
-                                            let _e1472 = ((_e1267.member_1[1] >> bitcast<u32>(_e1326)) & 1023u);
-                                            let _e1480 = (_e663.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1472)) - 8388608f) * _e1337)) ^ _e128)));
-                                            let _e1484 = select(select(_e663.member.member_1[2], _e1480, (_e1480 < _e663.member.member_1[2])), _e663.member.member_1[2], (_e1472 == 1023u));
-                                            let _e1489 = type_53(type_51(array<f32, 3>(_e1302, _e1324, _e1346), array<f32, 3>(_e1361, _e1376, _e1391)), _e1267.member_2);
-                                            let _e1494 = type_53(type_51(array<f32, 3>(_e1409, _e1424, _e1439), array<f32, 3>(_e1454, _e1469, _e1484)), _e1267.member_3);
-                                            let _e1507 = ((_e1302 - _e347) * _e350);
-                                            let _e1508 = ((_e1409 - _e347) * _e350);
-                                            let _e1509 = ((_e1361 - _e348) * _e350);
-                                            let _e1510 = ((_e1454 - _e348) * _e350);
-                                            let _e1515 = ((_e1324 - _e411) * _e414);
-                                            let _e1516 = ((_e1424 - _e411) * _e414);
-                                            let _e1517 = ((_e1376 - _e412) * _e414);
-                                            let _e1518 = ((_e1469 - _e412) * _e414);
-                                            let _e1523 = ((_e1346 - _e475) * _e478);
-                                            let _e1524 = ((_e1439 - _e475) * _e478);
-                                            let _e1525 = ((_e1391 - _e476) * _e478);
-                                            let _e1526 = ((_e1484 - _e476) * _e478);
-                                            let _e1528 = select(_e1525, _e1523, (_e1523 < _e1525));
-                                            let _e1530 = select(_e1526, _e1524, (_e1524 < _e1526));
-                                            let _e1532 = select(_e1525, _e1523, (_e1523 > _e1525));
-                                            let _e1534 = select(_e1526, _e1524, (_e1524 > _e1526));
-                                            let _e1536 = select(_e1509, _e1507, (_e1507 < _e1509));
-                                            let _e1538 = select(_e1510, _e1508, (_e1508 < _e1510));
-                                            let _e1540 = select(_e1517, _e1515, (_e1515 < _e1517));
-                                            let _e1542 = select(_e1518, _e1516, (_e1516 < _e1518));
-                                            let _e1544 = select(_e1540, _e1536, (_e1536 > _e1540));
-                                            let _e1546 = select(_e1542, _e1538, (_e1538 > _e1542));
-                                            let _e1548 = select(_e1528, _e1544, (_e1544 > _e1528));
-                                            let _e1550 = select(_e1530, _e1546, (_e1546 > _e1530));
-                                            let _e1552 = select(_e1509, _e1507, (_e1507 > _e1509));
-                                            let _e1554 = select(_e1510, _e1508, (_e1508 > _e1510));
-                                            let _e1556 = select(_e1517, _e1515, (_e1515 > _e1517));
-                                            let _e1558 = select(_e1518, _e1516, (_e1516 > _e1518));
-                                            let _e1560 = select(_e1556, _e1552, (_e1552 < _e1556));
-                                            let _e1562 = select(_e1558, _e1554, (_e1554 < _e1558));
-                                            let _e1567 = -(_e1528);
-                                            let _e1568 = -(_e1530);
-                                            let _e1575 = (select(_e1532, _e1560, (_e1560 < _e1532)) + (select(_e1567, _e1532, (_e1532 > _e1567)) * 0.0000019073523f));
-                                            let _e1576 = (select(_e1534, _e1562, (_e1562 < _e1534)) + (select(_e1568, _e1534, (_e1534 > _e1568)) * 0.0000019073523f));
-                                            let _e1578 = select(_e580, _e1548, (_e1548 > _e580));
-                                            let _e1580 = select(_e580, _e1550, (_e1550 > _e580));
-                                            let _e1585 = (_e1578 <= select(_e1262.member.member_1, _e1575, (_e1575 < _e1262.member.member_1)));
-                                            let _e1586 = (_e1580 <= select(_e1262.member.member_1, _e1576, (_e1576 < _e1262.member.member_1)));
-                                            let _e1587 = (_e1578 <= _e1580);
-                                            if _e1585 {
-                                                if _e1586 {
-                                                    if _e1587 {
-                                                        phi_3150_ = _e1494;
+                                            let _e676 = phi_2238_;
+                                            let _e691 = ((10u * _e262) & 31u);
+                                            let _e694 = ((_e676.member[0] >> bitcast<u32>(_e691)) & 1023u);
+                                            let _e702 = bitcast<f32>((bitcast<u32>(((_e661.member.member_1[0] - _e661.member.member[0]) * 0.0009775171f)) ^ _e128));
+                                            let _e707 = (_e661.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e694)) - 8388608f) * _e702)) ^ _e128)));
+                                            let _e711 = select(select(_e661.member.member_1[0], _e707, (_e707 < _e661.member.member_1[0])), _e661.member.member_1[0], (_e694 == 1023u));
+                                            let _e713 = ((10u * _e261) & 31u);
+                                            let _e716 = ((_e676.member[0] >> bitcast<u32>(_e713)) & 1023u);
+                                            let _e724 = bitcast<f32>((bitcast<u32>(((_e661.member.member_1[1] - _e661.member.member[1]) * 0.0009775171f)) ^ _e128));
+                                            let _e729 = (_e661.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e716)) - 8388608f) * _e724)) ^ _e128)));
+                                            let _e733 = select(select(_e661.member.member_1[1], _e729, (_e729 < _e661.member.member_1[1])), _e661.member.member_1[1], (_e716 == 1023u));
+                                            let _e735 = ((10u * _e263) & 31u);
+                                            let _e738 = ((_e676.member[0] >> bitcast<u32>(_e735)) & 1023u);
+                                            let _e746 = bitcast<f32>((bitcast<u32>(((_e661.member.member_1[2] - _e661.member.member[2]) * 0.0009775171f)) ^ _e128));
+                                            let _e751 = (_e661.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e738)) - 8388608f) * _e746)) ^ _e128)));
+                                            let _e755 = select(select(_e661.member.member_1[2], _e751, (_e751 < _e661.member.member_1[2])), _e661.member.member_1[2], (_e738 == 1023u));
+                                            let _e758 = ((_e676.member[1] >> bitcast<u32>(_e691)) & 1023u);
+                                            let _e766 = (_e661.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e758)) - 8388608f) * _e702)) ^ _e128)));
+                                            let _e770 = select(select(_e661.member.member_1[0], _e766, (_e766 < _e661.member.member_1[0])), _e661.member.member_1[0], (_e758 == 1023u));
+                                            let _e773 = ((_e676.member[1] >> bitcast<u32>(_e713)) & 1023u);
+                                            let _e781 = (_e661.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e724)) ^ _e128)));
+                                            let _e785 = select(select(_e661.member.member_1[1], _e781, (_e781 < _e661.member.member_1[1])), _e661.member.member_1[1], (_e773 == 1023u));
+                                            let _e788 = ((_e676.member[1] >> bitcast<u32>(_e735)) & 1023u);
+                                            let _e796 = (_e661.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e746)) ^ _e128)));
+                                            let _e800 = select(select(_e661.member.member_1[2], _e796, (_e796 < _e661.member.member_1[2])), _e661.member.member_1[2], (_e788 == 1023u));
+                                            let _e806 = ((_e676.member_1[0] >> bitcast<u32>(_e691)) & 1023u);
+                                            let _e814 = (_e661.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e702)) ^ _e128)));
+                                            let _e818 = select(select(_e661.member.member_1[0], _e814, (_e814 < _e661.member.member_1[0])), _e661.member.member_1[0], (_e806 == 1023u));
+                                            let _e821 = ((_e676.member_1[0] >> bitcast<u32>(_e713)) & 1023u);
+                                            let _e829 = (_e661.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e724)) ^ _e128)));
+                                            let _e833 = select(select(_e661.member.member_1[1], _e829, (_e829 < _e661.member.member_1[1])), _e661.member.member_1[1], (_e821 == 1023u));
+                                            let _e836 = ((_e676.member_1[0] >> bitcast<u32>(_e735)) & 1023u);
+                                            let _e844 = (_e661.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e746)) ^ _e128)));
+                                            let _e848 = select(select(_e661.member.member_1[2], _e844, (_e844 < _e661.member.member_1[2])), _e661.member.member_1[2], (_e836 == 1023u));
+                                            let _e851 = ((_e676.member_1[1] >> bitcast<u32>(_e691)) & 1023u);
+                                            let _e859 = (_e661.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e702)) ^ _e128)));
+                                            let _e863 = select(select(_e661.member.member_1[0], _e859, (_e859 < _e661.member.member_1[0])), _e661.member.member_1[0], (_e851 == 1023u));
+                                            let _e866 = ((_e676.member_1[1] >> bitcast<u32>(_e713)) & 1023u);
+                                            let _e874 = (_e661.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e724)) ^ _e128)));
+                                            let _e878 = select(select(_e661.member.member_1[1], _e874, (_e874 < _e661.member.member_1[1])), _e661.member.member_1[1], (_e866 == 1023u));
+                                            let _e881 = ((_e676.member_1[1] >> bitcast<u32>(_e735)) & 1023u);
+                                            let _e889 = (_e661.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e746)) ^ _e128)));
+                                            let _e893 = select(select(_e661.member.member_1[2], _e889, (_e889 < _e661.member.member_1[2])), _e661.member.member_1[2], (_e881 == 1023u));
+                                            let _e898 = type_53(type_51(array<f32, 3>(_e711, _e733, _e755), array<f32, 3>(_e770, _e785, _e800)), _e676.member_2);
+                                            let _e903 = type_53(type_51(array<f32, 3>(_e818, _e833, _e848), array<f32, 3>(_e863, _e878, _e893)), _e676.member_3);
+                                            let _e916 = ((_e711 - _e347) * _e350);
+                                            let _e917 = ((_e818 - _e347) * _e350);
+                                            let _e918 = ((_e770 - _e348) * _e350);
+                                            let _e919 = ((_e863 - _e348) * _e350);
+                                            let _e924 = ((_e733 - _e411) * _e414);
+                                            let _e925 = ((_e833 - _e411) * _e414);
+                                            let _e926 = ((_e785 - _e412) * _e414);
+                                            let _e927 = ((_e878 - _e412) * _e414);
+                                            let _e932 = ((_e755 - _e475) * _e478);
+                                            let _e933 = ((_e848 - _e475) * _e478);
+                                            let _e934 = ((_e800 - _e476) * _e478);
+                                            let _e935 = ((_e893 - _e476) * _e478);
+                                            let _e937 = select(_e934, _e932, (_e932 < _e934));
+                                            let _e939 = select(_e935, _e933, (_e933 < _e935));
+                                            let _e941 = select(_e934, _e932, (_e932 > _e934));
+                                            let _e943 = select(_e935, _e933, (_e933 > _e935));
+                                            let _e945 = select(_e918, _e916, (_e916 < _e918));
+                                            let _e947 = select(_e919, _e917, (_e917 < _e919));
+                                            let _e949 = select(_e926, _e924, (_e924 < _e926));
+                                            let _e951 = select(_e927, _e925, (_e925 < _e927));
+                                            let _e953 = select(_e949, _e945, (_e945 > _e949));
+                                            let _e955 = select(_e951, _e947, (_e947 > _e951));
+                                            let _e957 = select(_e937, _e953, (_e953 > _e937));
+                                            let _e959 = select(_e939, _e955, (_e955 > _e939));
+                                            let _e961 = select(_e918, _e916, (_e916 > _e918));
+                                            let _e963 = select(_e919, _e917, (_e917 > _e919));
+                                            let _e965 = select(_e926, _e924, (_e924 > _e926));
+                                            let _e967 = select(_e927, _e925, (_e925 > _e927));
+                                            let _e969 = select(_e965, _e961, (_e961 < _e965));
+                                            let _e971 = select(_e967, _e963, (_e963 < _e967));
+                                            let _e976 = -(_e937);
+                                            let _e977 = -(_e939);
+                                            let _e984 = (select(_e941, _e969, (_e969 < _e941)) + (select(_e976, _e941, (_e941 > _e976)) * 0.0000019073523f));
+                                            let _e985 = (select(_e943, _e971, (_e971 < _e943)) + (select(_e977, _e943, (_e943 > _e977)) * 0.0000019073523f));
+                                            let _e987 = select(_e580, _e957, (_e957 > _e580));
+                                            let _e989 = select(_e580, _e959, (_e959 > _e580));
+                                            let _e994 = (_e987 <= select(_e619.member.member_1, _e984, (_e984 < _e619.member.member_1)));
+                                            let _e995 = (_e989 <= select(_e619.member.member_1, _e985, (_e985 < _e619.member.member_1)));
+                                            let _e996 = (_e987 <= _e989);
+                                            if _e994 {
+                                                if _e995 {
+                                                    if _e996 {
+                                                        phi_3127_ = _e903;
                                                     } else {
-                                                        phi_3150_ = _e1489;
+                                                        phi_3127_ = _e898;
                                                     }
-                                                    let _e1589 = phi_3150_;
-                                                    let _e1596 = (_e661 % 128u);
-                                                    let _e1597 = (_e1596 < 128u);
-                                                    if _e1597 {
+                                                    let _e998 = phi_3127_;
+                                                    let _e1005 = (_e663 % 128u);
+                                                    let _e1006 = (_e1005 < 128u);
+                                                    if _e1006 {
                                                     } else {
-                                                        phi_3930_ = true;
+                                                        phi_3844_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1596] = _e1589.member_1;
-                                                    if _e1597 {
+                                                    local_6[_e1005] = _e998.member_1;
+                                                    if _e1006 {
                                                     } else {
-                                                        phi_3930_ = true;
+                                                        phi_3844_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1596] = _e1589.member.member[0];
-                                                    if _e1597 {
+                                                    local_5[_e1005] = _e998.member.member[0];
+                                                    if _e1006 {
                                                     } else {
-                                                        phi_3930_ = true;
+                                                        phi_3844_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1596] = _e1589.member.member[1];
-                                                    if _e1597 {
+                                                    local_4[_e1005] = _e998.member.member[1];
+                                                    if _e1006 {
                                                     } else {
-                                                        phi_3930_ = true;
+                                                        phi_3844_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1596] = _e1589.member.member[2];
-                                                    if _e1597 {
+                                                    local_3[_e1005] = _e998.member.member[2];
+                                                    if _e1006 {
                                                     } else {
-                                                        phi_3930_ = true;
+                                                        phi_3844_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1596] = _e1589.member.member_1[0];
-                                                    if _e1597 {
+                                                    local_2[_e1005] = _e998.member.member_1[0];
+                                                    if _e1006 {
                                                     } else {
-                                                        phi_3930_ = true;
+                                                        phi_3844_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e1596] = _e1589.member.member_1[1];
-                                                    if _e1597 {
+                                                    local_1[_e1005] = _e998.member.member_1[1];
+                                                    if _e1006 {
                                                     } else {
-                                                        phi_3930_ = true;
+                                                        phi_3844_ = true;
                                                         break;
                                                     }
-                                                    local[_e1596] = _e1589.member.member_1[2];
-                                                    if _e1597 {
+                                                    local[_e1005] = _e998.member.member_1[2];
+                                                    if _e1006 {
                                                     } else {
-                                                        phi_3930_ = true;
+                                                        phi_3844_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1596] = select(_e1578, _e1580, _e1587);
-                                                    if _e1587 {
-                                                        phi_3226_ = _e1489;
+                                                    local_7[_e1005] = select(_e987, _e989, _e996);
+                                                    if _e996 {
+                                                        phi_3203_ = _e898;
                                                     } else {
-                                                        phi_3226_ = _e1494;
+                                                        phi_3203_ = _e903;
                                                     }
-                                                    let _e1614 = phi_3226_;
-                                                    phi_3227_ = (_e661 + 1u);
-                                                    phi_3228_ = _e1614;
+                                                    let _e1023 = phi_3203_;
+                                                    phi_3204_ = _e1023;
+                                                    phi_3205_ = (_e663 + 1u);
                                                 } else {
-                                                    phi_3227_ = u32();
-                                                    phi_3228_ = type_53();
+                                                    phi_3204_ = type_53();
+                                                    phi_3205_ = u32();
                                                 }
-                                                let _e1616 = phi_3227_;
-                                                let _e1618 = phi_3228_;
-                                                phi_3230_ = _e1616;
-                                                phi_3231_ = _e1618;
-                                                phi_3232_ = select(true, false, _e1586);
+                                                let _e1025 = phi_3204_;
+                                                let _e1027 = phi_3205_;
+                                                phi_3207_ = _e1025;
+                                                phi_3208_ = _e1027;
+                                                phi_3209_ = select(true, false, _e995);
                                             } else {
-                                                phi_3230_ = u32();
-                                                phi_3231_ = type_53();
-                                                phi_3232_ = true;
+                                                phi_3207_ = type_53();
+                                                phi_3208_ = u32();
+                                                phi_3209_ = true;
                                             }
-                                            let _e1621 = phi_3230_;
-                                            let _e1623 = phi_3231_;
-                                            let _e1625 = phi_3232_;
-                                            if _e1625 {
-                                                if _e1585 {
-                                                    phi_3239_ = _e1489;
+                                            let _e1030 = phi_3207_;
+                                            let _e1032 = phi_3208_;
+                                            let _e1034 = phi_3209_;
+                                            if _e1034 {
+                                                if _e994 {
+                                                    phi_3216_ = _e898;
                                                 } else {
-                                                    phi_3239_ = _e1494;
+                                                    phi_3216_ = _e903;
                                                 }
-                                                let _e1627 = phi_3239_;
-                                                phi_3244_ = select(_e1586, true, _e1585);
-                                                phi_3246_ = _e1627;
+                                                let _e1036 = phi_3216_;
+                                                phi_3221_ = select(_e995, true, _e994);
+                                                phi_3222_ = _e1036;
                                             } else {
-                                                phi_3244_ = _e659;
-                                                phi_3246_ = _e1623;
+                                                phi_3221_ = _e659;
+                                                phi_3222_ = _e1030;
                                             }
-                                            let _e1630 = phi_3244_;
-                                            let _e1632 = phi_3246_;
-                                            phi_3251_ = type_42(_e1262.member, (_e1262.member_1 + 1u), _e1262.member_2);
-                                            phi_3252_ = _e1630;
-                                            phi_3253_ = select(_e1621, _e661, _e1625);
-                                            phi_3254_ = _e1632;
+                                            let _e1039 = phi_3221_;
+                                            let _e1041 = phi_3222_;
+                                            phi_3848_ = _e617;
+                                            phi_3224_ = type_42(_e619.member, (_e619.member_1 + 1u), _e619.member_2);
+                                            phi_3225_ = _e1039;
+                                            phi_3226_ = _e1041;
+                                            phi_3227_ = select(_e1032, _e663, _e1034);
                                         }
-                                        let _e1635 = phi_3251_;
-                                        let _e1637 = phi_3252_;
-                                        let _e1639 = phi_3253_;
-                                        let _e1641 = phi_3254_;
-                                        if _e667 {
-                                            phi_3262_ = _e1262;
-                                            phi_3265_ = _e663;
-                                        } else {
-                                            phi_3262_ = _e1635;
-                                            phi_3265_ = _e1641;
-                                        }
-                                        let _e1643 = phi_3262_;
-                                        let _e1645 = phi_3265_;
-                                        phi_3933_ = _e1260;
-                                        phi_3266_ = _e1643;
-                                        phi_3267_ = (_e621 - 1u);
-                                        phi_3268_ = select(_e1637, false, _e667);
-                                        phi_3269_ = select(_e1639, _e661, _e667);
-                                        phi_3270_ = _e1645;
+                                        let _e1637 = phi_3848_;
+                                        let _e1639 = phi_3224_;
+                                        let _e1641 = phi_3225_;
+                                        let _e1643 = phi_3226_;
+                                        let _e1645 = phi_3227_;
+                                        phi_3847_ = _e1637;
+                                        phi_3228_ = _e1639;
+                                        phi_3229_ = _e1641;
+                                        phi_3230_ = _e1643;
+                                        phi_3231_ = _e1645;
+                                        phi_3232_ = (_e627 - 1u);
                                     } else {
-                                        phi_3933_ = _e617;
-                                        phi_3266_ = _e619;
-                                        phi_3267_ = _e621;
-                                        phi_3268_ = _e659;
-                                        phi_3269_ = _e661;
-                                        phi_3270_ = _e663;
+                                        phi_3847_ = _e617;
+                                        phi_3228_ = _e619;
+                                        phi_3229_ = _e659;
+                                        phi_3230_ = _e661;
+                                        phi_3231_ = _e663;
+                                        phi_3232_ = _e627;
                                     }
-                                    let _e1649 = phi_3933_;
-                                    let _e1651 = phi_3266_;
-                                    let _e1653 = phi_3267_;
-                                    let _e1655 = phi_3268_;
-                                    let _e1657 = phi_3269_;
-                                    let _e1659 = phi_3270_;
-                                    phi_3932_ = _e1649;
-                                    phi_3271_ = _e1651;
-                                    phi_3272_ = _e1653;
-                                    phi_3273_ = _e1655;
-                                    phi_3274_ = _e1657;
-                                    phi_3275_ = _e1659;
+                                    let _e1647 = phi_3847_;
+                                    let _e1649 = phi_3228_;
+                                    let _e1651 = phi_3229_;
+                                    let _e1653 = phi_3230_;
+                                    let _e1655 = phi_3231_;
+                                    let _e1657 = phi_3232_;
+                                    phi_3846_ = _e1647;
+                                    phi_3233_ = _e1649;
+                                    phi_3234_ = _e1651;
+                                    phi_3235_ = _e1653;
+                                    phi_3236_ = _e1655;
+                                    phi_3237_ = _e1657;
                                 } else {
-                                    phi_3932_ = _e617;
-                                    phi_3271_ = type_42();
-                                    phi_3272_ = u32();
-                                    phi_3273_ = bool();
-                                    phi_3274_ = u32();
-                                    phi_3275_ = type_53();
+                                    phi_3846_ = _e617;
+                                    phi_3233_ = type_42();
+                                    phi_3234_ = bool();
+                                    phi_3235_ = type_53();
+                                    phi_3236_ = u32();
+                                    phi_3237_ = u32();
                                 }
-                                let _e1661 = phi_3932_;
-                                let _e1663 = phi_3271_;
-                                let _e1665 = phi_3272_;
-                                let _e1667 = phi_3273_;
-                                let _e1669 = phi_3274_;
-                                let _e1671 = phi_3275_;
-                                phi_3931_ = _e1661;
-                                phi_1141_ = _e1663;
-                                phi_1144_ = _e1665;
-                                phi_1146_ = _e1667;
-                                phi_1148_ = _e1669;
-                                phi_1150_ = _e1671;
-                                phi_3276_ = _e631;
+                                let _e1659 = phi_3846_;
+                                let _e1661 = phi_3233_;
+                                let _e1663 = phi_3234_;
+                                let _e1665 = phi_3235_;
+                                let _e1667 = phi_3236_;
+                                let _e1669 = phi_3237_;
+                                phi_3845_ = _e1659;
+                                phi_1148_ = _e1661;
+                                phi_1151_ = _e1663;
+                                phi_1153_ = _e1665;
+                                phi_1155_ = _e1667;
+                                phi_1157_ = _e1669;
+                                phi_3238_ = _e631;
                             } else {
-                                phi_3931_ = _e617;
-                                phi_1141_ = type_42();
-                                phi_1144_ = u32();
-                                phi_1146_ = bool();
-                                phi_1148_ = u32();
-                                phi_1150_ = type_53();
-                                phi_3276_ = false;
+                                phi_3845_ = _e617;
+                                phi_1148_ = type_42();
+                                phi_1151_ = bool();
+                                phi_1153_ = type_53();
+                                phi_1155_ = u32();
+                                phi_1157_ = u32();
+                                phi_3238_ = false;
                             }
-                            let _e1673 = phi_3931_;
-                            let _e1675 = phi_1141_;
-                            let _e1677 = phi_1144_;
-                            let _e1679 = phi_1146_;
-                            let _e1681 = phi_1148_;
-                            let _e1683 = phi_1150_;
-                            let _e1685 = phi_3276_;
+                            let _e1671 = phi_3845_;
+                            let _e1673 = phi_1148_;
+                            let _e1675 = phi_1151_;
+                            let _e1677 = phi_1153_;
+                            let _e1679 = phi_1155_;
+                            let _e1681 = phi_1157_;
+                            let _e1683 = phi_3238_;
                             continue;
                             continuing {
-                                phi_3771_ = _e1673;
-                                phi_1140_ = _e1675;
-                                phi_1143_ = _e1677;
-                                phi_1145_ = _e1679;
-                                phi_1147_ = _e1681;
-                                phi_1149_ = _e1683;
-                                phi_3930_ = _e1673;
-                                break if !(_e1685);
+                                phi_3697_ = _e1671;
+                                phi_1147_ = _e1673;
+                                phi_1150_ = _e1675;
+                                phi_1152_ = _e1677;
+                                phi_1154_ = _e1679;
+                                phi_1156_ = _e1681;
+                                phi_3844_ = _e1671;
+                                break if !(_e1683);
                             }
                         }
-                        let _e1688 = phi_3930_;
-                        if _e1688 {
+                        let _e1686 = phi_3844_;
+                        if _e1686 {
                             break;
                         }
-                        let _e1690 = local_10;
-                        if (_e1690.member.member.member_3 != 4294967295u) {
-                            let _e1696 = bitcast<u32>(_e1690.member.member.member);
-                            let _e1700 = (bitcast<i32>((_e1696 >> bitcast<u32>(23i))) & 255i);
-                            let _e1701 = (_e1700 + _e264);
-                            if (_e1700 == 255i) {
-                                phi_3335_ = _e1690.member.member.member;
+                        let _e1688 = local_11;
+                        if (_e1688.member.member.member_3 != 4294967295u) {
+                            let _e1694 = bitcast<u32>(_e1688.member.member.member);
+                            let _e1698 = (bitcast<i32>((_e1694 >> bitcast<u32>(23i))) & 255i);
+                            let _e1699 = (_e1698 + _e264);
+                            if (_e1698 == 255i) {
+                                phi_3297_ = _e1688.member.member.member;
                             } else {
-                                if (_e1700 > 0i) {
-                                    if (_e1701 > 0i) {
-                                        let _e1705 = (_e1701 < 255i);
-                                        if _e1705 {
-                                            phi_3314_ = bitcast<f32>((_e1696 + bitcast<u32>((_e264 << bitcast<u32>(23i)))));
+                                if (_e1698 > 0i) {
+                                    if (_e1699 > 0i) {
+                                        let _e1703 = (_e1699 < 255i);
+                                        if _e1703 {
+                                            phi_3276_ = bitcast<f32>((_e1694 + bitcast<u32>((_e264 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3314_ = f32();
+                                            phi_3276_ = f32();
                                         }
-                                        let _e1712 = phi_3314_;
-                                        phi_3316_ = _e1712;
-                                        phi_3317_ = select(true, false, _e1705);
+                                        let _e1710 = phi_3276_;
+                                        phi_3278_ = _e1710;
+                                        phi_3279_ = select(true, false, _e1703);
                                     } else {
-                                        phi_3316_ = f32();
-                                        phi_3317_ = true;
+                                        phi_3278_ = f32();
+                                        phi_3279_ = true;
                                     }
-                                    let _e1715 = phi_3316_;
-                                    let _e1717 = phi_3317_;
-                                    phi_3318_ = _e1715;
-                                    phi_3319_ = _e1717;
+                                    let _e1713 = phi_3278_;
+                                    let _e1715 = phi_3279_;
+                                    phi_3280_ = _e1713;
+                                    phi_3281_ = _e1715;
                                 } else {
-                                    phi_3318_ = f32();
-                                    phi_3319_ = true;
+                                    phi_3280_ = f32();
+                                    phi_3281_ = true;
                                 }
-                                let _e1719 = phi_3318_;
-                                let _e1721 = phi_3319_;
-                                if _e1721 {
-                                    let _e1722 = (_e1696 & 2147483648u);
-                                    let _e1729 = ((_e1696 & 8388607u) | (select(0u, 1u, ((_e1696 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e1733 = (_e1729 == 0u);
-                                    if _e1733 {
-                                        phi_3735_ = bitcast<f32>(_e1722);
+                                let _e1717 = phi_3280_;
+                                let _e1719 = phi_3281_;
+                                if _e1719 {
+                                    let _e1720 = (_e1694 & 2147483648u);
+                                    let _e1727 = ((_e1694 & 8388607u) | (select(0u, 1u, ((_e1694 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1731 = (_e1727 == 0u);
+                                    if _e1731 {
+                                        phi_3661_ = bitcast<f32>(_e1720);
                                     } else {
-                                        let _e1738 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1729)), 32u, _e1733) - 8u);
-                                        let _e1741 = (_e1729 << bitcast<u32>((_e1738 & 31u)));
-                                        let _e1743 = ((_e1701 + select(0i, 1i, (_e1700 == 0i))) - bitcast<i32>(_e1738));
-                                        if (_e1743 >= 255i) {
-                                            phi_3725_ = bitcast<f32>((_e1722 | 2139095040u));
-                                            phi_3726_ = f32();
-                                            phi_3727_ = true;
+                                        let _e1736 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1727)), 32u, _e1731) - 8u);
+                                        let _e1739 = (_e1727 << bitcast<u32>((_e1736 & 31u)));
+                                        let _e1741 = ((_e1699 + select(0i, 1i, (_e1698 == 0i))) - bitcast<i32>(_e1736));
+                                        if (_e1741 >= 255i) {
+                                            phi_3651_ = bitcast<f32>((_e1720 | 2139095040u));
+                                            phi_3652_ = f32();
+                                            phi_3653_ = true;
                                         } else {
-                                            let _e1745 = (_e1743 > 0i);
-                                            if _e1745 {
-                                                phi_3719_ = bitcast<f32>(((_e1722 | (bitcast<u32>(_e1743) << bitcast<u32>(23i))) | (_e1741 & 8388607u)));
-                                                phi_3720_ = f32();
+                                            let _e1743 = (_e1741 > 0i);
+                                            if _e1743 {
+                                                phi_3645_ = bitcast<f32>(((_e1720 | (bitcast<u32>(_e1741) << bitcast<u32>(23i))) | (_e1739 & 8388607u)));
+                                                phi_3646_ = f32();
                                             } else {
-                                                if (_e1743 < -24i) {
-                                                    phi_3685_ = 26u;
+                                                if (_e1741 < -24i) {
+                                                    phi_3611_ = 26u;
                                                 } else {
-                                                    phi_3685_ = bitcast<u32>((1i - _e1743));
+                                                    phi_3611_ = bitcast<u32>((1i - _e1741));
                                                 }
-                                                let _e1750 = phi_3685_;
-                                                let _e1751 = (_e1750 & 31u);
-                                                let _e1753 = (_e1741 >> bitcast<u32>(_e1751));
-                                                let _e1757 = (_e1741 & ((1u << bitcast<u32>(_e1751)) - 1u));
-                                                let _e1761 = (1u << bitcast<u32>(((_e1750 - 1u) & 31u)));
-                                                if (_e1757 > _e1761) {
-                                                    phi_3706_ = true;
+                                                let _e1748 = phi_3611_;
+                                                let _e1749 = (_e1748 & 31u);
+                                                let _e1751 = (_e1739 >> bitcast<u32>(_e1749));
+                                                let _e1755 = (_e1739 & ((1u << bitcast<u32>(_e1749)) - 1u));
+                                                let _e1759 = (1u << bitcast<u32>(((_e1748 - 1u) & 31u)));
+                                                if (_e1755 > _e1759) {
+                                                    phi_3632_ = true;
                                                 } else {
-                                                    if (_e1757 == _e1761) {
-                                                        phi_3703_ = ((_e1753 & 1u) == 1u);
+                                                    if (_e1755 == _e1759) {
+                                                        phi_3629_ = ((_e1751 & 1u) == 1u);
                                                     } else {
-                                                        phi_3703_ = false;
+                                                        phi_3629_ = false;
                                                     }
-                                                    let _e1767 = phi_3703_;
-                                                    phi_3706_ = _e1767;
+                                                    let _e1765 = phi_3629_;
+                                                    phi_3632_ = _e1765;
                                                 }
-                                                let _e1769 = phi_3706_;
-                                                phi_3719_ = f32();
-                                                phi_3720_ = bitcast<f32>((_e1722 | (_e1753 + select(0u, 1u, _e1769))));
+                                                let _e1767 = phi_3632_;
+                                                phi_3645_ = f32();
+                                                phi_3646_ = bitcast<f32>((_e1720 | (_e1751 + select(0u, 1u, _e1767))));
                                             }
-                                            let _e1782 = phi_3719_;
-                                            let _e1784 = phi_3720_;
-                                            phi_3725_ = _e1782;
-                                            phi_3726_ = _e1784;
-                                            phi_3727_ = _e1745;
+                                            let _e1780 = phi_3645_;
+                                            let _e1782 = phi_3646_;
+                                            phi_3651_ = _e1780;
+                                            phi_3652_ = _e1782;
+                                            phi_3653_ = _e1743;
                                         }
-                                        let _e1788 = phi_3725_;
-                                        let _e1790 = phi_3726_;
-                                        let _e1792 = phi_3727_;
-                                        phi_3735_ = select(_e1790, _e1788, _e1792);
+                                        let _e1786 = phi_3651_;
+                                        let _e1788 = phi_3652_;
+                                        let _e1790 = phi_3653_;
+                                        phi_3661_ = select(_e1788, _e1786, _e1790);
                                     }
-                                    let _e1796 = phi_3735_;
-                                    phi_3334_ = _e1796;
+                                    let _e1794 = phi_3661_;
+                                    phi_3296_ = _e1794;
                                 } else {
-                                    phi_3334_ = _e1719;
+                                    phi_3296_ = _e1717;
                                 }
-                                let _e1798 = phi_3334_;
-                                phi_3335_ = _e1798;
+                                let _e1796 = phi_3296_;
+                                phi_3297_ = _e1796;
                             }
-                            let _e1800 = phi_3335_;
-                            let _e1801 = bitcast<u32>(_e1800);
-                            if ((_e1801 & 2147483647u) >= 2139095040u) {
-                                phi_3347_ = bitcast<f32>(((_e1801 & 2147483648u) | 2139095039u));
+                            let _e1798 = phi_3297_;
+                            let _e1799 = bitcast<u32>(_e1798);
+                            if ((_e1799 & 2147483647u) >= 2139095040u) {
+                                phi_3309_ = bitcast<f32>(((_e1799 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3347_ = _e1800;
+                                phi_3309_ = _e1798;
                             }
-                            let _e1808 = phi_3347_;
-                            phi_3352_ = type_23(_e1808, _e1690.member.member.member_1, _e1690.member.member.member_2, _e1690.member.member.member_3);
+                            let _e1806 = phi_3309_;
+                            phi_3314_ = type_23(_e1806, _e1688.member.member.member_1, _e1688.member.member.member_2, _e1688.member.member.member_3);
                         } else {
-                            phi_3352_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3314_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1813 = phi_3352_;
+                        let _e1811 = phi_3314_;
                         if _e140 {
                         } else {
                             break;
                         }
-                        global_2.member[_e132] = _e1813;
-                        let _e1817 = local_11;
+                        global_2.member[_e132] = _e1811;
+                        let _e1815 = local_12;
                         if _e141 {
                         } else {
                             break;
                         }
-                        global_5.member[_e132] = _e1817.member_1;
+                        global_5.member[_e132] = _e1815.member_1;
                         if _e139 {
                         } else {
                             break;
                         }
-                        let _e1822 = select(0u, 1u, (_e208 <= _e218));
-                        if (_e1822 > 0u) {
-                            let _e1824 = (1u < _e100);
-                            if _e1824 {
+                        let _e1820 = select(0u, 1u, (_e208 <= _e218));
+                        if (_e1820 > 0u) {
+                            let _e1822 = (1u < _e100);
+                            if _e1822 {
                                 if (0u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1828 = atomicAdd((&global_6.member[0u]), _e1822);
-                                if ((_e1828 + _e1822) < _e1828) {
-                                    if _e1824 {
+                                let _e1826 = atomicAdd((&global_6.member[0u]), _e1820);
+                                if ((_e1826 + _e1820) < _e1826) {
+                                    if _e1822 {
                                     } else {
                                         break;
                                     }
-                                    let _e1833 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1831 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1836 = select(0u, 1u, (_e1813.member_3 != 4294967295u));
-                        if (_e1836 > 0u) {
-                            let _e1838 = (3u < _e100);
-                            if _e1838 {
+                        let _e1834 = select(0u, 1u, (_e1811.member_3 != 4294967295u));
+                        if (_e1834 > 0u) {
+                            let _e1836 = (3u < _e100);
+                            if _e1836 {
                                 if (2u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1842 = atomicAdd((&global_6.member[2u]), _e1836);
-                                if ((_e1842 + _e1836) < _e1842) {
-                                    if _e1838 {
+                                let _e1840 = atomicAdd((&global_6.member[2u]), _e1834);
+                                if ((_e1840 + _e1834) < _e1840) {
+                                    if _e1836 {
                                     } else {
                                         break;
                                     }
-                                    let _e1847 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1845 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1817.member_1 > 0u) {
-                            let _e1849 = (5u < _e100);
-                            if _e1849 {
+                        if (_e1815.member_1 > 0u) {
+                            let _e1847 = (5u < _e100);
+                            if _e1847 {
                                 if (4u < _e100) {
                                 } else {
                                     break;
                                 }
-                                let _e1853 = atomicAdd((&global_6.member[4u]), _e1817.member_1);
-                                if ((_e1853 + _e1817.member_1) < _e1853) {
-                                    if _e1849 {
+                                let _e1851 = atomicAdd((&global_6.member[4u]), _e1815.member_1);
+                                if ((_e1851 + _e1815.member_1) < _e1851) {
+                                    if _e1847 {
                                     } else {
                                         break;
                                     }
-                                    let _e1858 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1856 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

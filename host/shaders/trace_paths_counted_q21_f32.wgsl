@@ -119,152 +119,138 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_505_: i32;
-    var phi_506_: i32;
-    var phi_516_: bool;
-    var phi_526_: u32;
-    var phi_527_: u32;
-    var phi_529_: bool;
+    var phi_512_: i32;
+    var phi_513_: i32;
+    var phi_523_: bool;
+    var phi_533_: u32;
     var phi_534_: u32;
-    var phi_567_: i32;
-    var phi_585_: f32;
-    var phi_591_: f32;
-    var phi_631_: f32;
-    var phi_637_: f32;
-    var phi_710_: f32;
-    var phi_716_: f32;
-    var phi_756_: f32;
-    var phi_762_: f32;
-    var phi_835_: f32;
-    var phi_841_: f32;
-    var phi_881_: f32;
-    var phi_887_: f32;
-    var phi_1006_: i32;
-    var phi_1028_: u32;
-    var phi_1029_: u32;
-    var phi_1066_: i32;
-    var phi_1088_: u32;
-    var phi_1089_: u32;
-    var phi_1097_: f32;
-    var phi_1098_: f32;
-    var phi_4217_: bool;
-    var phi_1203_: type_43;
-    var phi_1206_: u32;
-    var phi_1208_: bool;
-    var phi_1210_: u32;
-    var phi_1212_: type_54;
-    var phi_1223_: bool;
-    var phi_1309_: bool;
-    var phi_1310_: u32;
-    var phi_1311_: type_54;
-    var phi_1329_: type_43;
-    var phi_1332_: type_7;
-    var phi_1333_: type_7;
-    var phi_1355_: type_7;
-    var phi_1379_: u32;
-    var phi_1471_: array<array<f32, 3>, 3>;
-    var phi_3778_: bool;
-    var phi_3793_: bool;
-    var phi_3808_: bool;
-    var phi_3823_: bool;
-    var phi_3838_: bool;
-    var phi_3853_: bool;
-    var phi_2013_: f32;
-    var phi_2014_: f32;
-    var phi_2015_: f32;
-    var phi_2016_: f32;
-    var phi_2017_: vec3<f32>;
-    var phi_2018_: vec3<f32>;
-    var phi_2019_: vec3<f32>;
-    var phi_2020_: vec3<f32>;
-    var phi_3868_: bool;
-    var phi_3883_: bool;
-    var phi_3898_: bool;
-    var phi_3913_: bool;
-    var phi_3928_: bool;
-    var phi_3943_: bool;
-    var phi_2228_: f32;
-    var phi_2248_: type_42;
-    var phi_2249_: type_42;
-    var phi_2252_: type_42;
-    var phi_2253_: type_42;
-    var phi_2254_: bool;
-    var phi_2258_: type_42;
-    var phi_2267_: type_22;
-    var phi_2292_: bool;
-    var phi_2293_: bool;
-    var phi_2300_: type_43;
-    var phi_2301_: type_43;
-    var phi_2302_: type_43;
-    var phi_1330_: type_43;
-    var phi_4211_: bool;
-    var phi_4462_: bool;
-    var phi_2303_: type_43;
-    var phi_3030_: u32;
-    var phi_3031_: u32;
+    var phi_536_: bool;
+    var phi_541_: u32;
+    var phi_574_: i32;
+    var phi_592_: f32;
+    var phi_598_: f32;
+    var phi_638_: f32;
+    var phi_644_: f32;
+    var phi_717_: f32;
+    var phi_723_: f32;
+    var phi_763_: f32;
+    var phi_769_: f32;
+    var phi_842_: f32;
+    var phi_848_: f32;
+    var phi_888_: f32;
+    var phi_894_: f32;
+    var phi_1013_: i32;
+    var phi_1035_: u32;
+    var phi_1036_: u32;
+    var phi_1073_: i32;
+    var phi_1095_: u32;
+    var phi_1096_: u32;
+    var phi_1104_: f32;
+    var phi_1105_: f32;
+    var phi_4143_: bool;
+    var phi_1210_: type_43;
+    var phi_1213_: bool;
+    var phi_1215_: type_54;
+    var phi_1217_: u32;
+    var phi_1219_: u32;
+    var phi_1230_: bool;
+    var phi_1316_: bool;
+    var phi_1317_: type_54;
+    var phi_1318_: u32;
+    var phi_3007_: u32;
+    var phi_3008_: u32;
+    var phi_3018_: u32;
+    var phi_3020_: u32;
+    var phi_3021_: bool;
     var phi_3041_: u32;
-    var phi_3043_: u32;
-    var phi_3044_: bool;
-    var phi_3064_: u32;
-    var phi_3065_: u32;
-    var phi_3069_: type_55;
-    var phi_3434_: type_54;
-    var phi_3510_: type_54;
-    var phi_3511_: u32;
-    var phi_3512_: type_54;
-    var phi_3514_: u32;
-    var phi_3515_: type_54;
-    var phi_3516_: bool;
-    var phi_3525_: type_54;
-    var phi_3530_: bool;
-    var phi_3532_: type_54;
-    var phi_3537_: type_43;
-    var phi_3538_: bool;
-    var phi_3539_: u32;
-    var phi_3540_: type_54;
-    var phi_3548_: type_43;
-    var phi_3551_: type_54;
-    var phi_4379_: bool;
-    var phi_3552_: type_43;
-    var phi_3553_: u32;
-    var phi_3554_: bool;
-    var phi_3555_: u32;
-    var phi_3556_: type_54;
-    var phi_4378_: bool;
-    var phi_3557_: type_43;
-    var phi_3558_: u32;
-    var phi_3559_: bool;
-    var phi_3560_: u32;
-    var phi_3561_: type_54;
-    var phi_4377_: bool;
-    var phi_1204_: type_43;
-    var phi_1207_: u32;
-    var phi_1209_: bool;
-    var phi_1211_: u32;
-    var phi_1213_: type_54;
-    var phi_3562_: bool;
-    var phi_4376_: bool;
-    var local_10: type_43;
-    var phi_3600_: f32;
-    var phi_3602_: f32;
-    var phi_3603_: bool;
-    var phi_3604_: f32;
-    var phi_3605_: bool;
-    var phi_4119_: u32;
+    var phi_3042_: u32;
+    var phi_3046_: type_55;
+    var phi_3411_: type_54;
+    var phi_3487_: type_54;
+    var phi_3488_: type_54;
+    var phi_3489_: u32;
+    var phi_3491_: type_54;
+    var phi_3492_: u32;
+    var phi_3493_: bool;
+    var phi_3502_: type_54;
+    var phi_3507_: bool;
+    var phi_3508_: type_54;
+    var phi_1336_: type_43;
+    var phi_1339_: type_7;
+    var phi_1340_: type_7;
+    var phi_1362_: type_7;
+    var phi_1386_: u32;
+    var phi_1478_: array<array<f32, 3>, 3>;
+    var phi_2008_: f32;
+    var phi_2009_: f32;
+    var phi_2010_: f32;
+    var phi_2011_: f32;
+    var phi_2012_: vec3<f32>;
+    var phi_2013_: vec3<f32>;
+    var phi_2014_: vec3<f32>;
+    var phi_2015_: vec3<f32>;
+    var phi_2206_: f32;
+    var phi_2226_: type_42;
+    var phi_2227_: type_42;
+    var phi_2230_: type_42;
+    var phi_2231_: type_42;
+    var phi_2232_: bool;
+    var phi_2236_: type_42;
+    var phi_2245_: type_22;
+    var phi_2270_: bool;
+    var phi_2271_: bool;
+    var phi_2278_: type_43;
+    var phi_2279_: type_43;
+    var phi_2280_: type_43;
+    var phi_1337_: type_43;
     var phi_4137_: bool;
-    var phi_4140_: bool;
-    var phi_4153_: f32;
-    var phi_4154_: f32;
-    var phi_4159_: f32;
-    var phi_4160_: f32;
-    var phi_4161_: bool;
-    var phi_4169_: f32;
-    var phi_3620_: f32;
-    var phi_3621_: f32;
-    var phi_3633_: f32;
-    var phi_3638_: type_22;
+    var local_10: type_43;
+    var phi_4294_: bool;
+    var phi_3510_: type_43;
+    var phi_3511_: bool;
+    var phi_3512_: type_54;
+    var phi_3513_: u32;
+    var phi_4293_: bool;
+    var phi_3514_: type_43;
+    var phi_3515_: bool;
+    var phi_3516_: type_54;
+    var phi_3517_: u32;
+    var phi_3518_: u32;
+    var phi_4292_: bool;
+    var phi_3519_: type_43;
+    var phi_3520_: bool;
+    var phi_3521_: type_54;
+    var phi_3522_: u32;
+    var phi_3523_: u32;
+    var phi_4291_: bool;
+    var phi_1211_: type_43;
+    var phi_1214_: bool;
+    var phi_1216_: type_54;
+    var phi_1218_: u32;
+    var phi_1220_: u32;
+    var phi_3524_: bool;
+    var phi_4290_: bool;
     var local_11: type_43;
+    var phi_3562_: f32;
+    var phi_3564_: f32;
+    var phi_3565_: bool;
+    var phi_3566_: f32;
+    var phi_3567_: bool;
+    var phi_4045_: u32;
+    var phi_4063_: bool;
+    var phi_4066_: bool;
+    var phi_4079_: f32;
+    var phi_4080_: f32;
+    var phi_4085_: f32;
+    var phi_4086_: f32;
+    var phi_4087_: bool;
+    var phi_4095_: f32;
+    var phi_3582_: f32;
+    var phi_3583_: f32;
+    var phi_3595_: f32;
+    var phi_3600_: type_22;
     var local_12: type_43;
+    var local_13: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -320,85 +306,85 @@ fn function_() {
                         if _e236 {
                             let _e239 = (bitcast<u32>(bitcast<f32>(_e209)) & 2147483647u);
                             if (_e239 >= 8388608u) {
-                                phi_505_ = (bitcast<i32>((_e239 >> bitcast<u32>(23i))) - 127i);
+                                phi_512_ = (bitcast<i32>((_e239 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_505_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e239)), 32u, (_e239 == 0u))));
+                                phi_512_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e239)), 32u, (_e239 == 0u))));
                             }
-                            let _e253 = phi_505_;
-                            phi_506_ = _e253;
+                            let _e253 = phi_512_;
+                            phi_513_ = _e253;
                         } else {
-                            phi_506_ = 0i;
+                            phi_513_ = 0i;
                         }
-                        let _e255 = phi_506_;
+                        let _e255 = phi_513_;
                         let _e256 = (_e165 == _e209);
                         if _e256 {
-                            phi_516_ = true;
+                            phi_523_ = true;
                         } else {
-                            phi_516_ = (_e173 == _e209);
+                            phi_523_ = (_e173 == _e209);
                         }
-                        let _e259 = phi_516_;
+                        let _e259 = phi_523_;
                         let _e260 = select(1u, 0u, _e256);
                         if _e259 {
                             let _e261 = (_e260 + 1u);
-                            phi_526_ = _e261;
-                            phi_527_ = _e261;
-                            phi_529_ = select(true, false, (_e261 == 2u));
+                            phi_533_ = _e261;
+                            phi_534_ = _e261;
+                            phi_536_ = select(true, false, (_e261 == 2u));
                         } else {
-                            phi_526_ = u32();
-                            phi_527_ = 0u;
-                            phi_529_ = true;
-                        }
-                        let _e265 = phi_526_;
-                        let _e267 = phi_527_;
-                        let _e269 = phi_529_;
-                        if _e269 {
-                            phi_534_ = (_e267 + 1u);
-                        } else {
+                            phi_533_ = u32();
                             phi_534_ = 0u;
+                            phi_536_ = true;
                         }
-                        let _e273 = phi_534_;
+                        let _e265 = phi_533_;
+                        let _e267 = phi_534_;
+                        let _e269 = phi_536_;
+                        if _e269 {
+                            phi_541_ = (_e267 + 1u);
+                        } else {
+                            phi_541_ = 0u;
+                        }
+                        let _e273 = phi_541_;
                         let _e274 = select(_e265, _e267, _e269);
                         let _e275 = select(_e260, select(2u, _e260, _e259), _e269);
                         let _e276 = -(_e255);
                         if (_e276 < -126i) {
-                            phi_567_ = -126i;
+                            phi_574_ = -126i;
                         } else {
-                            phi_567_ = select(_e276, 127i, (_e276 > 127i));
+                            phi_574_ = select(_e276, 127i, (_e276 > 127i));
                         }
-                        let _e281 = phi_567_;
+                        let _e281 = phi_574_;
                         let _e286 = bitcast<f32>((bitcast<u32>((_e281 + 127i)) << bitcast<u32>(23i)));
                         let _e292 = bitcast<f32>((bitcast<u32>(((_e276 - _e281) + 127i)) << bitcast<u32>(23i)));
                         let _e297 = global_4.member[_e136].member.member;
                         let _e298 = (_e274 == 0u);
                         if _e298 {
-                            phi_585_ = _e297[0];
+                            phi_592_ = _e297[0];
                         } else {
-                            phi_585_ = _e297[1];
+                            phi_592_ = _e297[1];
                         }
-                        let _e302 = phi_585_;
+                        let _e302 = phi_592_;
                         let _e303 = (_e274 == 2u);
                         if _e303 {
-                            phi_591_ = _e297[2];
+                            phi_598_ = _e297[2];
                         } else {
-                            phi_591_ = _e302;
+                            phi_598_ = _e302;
                         }
-                        let _e306 = phi_591_;
+                        let _e306 = phi_598_;
                         let _e307 = bitcast<u32>(_e306);
                         let _e309 = ((_e307 & 2139095040u) != 0u);
                         let _e321 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e307 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e307 & 2147483648u))), _e306, _e309) * select(0.00000011920929f, 1f, _e309));
                         let _e322 = global_4.member[_e136].member.member_2;
                         if _e298 {
-                            phi_631_ = _e322[0];
+                            phi_638_ = _e322[0];
                         } else {
-                            phi_631_ = _e322[1];
+                            phi_638_ = _e322[1];
                         }
-                        let _e326 = phi_631_;
+                        let _e326 = phi_638_;
                         if _e303 {
-                            phi_637_ = _e322[2];
+                            phi_644_ = _e322[2];
                         } else {
-                            phi_637_ = _e326;
+                            phi_644_ = _e326;
                         }
-                        let _e329 = phi_637_;
+                        let _e329 = phi_644_;
                         let _e330 = bitcast<u32>(_e329);
                         let _e332 = ((_e330 & 2139095040u) != 0u);
                         let _e346 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e330 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e330 & 2147483648u))), _e329, _e332) * _e286) * select(0.00000011920929f, 1f, _e332)) * _e292);
@@ -412,33 +398,33 @@ fn function_() {
                         let _e362 = select(38685626000000000000000000f, (1f / _e346), _e350);
                         let _e363 = (_e273 == 0u);
                         if _e363 {
-                            phi_710_ = _e297[0];
+                            phi_717_ = _e297[0];
                         } else {
-                            phi_710_ = _e297[1];
+                            phi_717_ = _e297[1];
                         }
-                        let _e367 = phi_710_;
+                        let _e367 = phi_717_;
                         let _e368 = (_e273 == 2u);
                         if _e368 {
-                            phi_716_ = _e297[2];
+                            phi_723_ = _e297[2];
                         } else {
-                            phi_716_ = _e367;
+                            phi_723_ = _e367;
                         }
-                        let _e371 = phi_716_;
+                        let _e371 = phi_723_;
                         let _e372 = bitcast<u32>(_e371);
                         let _e374 = ((_e372 & 2139095040u) != 0u);
                         let _e386 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e372 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e372 & 2147483648u))), _e371, _e374) * select(0.00000011920929f, 1f, _e374));
                         if _e363 {
-                            phi_756_ = _e322[0];
+                            phi_763_ = _e322[0];
                         } else {
-                            phi_756_ = _e322[1];
+                            phi_763_ = _e322[1];
                         }
-                        let _e390 = phi_756_;
+                        let _e390 = phi_763_;
                         if _e368 {
-                            phi_762_ = _e322[2];
+                            phi_769_ = _e322[2];
                         } else {
-                            phi_762_ = _e390;
+                            phi_769_ = _e390;
                         }
-                        let _e393 = phi_762_;
+                        let _e393 = phi_769_;
                         let _e394 = bitcast<u32>(_e393);
                         let _e396 = ((_e394 & 2139095040u) != 0u);
                         let _e410 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e394 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e394 & 2147483648u))), _e393, _e396) * _e286) * select(0.00000011920929f, 1f, _e396)) * _e292);
@@ -452,33 +438,33 @@ fn function_() {
                         let _e426 = select(38685626000000000000000000f, (1f / _e410), _e414);
                         let _e427 = (_e275 == 0u);
                         if _e427 {
-                            phi_835_ = _e297[0];
+                            phi_842_ = _e297[0];
                         } else {
-                            phi_835_ = _e297[1];
+                            phi_842_ = _e297[1];
                         }
-                        let _e431 = phi_835_;
+                        let _e431 = phi_842_;
                         let _e432 = (_e275 == 2u);
                         if _e432 {
-                            phi_841_ = _e297[2];
+                            phi_848_ = _e297[2];
                         } else {
-                            phi_841_ = _e431;
+                            phi_848_ = _e431;
                         }
-                        let _e435 = phi_841_;
+                        let _e435 = phi_848_;
                         let _e436 = bitcast<u32>(_e435);
                         let _e438 = ((_e436 & 2139095040u) != 0u);
                         let _e450 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e436 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e436 & 2147483648u))), _e435, _e438) * select(0.00000011920929f, 1f, _e438));
                         if _e427 {
-                            phi_881_ = _e322[0];
+                            phi_888_ = _e322[0];
                         } else {
-                            phi_881_ = _e322[1];
+                            phi_888_ = _e322[1];
                         }
-                        let _e454 = phi_881_;
+                        let _e454 = phi_888_;
                         if _e432 {
-                            phi_887_ = _e322[2];
+                            phi_894_ = _e322[2];
                         } else {
-                            phi_887_ = _e454;
+                            phi_894_ = _e454;
                         }
-                        let _e457 = phi_887_;
+                        let _e457 = phi_894_;
                         let _e458 = bitcast<u32>(_e457);
                         let _e460 = ((_e458 & 2139095040u) != 0u);
                         let _e474 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e458 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e458 & 2147483648u))), _e457, _e460) * _e286) * select(0.00000011920929f, 1f, _e460)) * _e292);
@@ -497,55 +483,55 @@ fn function_() {
                             let _e511 = (_e504 == 0u);
                             let _e514 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e504)), 32u, _e511)) - 8i);
                             if (_e507 == 255i) {
-                                phi_1006_ = 255i;
+                                phi_1013_ = 255i;
                             } else {
-                                phi_1006_ = (((_e507 + select(0i, 1i, (_e507 == 0i))) - _e514) + _e255);
+                                phi_1013_ = (((_e507 + select(0i, 1i, (_e507 == 0i))) - _e514) + _e255);
                             }
-                            let _e522 = phi_1006_;
+                            let _e522 = phi_1013_;
                             let _e532 = (_e522 <= 0i);
                             if _e532 {
-                                phi_1029_ = u32();
+                                phi_1036_ = u32();
                             } else {
                                 if _e511 {
-                                    phi_1028_ = u32();
+                                    phi_1035_ = u32();
                                 } else {
-                                    phi_1028_ = select(((bitcast<u32>(_e522) << bitcast<u32>(23i)) | ((_e504 << bitcast<u32>(((_e514 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e522 >= 255i));
+                                    phi_1035_ = select(((bitcast<u32>(_e522) << bitcast<u32>(23i)) | ((_e504 << bitcast<u32>(((_e514 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e522 >= 255i));
                                 }
-                                let _e536 = phi_1028_;
-                                phi_1029_ = _e536;
+                                let _e536 = phi_1035_;
+                                phi_1036_ = _e536;
                             }
-                            let _e538 = phi_1029_;
+                            let _e538 = phi_1036_;
                             let _e550 = ((_e232 & 8388607u) | (select(0u, 1u, ((_e232 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e553 = bitcast<i32>((_e232 >> bitcast<u32>(23i)));
                             let _e557 = (_e550 == 0u);
                             let _e560 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e550)), 32u, _e557)) - 8i);
                             if (_e553 == 255i) {
-                                phi_1066_ = 255i;
+                                phi_1073_ = 255i;
                             } else {
-                                phi_1066_ = (((_e553 + select(0i, 1i, (_e553 == 0i))) - _e560) + _e255);
+                                phi_1073_ = (((_e553 + select(0i, 1i, (_e553 == 0i))) - _e560) + _e255);
                             }
-                            let _e568 = phi_1066_;
+                            let _e568 = phi_1073_;
                             let _e578 = (_e568 <= 0i);
                             if _e578 {
-                                phi_1089_ = u32();
+                                phi_1096_ = u32();
                             } else {
                                 if _e557 {
-                                    phi_1088_ = u32();
+                                    phi_1095_ = u32();
                                 } else {
-                                    phi_1088_ = select(((bitcast<u32>(_e568) << bitcast<u32>(23i)) | ((_e550 << bitcast<u32>(((_e560 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e568 >= 255i));
+                                    phi_1095_ = select(((bitcast<u32>(_e568) << bitcast<u32>(23i)) | ((_e550 << bitcast<u32>(((_e560 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e568 >= 255i));
                                 }
-                                let _e582 = phi_1088_;
-                                phi_1089_ = _e582;
+                                let _e582 = phi_1095_;
+                                phi_1096_ = _e582;
                             }
-                            let _e584 = phi_1089_;
-                            phi_1097_ = bitcast<f32>(((_e231 & 2147483648u) | select(_e584, 0u, select(_e557, true, _e578))));
-                            phi_1098_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e538, 0u, select(_e511, true, _e532))));
+                            let _e584 = phi_1096_;
+                            phi_1104_ = bitcast<f32>(((_e231 & 2147483648u) | select(_e584, 0u, select(_e557, true, _e578))));
+                            phi_1105_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e538, 0u, select(_e511, true, _e532))));
                         } else {
-                            phi_1097_ = 0f;
-                            phi_1098_ = 1f;
+                            phi_1104_ = 0f;
+                            phi_1105_ = 1f;
                         }
-                        let _e590 = phi_1097_;
-                        let _e592 = phi_1098_;
+                        let _e590 = phi_1104_;
+                        let _e592 = phi_1105_;
                         if _e151 {
                         } else {
                             break;
@@ -559,1106 +545,1020 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e601 = (_e274 % 3u);
-                        let _e602 = (_e601 < 3u);
-                        if _e602 {
+                        let _e603 = (_e274 % 3u);
+                        let _e604 = (_e603 < 3u);
+                        if _e604 {
                         } else {
                             break;
                         }
-                        let _e604 = local_1[_e601];
-                        let _e607 = (_e273 % 3u);
-                        let _e608 = (_e607 < 3u);
-                        if _e608 {
+                        let _e606 = local_1[_e603];
+                        let _e609 = (_e273 % 3u);
+                        let _e610 = (_e609 < 3u);
+                        if _e610 {
                         } else {
                             break;
                         }
-                        let _e610 = local_1[_e607];
-                        let _e613 = (_e275 % 3u);
-                        let _e614 = (_e613 < 3u);
-                        if _e614 {
+                        let _e612 = local_1[_e609];
+                        let _e615 = (_e275 % 3u);
+                        let _e616 = (_e615 < 3u);
+                        if _e616 {
                         } else {
                             break;
                         }
-                        let _e616 = local_1[_e613];
-                        if _e602 {
+                        let _e618 = local_1[_e615];
+                        if _e604 {
                         } else {
                             break;
                         }
-                        let _e621 = local[_e601];
-                        if _e608 {
+                        let _e623 = local[_e603];
+                        if _e610 {
                         } else {
                             break;
                         }
-                        let _e625 = local[_e607];
-                        if _e614 {
+                        let _e627 = local[_e609];
+                        if _e616 {
                         } else {
                             break;
                         }
-                        let _e629 = local[_e613];
-                        phi_4217_ = false;
-                        phi_1203_ = type_43(type_39(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e590), 0u, 0u);
-                        phi_1206_ = ((3u * _e94) + 1u);
-                        phi_1208_ = (_e592 <= _e590);
-                        phi_1210_ = 0u;
-                        phi_1212_ = type_54(type_34(vec4<f32>((f32(_e604) * _e148), (f32(_e610) * _e148), (f32(_e616) * _e148), 0f), vec4<f32>((f32(_e621) * _e148), (f32(_e625) * _e148), (f32(_e629) * _e148), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                        let _e631 = local[_e615];
+                        phi_4143_ = false;
+                        phi_1210_ = type_43(type_39(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e590), 0u, 0u);
+                        phi_1213_ = (_e592 <= _e590);
+                        phi_1215_ = type_54(type_34(vec4<f32>((f32(_e606) * _e148), (f32(_e612) * _e148), (f32(_e618) * _e148), 0f), vec4<f32>((f32(_e623) * _e148), (f32(_e627) * _e148), (f32(_e631) * _e148), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                        phi_1217_ = 0u;
+                        phi_1219_ = ((3u * _e94) + 1u);
                         loop {
-                            let _e639 = phi_4217_;
-                            let _e641 = phi_1203_;
-                            let _e643 = phi_1206_;
-                            let _e645 = phi_1208_;
-                            let _e647 = phi_1210_;
-                            let _e649 = phi_1212_;
-                            local_10 = _e641;
+                            let _e639 = phi_4143_;
+                            let _e641 = phi_1210_;
+                            let _e643 = phi_1213_;
+                            let _e645 = phi_1215_;
+                            let _e647 = phi_1217_;
+                            let _e649 = phi_1219_;
                             local_11 = _e641;
-                            if _e645 {
-                                phi_1223_ = true;
+                            local_12 = _e641;
+                            if _e643 {
+                                phi_1230_ = true;
                             } else {
-                                phi_1223_ = (_e647 > 0u);
+                                phi_1230_ = (_e647 > 0u);
                             }
-                            let _e652 = phi_1223_;
+                            let _e652 = phi_1230_;
                             if _e652 {
-                                let _e653 = (_e643 > 0u);
+                                let _e653 = (_e649 > 0u);
                                 if _e653 {
-                                    if _e645 {
-                                        phi_1309_ = _e645;
-                                        phi_1310_ = _e647;
-                                        phi_1311_ = _e649;
+                                    if _e643 {
+                                        phi_1316_ = _e643;
+                                        phi_1317_ = _e645;
+                                        phi_1318_ = _e647;
                                     } else {
                                         let _e654 = (_e647 - 1u);
                                         let _e655 = (_e654 % 128u);
                                         let _e656 = (_e655 < 128u);
                                         if _e656 {
                                         } else {
-                                            phi_4376_ = true;
+                                            phi_4290_ = true;
                                             break;
                                         }
                                         let _e658 = local_7[_e655];
                                         if _e656 {
                                         } else {
-                                            phi_4376_ = true;
+                                            phi_4290_ = true;
                                             break;
                                         }
                                         let _e660 = local_6[_e655];
                                         if _e656 {
                                         } else {
-                                            phi_4376_ = true;
+                                            phi_4290_ = true;
                                             break;
                                         }
                                         let _e662 = local_5[_e655];
                                         if _e656 {
                                         } else {
-                                            phi_4376_ = true;
+                                            phi_4290_ = true;
                                             break;
                                         }
                                         let _e664 = local_4[_e655];
                                         if _e656 {
                                         } else {
-                                            phi_4376_ = true;
+                                            phi_4290_ = true;
                                             break;
                                         }
                                         let _e666 = local_3[_e655];
                                         if _e656 {
                                         } else {
-                                            phi_4376_ = true;
+                                            phi_4290_ = true;
                                             break;
                                         }
                                         let _e668 = local_2[_e655];
                                         if _e656 {
                                         } else {
-                                            phi_4376_ = true;
+                                            phi_4290_ = true;
                                             break;
                                         }
                                         let _e673 = local_8[_e655];
                                         if _e656 {
                                         } else {
-                                            phi_4376_ = true;
+                                            phi_4290_ = true;
                                             break;
                                         }
                                         let _e676 = local_9[_e655];
-                                        phi_1309_ = (_e676 <= _e641.member.member_1);
-                                        phi_1310_ = _e654;
-                                        phi_1311_ = type_54(type_34(vec4<f32>(_e658, _e660, _e662, 0f), vec4<f32>(_e664, _e666, _e668, 0f)), _e673);
+                                        phi_1316_ = (_e676 <= _e641.member.member_1);
+                                        phi_1317_ = type_54(type_34(vec4<f32>(_e658, _e660, _e662, 0f), vec4<f32>(_e664, _e666, _e668, 0f)), _e673);
+                                        phi_1318_ = _e654;
                                     }
-                                    let _e681 = phi_1309_;
-                                    let _e683 = phi_1310_;
-                                    let _e685 = phi_1311_;
+                                    let _e681 = phi_1316_;
+                                    let _e683 = phi_1317_;
+                                    let _e685 = phi_1318_;
                                     if _e681 {
-                                        let _e689 = ((_e685.member_1 & 2147483648u) != 0u);
-                                        if _e689 {
-                                            phi_1329_ = _e641;
-                                            phi_1332_ = type_7(0u, ((_e685.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        if ((_e683.member_1 & 2147483648u) != 0u) {
+                                            phi_1336_ = _e641;
+                                            phi_1339_ = type_7(0u, ((_e683.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e696 = phi_1329_;
-                                                let _e698 = phi_1332_;
-                                                local_12 = _e696;
-                                                if (_e698.member < _e698.member_1) {
-                                                    phi_1333_ = type_7((_e698.member + 1u), _e698.member_1);
-                                                    phi_1355_ = type_7(1u, _e698.member);
+                                                let _e1159 = phi_1336_;
+                                                let _e1161 = phi_1339_;
+                                                local_10 = _e1159;
+                                                local_13 = _e1159;
+                                                if (_e1161.member < _e1161.member_1) {
+                                                    phi_1340_ = type_7((_e1161.member + 1u), _e1161.member_1);
+                                                    phi_1362_ = type_7(1u, _e1161.member);
                                                 } else {
-                                                    phi_1333_ = _e698;
-                                                    phi_1355_ = type_7(0u, type_7().member_1);
+                                                    phi_1340_ = _e1161;
+                                                    phi_1362_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e711 = phi_1333_;
-                                                let _e713 = phi_1355_;
-                                                let _e717 = (bitcast<i32>(_e713.member) != 0i);
-                                                if _e717 {
-                                                    let _e723 = type_43(_e696.member, _e696.member_1, (_e696.member_2 + 1u));
-                                                    let _e724 = ((_e685.member_1 & 268435455u) + _e713.member_1);
-                                                    let _e725 = (_e724 < _e96);
-                                                    if _e725 {
-                                                        if _e725 {
+                                                let _e1174 = phi_1340_;
+                                                let _e1176 = phi_1362_;
+                                                let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
+                                                if _e1180 {
+                                                    let _e1186 = type_43(_e1159.member, _e1159.member_1, (_e1159.member_2 + 1u));
+                                                    let _e1187 = ((_e683.member_1 & 268435455u) + _e1176.member_1);
+                                                    let _e1188 = (_e1187 < _e96);
+                                                    if _e1188 {
+                                                        if _e1188 {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e729 = global_1.member[_e724].member_1;
-                                                        phi_1379_ = _e729;
+                                                        let _e1192 = global_1.member[_e1187].member_1;
+                                                        phi_1386_ = _e1192;
                                                     } else {
-                                                        phi_1379_ = 4294967295u;
+                                                        phi_1386_ = 4294967295u;
                                                     }
-                                                    let _e731 = phi_1379_;
-                                                    if (_e724 >= _e96) {
-                                                        phi_1471_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e1194 = phi_1386_;
+                                                    if (_e1187 >= _e96) {
+                                                        phi_1478_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e725 {
+                                                        if _e1188 {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        if (_e601 < 9u) {
+                                                        if (_e603 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e738 = global_1.member[_e724].member[_e601];
-                                                        if (_e607 < 9u) {
+                                                        let _e1201 = global_1.member[_e1187].member[_e603];
+                                                        if (_e609 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e744 = global_1.member[_e724].member[_e607];
-                                                        if (_e613 < 9u) {
+                                                        let _e1207 = global_1.member[_e1187].member[_e609];
+                                                        if (_e615 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e750 = global_1.member[_e724].member[_e613];
-                                                        let _e752 = (3u + _e601);
-                                                        if (_e752 < 9u) {
+                                                        let _e1213 = global_1.member[_e1187].member[_e615];
+                                                        let _e1215 = (3u + _e603);
+                                                        if (_e1215 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e758 = global_1.member[_e724].member[_e752];
-                                                        let _e759 = (3u + _e607);
-                                                        if (_e759 < 9u) {
+                                                        let _e1221 = global_1.member[_e1187].member[_e1215];
+                                                        let _e1222 = (3u + _e609);
+                                                        if (_e1222 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e765 = global_1.member[_e724].member[_e759];
-                                                        let _e766 = (3u + _e613);
-                                                        if (_e766 < 9u) {
+                                                        let _e1228 = global_1.member[_e1187].member[_e1222];
+                                                        let _e1229 = (3u + _e615);
+                                                        if (_e1229 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e772 = global_1.member[_e724].member[_e766];
-                                                        let _e774 = (6u + _e601);
-                                                        if (_e774 < 9u) {
+                                                        let _e1235 = global_1.member[_e1187].member[_e1229];
+                                                        let _e1237 = (6u + _e603);
+                                                        if (_e1237 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e780 = global_1.member[_e724].member[_e774];
-                                                        let _e781 = (6u + _e607);
-                                                        if (_e781 < 9u) {
+                                                        let _e1243 = global_1.member[_e1187].member[_e1237];
+                                                        let _e1244 = (6u + _e609);
+                                                        if (_e1244 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e787 = global_1.member[_e724].member[_e781];
-                                                        let _e788 = (6u + _e613);
-                                                        if (_e788 < 9u) {
+                                                        let _e1250 = global_1.member[_e1187].member[_e1244];
+                                                        let _e1251 = (6u + _e615);
+                                                        if (_e1251 < 9u) {
                                                         } else {
-                                                            phi_4211_ = true;
+                                                            phi_4137_ = true;
                                                             break;
                                                         }
-                                                        let _e794 = global_1.member[_e724].member[_e788];
-                                                        phi_1471_ = array<array<f32, 3>, 3>(array<f32, 3>(_e738, _e744, _e750), array<f32, 3>(_e758, _e765, _e772), array<f32, 3>(_e780, _e787, _e794));
+                                                        let _e1257 = global_1.member[_e1187].member[_e1251];
+                                                        phi_1478_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1201, _e1207, _e1213), array<f32, 3>(_e1221, _e1228, _e1235), array<f32, 3>(_e1243, _e1250, _e1257));
                                                     }
-                                                    let _e798 = phi_1471_;
-                                                    let _e815 = (_e798[0][2] - _e450);
-                                                    let _e818 = (((_e798[0][0] - _e321) * _e486) - (_e815 * _e358));
-                                                    let _e821 = (((_e798[0][1] - _e386) * _e486) - (_e815 * _e422));
-                                                    let _e824 = (_e798[1][2] - _e450);
-                                                    let _e827 = (((_e798[1][0] - _e321) * _e486) - (_e824 * _e358));
-                                                    let _e830 = (((_e798[1][1] - _e386) * _e486) - (_e824 * _e422));
-                                                    let _e833 = (_e798[2][2] - _e450);
-                                                    let _e836 = (((_e798[2][0] - _e321) * _e486) - (_e833 * _e358));
-                                                    let _e839 = (((_e798[2][1] - _e386) * _e486) - (_e833 * _e422));
-                                                    let _e840 = (_e836 * _e830);
-                                                    let _e841 = (_e839 * _e827);
-                                                    let _e842 = (_e818 * _e839);
-                                                    let _e843 = (_e821 * _e836);
-                                                    let _e844 = (_e827 * _e821);
-                                                    let _e845 = (_e830 * _e818);
-                                                    let _e850 = (((_e840 >= _e841) && (_e842 >= _e843)) && (_e844 >= _e845));
-                                                    let _e856 = (_e850 || (((_e840 <= _e841) && (_e842 <= _e843)) && (_e844 <= _e845)));
-                                                    if _e856 {
-                                                        let _e858 = select(-1f, 1f, _e850);
-                                                        let _e860 = ((_e840 - _e841) * _e858);
-                                                        let _e862 = select(0f, _e860, (_e860 > 0f));
-                                                        let _e864 = ((_e842 - _e843) * _e858);
-                                                        let _e866 = select(0f, _e864, (_e864 > 0f));
-                                                        let _e868 = ((_e844 - _e845) * _e858);
-                                                        let _e870 = select(0f, _e868, (_e868 > 0f));
-                                                        let _e872 = ((_e862 + _e866) + _e870);
-                                                        let _e874 = select(_e798[1][0], _e798[0][0], (_e798[0][0] < _e798[1][0]));
-                                                        let _e878 = select(_e798[1][0], _e798[0][0], (_e798[0][0] > _e798[1][0]));
-                                                        let _e882 = select(_e798[1][1], _e798[0][1], (_e798[0][1] < _e798[1][1]));
-                                                        let _e886 = select(_e798[1][1], _e798[0][1], (_e798[0][1] > _e798[1][1]));
-                                                        let _e890 = select(_e798[1][2], _e798[0][2], (_e798[0][2] < _e798[1][2]));
-                                                        let _e894 = select(_e798[1][2], _e798[0][2], (_e798[0][2] > _e798[1][2]));
-                                                        let _e899 = ((select(_e798[2][0], _e874, (_e874 < _e798[2][0])) - _e359) * _e362);
-                                                        let _e900 = ((select(_e798[2][0], _e878, (_e878 > _e798[2][0])) - _e360) * _e362);
-                                                        let _e903 = ((select(_e798[2][1], _e882, (_e882 < _e798[2][1])) - _e423) * _e426);
-                                                        let _e904 = ((select(_e798[2][1], _e886, (_e886 > _e798[2][1])) - _e424) * _e426);
-                                                        let _e907 = ((select(_e798[2][2], _e890, (_e890 < _e798[2][2])) - _e487) * _e490);
-                                                        let _e908 = ((select(_e798[2][2], _e894, (_e894 > _e798[2][2])) - _e488) * _e490);
-                                                        let _e910 = select(_e908, _e907, (_e907 < _e908));
-                                                        let _e912 = select(_e908, _e907, (_e907 > _e908));
-                                                        let _e914 = select(_e900, _e899, (_e899 < _e900));
-                                                        let _e916 = select(_e904, _e903, (_e903 < _e904));
-                                                        let _e918 = select(_e916, _e914, (_e914 > _e916));
-                                                        let _e920 = select(_e910, _e918, (_e918 > _e910));
-                                                        let _e922 = select(_e900, _e899, (_e899 > _e900));
-                                                        let _e924 = select(_e904, _e903, (_e903 > _e904));
-                                                        let _e926 = select(_e924, _e922, (_e922 < _e924));
-                                                        let _e928 = select(_e912, _e926, (_e926 < _e912));
-                                                        let _e929 = -(_e910);
-                                                        let _e935 = select(_e592, _e920, (_e920 > _e592));
-                                                        let _e939 = select(_e827, _e818, (_e818 < _e827));
-                                                        let _e944 = select(_e827, _e818, (_e818 > _e827));
-                                                        let _e951 = select(_e830, _e821, (_e821 < _e830));
-                                                        let _e956 = select(_e830, _e821, (_e821 > _e830));
-                                                        let _e965 = (((((_e856 && (_e872 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e836, _e939, (_e939 < _e836)) <= 0f) && (select(_e836, _e944, (_e944 > _e836)) >= 0f))) && ((select(_e839, _e951, (_e951 < _e839)) <= 0f) && (select(_e839, _e956, (_e956 > _e839)) >= 0f))) && (_e935 <= (_e928 + (select(_e929, _e912, (_e912 > _e929)) * 0.0000019073523f)))) && (_e935 <= _e696.member.member_1));
-                                                        if _e965 {
-                                                            let _e970 = (_e798[1][0] - _e798[0][0]);
-                                                            let _e971 = (_e798[1][1] - _e798[0][1]);
-                                                            let _e972 = (_e798[1][2] - _e798[0][2]);
-                                                            let _e973 = vec3<f32>(_e970, _e971, _e972);
-                                                            let _e974 = (_e798[2][0] - _e798[1][0]);
-                                                            let _e975 = (_e798[2][1] - _e798[1][1]);
-                                                            let _e976 = (_e798[2][2] - _e798[1][2]);
-                                                            let _e977 = vec3<f32>(_e974, _e975, _e976);
-                                                            let _e978 = (_e798[0][0] - _e798[2][0]);
-                                                            let _e979 = (_e798[0][1] - _e798[2][1]);
-                                                            let _e980 = (_e798[0][2] - _e798[2][2]);
-                                                            let _e981 = vec3<f32>(_e978, _e979, _e980);
-                                                            let _e982 = abs(_e970);
-                                                            let _e983 = abs(_e971);
-                                                            if (_e982 != _e982) {
-                                                                phi_3778_ = true;
+                                                    let _e1261 = phi_1478_;
+                                                    let _e1278 = (_e1261[0][2] - _e450);
+                                                    let _e1281 = (((_e1261[0][0] - _e321) * _e486) - (_e1278 * _e358));
+                                                    let _e1284 = (((_e1261[0][1] - _e386) * _e486) - (_e1278 * _e422));
+                                                    let _e1287 = (_e1261[1][2] - _e450);
+                                                    let _e1290 = (((_e1261[1][0] - _e321) * _e486) - (_e1287 * _e358));
+                                                    let _e1293 = (((_e1261[1][1] - _e386) * _e486) - (_e1287 * _e422));
+                                                    let _e1296 = (_e1261[2][2] - _e450);
+                                                    let _e1299 = (((_e1261[2][0] - _e321) * _e486) - (_e1296 * _e358));
+                                                    let _e1302 = (((_e1261[2][1] - _e386) * _e486) - (_e1296 * _e422));
+                                                    let _e1303 = (_e1299 * _e1293);
+                                                    let _e1304 = (_e1302 * _e1290);
+                                                    let _e1305 = (_e1281 * _e1302);
+                                                    let _e1306 = (_e1284 * _e1299);
+                                                    let _e1307 = (_e1290 * _e1284);
+                                                    let _e1308 = (_e1293 * _e1281);
+                                                    let _e1313 = (((_e1303 >= _e1304) && (_e1305 >= _e1306)) && (_e1307 >= _e1308));
+                                                    let _e1319 = (_e1313 || (((_e1303 <= _e1304) && (_e1305 <= _e1306)) && (_e1307 <= _e1308)));
+                                                    if _e1319 {
+                                                        let _e1321 = select(-1f, 1f, _e1313);
+                                                        let _e1323 = ((_e1303 - _e1304) * _e1321);
+                                                        let _e1325 = select(0f, _e1323, (_e1323 > 0f));
+                                                        let _e1327 = ((_e1305 - _e1306) * _e1321);
+                                                        let _e1329 = select(0f, _e1327, (_e1327 > 0f));
+                                                        let _e1331 = ((_e1307 - _e1308) * _e1321);
+                                                        let _e1333 = select(0f, _e1331, (_e1331 > 0f));
+                                                        let _e1335 = ((_e1325 + _e1329) + _e1333);
+                                                        let _e1337 = select(_e1261[1][0], _e1261[0][0], (_e1261[0][0] < _e1261[1][0]));
+                                                        let _e1341 = select(_e1261[1][0], _e1261[0][0], (_e1261[0][0] > _e1261[1][0]));
+                                                        let _e1345 = select(_e1261[1][1], _e1261[0][1], (_e1261[0][1] < _e1261[1][1]));
+                                                        let _e1349 = select(_e1261[1][1], _e1261[0][1], (_e1261[0][1] > _e1261[1][1]));
+                                                        let _e1353 = select(_e1261[1][2], _e1261[0][2], (_e1261[0][2] < _e1261[1][2]));
+                                                        let _e1357 = select(_e1261[1][2], _e1261[0][2], (_e1261[0][2] > _e1261[1][2]));
+                                                        let _e1362 = ((select(_e1261[2][0], _e1337, (_e1337 < _e1261[2][0])) - _e359) * _e362);
+                                                        let _e1363 = ((select(_e1261[2][0], _e1341, (_e1341 > _e1261[2][0])) - _e360) * _e362);
+                                                        let _e1366 = ((select(_e1261[2][1], _e1345, (_e1345 < _e1261[2][1])) - _e423) * _e426);
+                                                        let _e1367 = ((select(_e1261[2][1], _e1349, (_e1349 > _e1261[2][1])) - _e424) * _e426);
+                                                        let _e1370 = ((select(_e1261[2][2], _e1353, (_e1353 < _e1261[2][2])) - _e487) * _e490);
+                                                        let _e1371 = ((select(_e1261[2][2], _e1357, (_e1357 > _e1261[2][2])) - _e488) * _e490);
+                                                        let _e1373 = select(_e1371, _e1370, (_e1370 < _e1371));
+                                                        let _e1375 = select(_e1371, _e1370, (_e1370 > _e1371));
+                                                        let _e1377 = select(_e1363, _e1362, (_e1362 < _e1363));
+                                                        let _e1379 = select(_e1367, _e1366, (_e1366 < _e1367));
+                                                        let _e1381 = select(_e1379, _e1377, (_e1377 > _e1379));
+                                                        let _e1383 = select(_e1373, _e1381, (_e1381 > _e1373));
+                                                        let _e1385 = select(_e1363, _e1362, (_e1362 > _e1363));
+                                                        let _e1387 = select(_e1367, _e1366, (_e1366 > _e1367));
+                                                        let _e1389 = select(_e1387, _e1385, (_e1385 < _e1387));
+                                                        let _e1391 = select(_e1375, _e1389, (_e1389 < _e1375));
+                                                        let _e1392 = -(_e1373);
+                                                        let _e1398 = select(_e592, _e1383, (_e1383 > _e592));
+                                                        let _e1402 = select(_e1290, _e1281, (_e1281 < _e1290));
+                                                        let _e1407 = select(_e1290, _e1281, (_e1281 > _e1290));
+                                                        let _e1414 = select(_e1293, _e1284, (_e1284 < _e1293));
+                                                        let _e1419 = select(_e1293, _e1284, (_e1284 > _e1293));
+                                                        let _e1428 = (((((_e1319 && (_e1335 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1299, _e1402, (_e1402 < _e1299)) <= 0f) && (select(_e1299, _e1407, (_e1407 > _e1299)) >= 0f))) && ((select(_e1302, _e1414, (_e1414 < _e1302)) <= 0f) && (select(_e1302, _e1419, (_e1419 > _e1302)) >= 0f))) && (_e1398 <= (_e1391 + (select(_e1392, _e1375, (_e1375 > _e1392)) * 0.0000019073523f)))) && (_e1398 <= _e1159.member.member_1));
+                                                        if _e1428 {
+                                                            let _e1433 = (_e1261[1][0] - _e1261[0][0]);
+                                                            let _e1434 = (_e1261[1][1] - _e1261[0][1]);
+                                                            let _e1435 = (_e1261[1][2] - _e1261[0][2]);
+                                                            let _e1436 = vec3<f32>(_e1433, _e1434, _e1435);
+                                                            let _e1437 = (_e1261[2][0] - _e1261[1][0]);
+                                                            let _e1438 = (_e1261[2][1] - _e1261[1][1]);
+                                                            let _e1439 = (_e1261[2][2] - _e1261[1][2]);
+                                                            let _e1440 = vec3<f32>(_e1437, _e1438, _e1439);
+                                                            let _e1441 = (_e1261[0][0] - _e1261[2][0]);
+                                                            let _e1442 = (_e1261[0][1] - _e1261[2][1]);
+                                                            let _e1443 = (_e1261[0][2] - _e1261[2][2]);
+                                                            let _e1444 = vec3<f32>(_e1441, _e1442, _e1443);
+                                                            let _e1447 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                            let _e1450 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
+                                                            let _e1452 = select(_e1450, _e1447, (_e1447 > _e1450));
+                                                            let _e1455 = bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u));
+                                                            let _e1457 = select(_e1455, _e1452, (_e1452 > _e1455));
+                                                            let _e1460 = bitcast<f32>((bitcast<u32>(_e1437) & 2147483647u));
+                                                            let _e1463 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
+                                                            let _e1465 = select(_e1463, _e1460, (_e1460 > _e1463));
+                                                            let _e1468 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
+                                                            let _e1470 = select(_e1468, _e1465, (_e1465 > _e1468));
+                                                            let _e1473 = bitcast<f32>((bitcast<u32>(_e1441) & 2147483647u));
+                                                            let _e1476 = bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u));
+                                                            let _e1478 = select(_e1476, _e1473, (_e1473 > _e1476));
+                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u));
+                                                            let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
+                                                            let _e1485 = select(_e1470, _e1457, (_e1457 > _e1470));
+                                                            let _e1487 = select(_e1483, _e1485, (_e1485 > _e1483));
+                                                            if (_e1457 == _e1487) {
+                                                                phi_2008_ = _e1293;
+                                                                phi_2009_ = _e1290;
+                                                                phi_2010_ = _e1284;
+                                                                phi_2011_ = _e1281;
+                                                                phi_2012_ = vec3<f32>(_e1261[0][0], _e1261[0][1], _e1261[0][2]);
+                                                                phi_2013_ = _e1444;
+                                                                phi_2014_ = _e1440;
+                                                                phi_2015_ = _e1436;
                                                             } else {
-                                                                phi_3778_ = (_e983 >= _e982);
+                                                                let _e1489 = (_e1470 == _e1487);
+                                                                let _e1494 = vec3(_e1489);
+                                                                phi_2008_ = select(_e1284, _e1302, _e1489);
+                                                                phi_2009_ = select(_e1281, _e1299, _e1489);
+                                                                phi_2010_ = select(_e1302, _e1293, _e1489);
+                                                                phi_2011_ = select(_e1299, _e1290, _e1489);
+                                                                phi_2012_ = select(vec3<f32>(_e1261[2][0], _e1261[2][1], _e1261[2][2]), vec3<f32>(_e1261[1][0], _e1261[1][1], _e1261[1][2]), _e1494);
+                                                                phi_2013_ = select(_e1440, _e1436, _e1494);
+                                                                phi_2014_ = select(_e1436, _e1444, _e1494);
+                                                                phi_2015_ = select(_e1444, _e1440, _e1494);
                                                             }
-                                                            let _e987 = phi_3778_;
-                                                            let _e988 = select(_e982, _e983, _e987);
-                                                            let _e989 = abs(_e972);
-                                                            if (_e988 != _e988) {
-                                                                phi_3793_ = true;
+                                                            let _e1500 = phi_2008_;
+                                                            let _e1502 = phi_2009_;
+                                                            let _e1504 = phi_2010_;
+                                                            let _e1506 = phi_2011_;
+                                                            let _e1508 = phi_2012_;
+                                                            let _e1510 = phi_2013_;
+                                                            let _e1512 = phi_2014_;
+                                                            let _e1514 = phi_2015_;
+                                                            let _e1521 = ((_e1512.y * _e1510.z) - (_e1510.y * _e1512.z));
+                                                            let _e1526 = ((_e1512.z * _e1510.x) - (_e1510.z * _e1512.x));
+                                                            let _e1529 = ((_e1512.x * _e1510.y) - (_e1510.x * _e1512.y));
+                                                            let _e1532 = ((_e1325 >= _e1329) && (_e1325 >= _e1333));
+                                                            let _e1533 = (_e1329 >= _e1333);
+                                                            let _e1547 = (((_e1521 * (select(select(_e1261[2][0], _e1261[1][0], _e1533), _e1261[0][0], _e1532) - _e321)) + (_e1526 * (select(select(_e1261[2][1], _e1261[1][1], _e1533), _e1261[0][1], _e1532) - _e386))) + (_e1529 * (select(select(_e1261[2][2], _e1261[1][2], _e1533), _e1261[0][2], _e1532) - _e450)));
+                                                            let _e1552 = (((_e1521 * _e358) + (_e1526 * _e422)) + (_e1529 * _e486));
+                                                            let _e1553 = (_e1502 - _e1506);
+                                                            let _e1554 = (_e1500 - _e1504);
+                                                            let _e1557 = ((_e1553 * _e1553) + (_e1554 * _e1554));
+                                                            let _e1564 = (-(((_e1506 * _e1553) + (_e1504 * _e1554))) / select(0.000000000000000000000000000000000000011754944f, _e1557, (_e1557 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1566 = select(1f, _e1564, (_e1564 < 1f));
+                                                            let _e1568 = select(0f, _e1566, (_e1566 > 0f));
+                                                            let _e1577 = ((_e1508.x + (_e1514.x * _e1568)) - _e321);
+                                                            let _e1580 = ((_e1508.y + (_e1514.y * _e1568)) - _e386);
+                                                            let _e1583 = ((_e1508.z + (_e1514.z * _e1568)) - _e450);
+                                                            let _e1586 = bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u));
+                                                            let _e1589 = bitcast<f32>((bitcast<u32>(_e1580) & 2147483647u));
+                                                            let _e1591 = select(_e1589, _e1586, (_e1586 > _e1589));
+                                                            let _e1594 = bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u));
+                                                            let _e1596 = select(_e1594, _e1591, (_e1591 > _e1594));
+                                                            let _e1602 = bitcast<f32>((bitcast<u32>(_e1521) & 2147483647u));
+                                                            let _e1605 = bitcast<f32>((bitcast<u32>(_e1526) & 2147483647u));
+                                                            let _e1607 = select(_e1605, _e1602, (_e1602 > _e1605));
+                                                            let _e1610 = bitcast<f32>((bitcast<u32>(_e1529) & 2147483647u));
+                                                            let _e1629 = bitcast<f32>((bitcast<u32>(_e1512.x) & 2147483647u));
+                                                            let _e1632 = bitcast<f32>((bitcast<u32>(_e1512.y) & 2147483647u));
+                                                            let _e1634 = select(_e1632, _e1629, (_e1629 > _e1632));
+                                                            let _e1637 = bitcast<f32>((bitcast<u32>(_e1512.z) & 2147483647u));
+                                                            let _e1643 = bitcast<f32>((bitcast<u32>(_e1510.x) & 2147483647u));
+                                                            let _e1646 = bitcast<f32>((bitcast<u32>(_e1510.y) & 2147483647u));
+                                                            let _e1648 = select(_e1646, _e1643, (_e1643 > _e1646));
+                                                            let _e1651 = bitcast<f32>((bitcast<u32>(_e1510.z) & 2147483647u));
+                                                            let _e1657 = ((bitcast<f32>((bitcast<u32>(((((_e1521 * _e1577) + (_e1526 * _e1580)) + (_e1529 * _e1583)) - _e1547)) & 2147483647u)) <= ((0.0000009536743f * select(_e1487, _e1596, (_e1596 > _e1487))) * select(_e1610, _e1607, (_e1607 > _e1610)))) && !((bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) <= ((0.0000038146973f * select(_e1637, _e1634, (_e1634 > _e1637))) * select(_e1651, _e1648, (_e1648 > _e1651))))));
+                                                            let _e1658 = (_e1547 / _e1552);
+                                                            if (_e1428 && !(_e1657)) {
+                                                                let _e1661 = (_e1583 / _e486);
+                                                                let _e1669 = (((_e1521 * (_e1577 - (_e358 * _e1661))) + (_e1526 * (_e1580 - (_e422 * _e1661)))) / _e1552);
+                                                                phi_2206_ = select(select(_e1661, (_e1661 + _e1669), (bitcast<f32>((bitcast<u32>(_e1669) & 2147483647u)) <= _e1487)), _e1658, _e1657);
                                                             } else {
-                                                                phi_3793_ = (_e989 >= _e988);
+                                                                phi_2206_ = _e1658;
                                                             }
-                                                            let _e993 = phi_3793_;
-                                                            let _e994 = select(_e988, _e989, _e993);
-                                                            let _e995 = abs(_e974);
-                                                            let _e996 = abs(_e975);
-                                                            if (_e995 != _e995) {
-                                                                phi_3808_ = true;
-                                                            } else {
-                                                                phi_3808_ = (_e996 >= _e995);
-                                                            }
-                                                            let _e1000 = phi_3808_;
-                                                            let _e1001 = select(_e995, _e996, _e1000);
-                                                            let _e1002 = abs(_e976);
-                                                            if (_e1001 != _e1001) {
-                                                                phi_3823_ = true;
-                                                            } else {
-                                                                phi_3823_ = (_e1002 >= _e1001);
-                                                            }
-                                                            let _e1006 = phi_3823_;
-                                                            let _e1007 = select(_e1001, _e1002, _e1006);
-                                                            let _e1008 = abs(_e978);
-                                                            let _e1009 = abs(_e979);
-                                                            if (_e1008 != _e1008) {
-                                                                phi_3838_ = true;
-                                                            } else {
-                                                                phi_3838_ = (_e1009 >= _e1008);
-                                                            }
-                                                            let _e1013 = phi_3838_;
-                                                            let _e1014 = select(_e1008, _e1009, _e1013);
-                                                            let _e1015 = abs(_e980);
-                                                            if (_e1014 != _e1014) {
-                                                                phi_3853_ = true;
-                                                            } else {
-                                                                phi_3853_ = (_e1015 >= _e1014);
-                                                            }
-                                                            let _e1019 = phi_3853_;
-                                                            let _e1020 = select(_e1014, _e1015, _e1019);
-                                                            let _e1022 = select(_e1007, _e994, (_e994 > _e1007));
-                                                            let _e1024 = select(_e1020, _e1022, (_e1022 > _e1020));
-                                                            if (_e994 == _e1024) {
-                                                                phi_2013_ = _e830;
-                                                                phi_2014_ = _e827;
-                                                                phi_2015_ = _e821;
-                                                                phi_2016_ = _e818;
-                                                                phi_2017_ = vec3<f32>(_e798[0][0], _e798[0][1], _e798[0][2]);
-                                                                phi_2018_ = _e981;
-                                                                phi_2019_ = _e977;
-                                                                phi_2020_ = _e973;
-                                                            } else {
-                                                                let _e1026 = (_e1007 == _e1024);
-                                                                let _e1031 = vec3(_e1026);
-                                                                phi_2013_ = select(_e821, _e839, _e1026);
-                                                                phi_2014_ = select(_e818, _e836, _e1026);
-                                                                phi_2015_ = select(_e839, _e830, _e1026);
-                                                                phi_2016_ = select(_e836, _e827, _e1026);
-                                                                phi_2017_ = select(vec3<f32>(_e798[2][0], _e798[2][1], _e798[2][2]), vec3<f32>(_e798[1][0], _e798[1][1], _e798[1][2]), _e1031);
-                                                                phi_2018_ = select(_e977, _e973, _e1031);
-                                                                phi_2019_ = select(_e973, _e981, _e1031);
-                                                                phi_2020_ = select(_e981, _e977, _e1031);
-                                                            }
-                                                            let _e1037 = phi_2013_;
-                                                            let _e1039 = phi_2014_;
-                                                            let _e1041 = phi_2015_;
-                                                            let _e1043 = phi_2016_;
-                                                            let _e1045 = phi_2017_;
-                                                            let _e1047 = phi_2018_;
-                                                            let _e1049 = phi_2019_;
-                                                            let _e1051 = phi_2020_;
-                                                            let _e1058 = ((_e1049.y * _e1047.z) - (_e1047.y * _e1049.z));
-                                                            let _e1063 = ((_e1049.z * _e1047.x) - (_e1047.z * _e1049.x));
-                                                            let _e1066 = ((_e1049.x * _e1047.y) - (_e1047.x * _e1049.y));
-                                                            let _e1069 = ((_e862 >= _e866) && (_e862 >= _e870));
-                                                            let _e1070 = (_e866 >= _e870);
-                                                            let _e1084 = (((_e1058 * (select(select(_e798[2][0], _e798[1][0], _e1070), _e798[0][0], _e1069) - _e321)) + (_e1063 * (select(select(_e798[2][1], _e798[1][1], _e1070), _e798[0][1], _e1069) - _e386))) + (_e1066 * (select(select(_e798[2][2], _e798[1][2], _e1070), _e798[0][2], _e1069) - _e450)));
-                                                            let _e1089 = (((_e1058 * _e358) + (_e1063 * _e422)) + (_e1066 * _e486));
-                                                            let _e1090 = (_e1039 - _e1043);
-                                                            let _e1091 = (_e1037 - _e1041);
-                                                            let _e1094 = ((_e1090 * _e1090) + (_e1091 * _e1091));
-                                                            let _e1101 = (-(((_e1043 * _e1090) + (_e1041 * _e1091))) / select(0.000000000000000000000000000000000000011754944f, _e1094, (_e1094 > 0.000000000000000000000000000000000000011754944f)));
-                                                            let _e1103 = select(1f, _e1101, (_e1101 < 1f));
-                                                            let _e1105 = select(0f, _e1103, (_e1103 > 0f));
-                                                            let _e1114 = ((_e1045.x + (_e1051.x * _e1105)) - _e321);
-                                                            let _e1117 = ((_e1045.y + (_e1051.y * _e1105)) - _e386);
-                                                            let _e1120 = ((_e1045.z + (_e1051.z * _e1105)) - _e450);
-                                                            let _e1123 = bitcast<f32>((bitcast<u32>(_e1114) & 2147483647u));
-                                                            let _e1126 = bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u));
-                                                            let _e1128 = select(_e1126, _e1123, (_e1123 > _e1126));
-                                                            let _e1131 = bitcast<f32>((bitcast<u32>(_e1120) & 2147483647u));
-                                                            let _e1133 = select(_e1131, _e1128, (_e1128 > _e1131));
-                                                            let _e1137 = abs(_e1058);
-                                                            let _e1138 = abs(_e1063);
-                                                            if (_e1137 != _e1137) {
-                                                                phi_3868_ = true;
-                                                            } else {
-                                                                phi_3868_ = (_e1138 >= _e1137);
-                                                            }
-                                                            let _e1142 = phi_3868_;
-                                                            let _e1143 = select(_e1137, _e1138, _e1142);
-                                                            let _e1144 = abs(_e1066);
-                                                            if (_e1143 != _e1143) {
-                                                                phi_3883_ = true;
-                                                            } else {
-                                                                phi_3883_ = (_e1144 >= _e1143);
-                                                            }
-                                                            let _e1148 = phi_3883_;
-                                                            let _e1164 = abs(_e1049.x);
-                                                            let _e1165 = abs(_e1049.y);
-                                                            if (_e1164 != _e1164) {
-                                                                phi_3898_ = true;
-                                                            } else {
-                                                                phi_3898_ = (_e1165 >= _e1164);
-                                                            }
-                                                            let _e1169 = phi_3898_;
-                                                            let _e1170 = select(_e1164, _e1165, _e1169);
-                                                            let _e1171 = abs(_e1049.z);
-                                                            if (_e1170 != _e1170) {
-                                                                phi_3913_ = true;
-                                                            } else {
-                                                                phi_3913_ = (_e1171 >= _e1170);
-                                                            }
-                                                            let _e1175 = phi_3913_;
-                                                            let _e1178 = abs(_e1047.x);
-                                                            let _e1179 = abs(_e1047.y);
-                                                            if (_e1178 != _e1178) {
-                                                                phi_3928_ = true;
-                                                            } else {
-                                                                phi_3928_ = (_e1179 >= _e1178);
-                                                            }
-                                                            let _e1183 = phi_3928_;
-                                                            let _e1184 = select(_e1178, _e1179, _e1183);
-                                                            let _e1185 = abs(_e1047.z);
-                                                            if (_e1184 != _e1184) {
-                                                                phi_3943_ = true;
-                                                            } else {
-                                                                phi_3943_ = (_e1185 >= _e1184);
-                                                            }
-                                                            let _e1189 = phi_3943_;
-                                                            let _e1194 = ((bitcast<f32>((bitcast<u32>(((((_e1058 * _e1114) + (_e1063 * _e1117)) + (_e1066 * _e1120)) - _e1084)) & 2147483647u)) <= ((0.0000009536743f * select(_e1024, _e1133, (_e1133 > _e1024))) * select(_e1143, _e1144, _e1148))) && !((bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u)) <= ((0.0000038146973f * select(_e1170, _e1171, _e1175)) * select(_e1184, _e1185, _e1189)))));
-                                                            let _e1195 = (_e1084 / _e1089);
-                                                            if (_e965 && !(_e1194)) {
-                                                                let _e1198 = (_e1120 / _e486);
-                                                                let _e1206 = (((_e1058 * (_e1114 - (_e358 * _e1198))) + (_e1063 * (_e1117 - (_e422 * _e1198)))) / _e1089);
-                                                                phi_2228_ = select(select(_e1198, (_e1198 + _e1206), (bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u)) <= _e1024)), _e1195, _e1194);
-                                                            } else {
-                                                                phi_2228_ = _e1195;
-                                                            }
-                                                            let _e1215 = phi_2228_;
-                                                            let _e1217 = select(_e928, _e1215, (_e1215 < _e928));
-                                                            let _e1219 = select(_e920, _e1217, (_e1217 > _e920));
-                                                            let _e1220 = (1f / _e872);
-                                                            phi_2248_ = type_42(_e1219, (_e866 * _e1220), (_e870 * _e1220), ((_e965 && (_e1219 >= _e592)) && (_e1219 <= _e696.member.member_1)));
-                                                            phi_2249_ = type_42();
+                                                            let _e1678 = phi_2206_;
+                                                            let _e1680 = select(_e1391, _e1678, (_e1678 < _e1391));
+                                                            let _e1682 = select(_e1383, _e1680, (_e1680 > _e1383));
+                                                            let _e1683 = (1f / _e1335);
+                                                            phi_2226_ = type_42(_e1682, (_e1329 * _e1683), (_e1333 * _e1683), ((_e1428 && (_e1682 >= _e592)) && (_e1682 <= _e1159.member.member_1)));
+                                                            phi_2227_ = type_42();
                                                         } else {
-                                                            phi_2248_ = type_42();
-                                                            phi_2249_ = type_42(0f, 0f, 0f, _e965);
+                                                            phi_2226_ = type_42();
+                                                            phi_2227_ = type_42(0f, 0f, 0f, _e1428);
                                                         }
-                                                        let _e1229 = phi_2248_;
-                                                        let _e1231 = phi_2249_;
-                                                        phi_2252_ = _e1229;
-                                                        phi_2253_ = _e1231;
-                                                        phi_2254_ = select(true, false, _e965);
+                                                        let _e1692 = phi_2226_;
+                                                        let _e1694 = phi_2227_;
+                                                        phi_2230_ = _e1692;
+                                                        phi_2231_ = _e1694;
+                                                        phi_2232_ = select(true, false, _e1428);
                                                     } else {
-                                                        phi_2252_ = type_42();
-                                                        phi_2253_ = type_42(0f, 0f, 0f, _e856);
-                                                        phi_2254_ = true;
+                                                        phi_2230_ = type_42();
+                                                        phi_2231_ = type_42(0f, 0f, 0f, _e1319);
+                                                        phi_2232_ = true;
                                                     }
-                                                    let _e1234 = phi_2252_;
-                                                    let _e1236 = phi_2253_;
-                                                    let _e1238 = phi_2254_;
-                                                    if _e1238 {
-                                                        phi_2258_ = _e1236;
+                                                    let _e1697 = phi_2230_;
+                                                    let _e1699 = phi_2231_;
+                                                    let _e1701 = phi_2232_;
+                                                    if _e1701 {
+                                                        phi_2236_ = _e1699;
                                                     } else {
-                                                        phi_2258_ = _e1234;
+                                                        phi_2236_ = _e1697;
                                                     }
-                                                    let _e1240 = phi_2258_;
-                                                    if _e1240.member_3 {
-                                                        phi_2267_ = type_22(_e1240.member, _e1240.member_1, _e1240.member_2, _e731);
+                                                    let _e1703 = phi_2236_;
+                                                    if _e1703.member_3 {
+                                                        phi_2245_ = type_22(_e1703.member, _e1703.member_1, _e1703.member_2, _e1194);
                                                     } else {
-                                                        phi_2267_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_2245_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     }
-                                                    let _e1247 = phi_2267_;
-                                                    if (_e1247.member_3 != 4294967295u) {
-                                                        if (_e731 != _e598) {
-                                                            if (_e1247.member < _e696.member.member.member) {
-                                                                phi_2293_ = true;
+                                                    let _e1710 = phi_2245_;
+                                                    if (_e1710.member_3 != 4294967295u) {
+                                                        if (_e1194 != _e598) {
+                                                            if (_e1710.member < _e1159.member.member.member) {
+                                                                phi_2271_ = true;
                                                             } else {
-                                                                if (_e1247.member == _e696.member.member.member) {
-                                                                    phi_2292_ = (_e1247.member_3 < _e696.member.member.member_3);
+                                                                if (_e1710.member == _e1159.member.member.member) {
+                                                                    phi_2270_ = (_e1710.member_3 < _e1159.member.member.member_3);
                                                                 } else {
-                                                                    phi_2292_ = false;
+                                                                    phi_2270_ = false;
                                                                 }
-                                                                let _e1262 = phi_2292_;
-                                                                phi_2293_ = _e1262;
+                                                                let _e1725 = phi_2270_;
+                                                                phi_2271_ = _e1725;
                                                             }
-                                                            let _e1264 = phi_2293_;
-                                                            if _e1264 {
-                                                                phi_2300_ = type_43(type_39(_e1247, _e1247.member), _e723.member_1, _e723.member_2);
+                                                            let _e1727 = phi_2271_;
+                                                            if _e1727 {
+                                                                phi_2278_ = type_43(type_39(_e1710, _e1710.member), _e1186.member_1, _e1186.member_2);
                                                             } else {
-                                                                phi_2300_ = _e723;
+                                                                phi_2278_ = _e1186;
                                                             }
-                                                            let _e1271 = phi_2300_;
-                                                            phi_2301_ = _e1271;
+                                                            let _e1734 = phi_2278_;
+                                                            phi_2279_ = _e1734;
                                                         } else {
-                                                            phi_2301_ = _e723;
+                                                            phi_2279_ = _e1186;
                                                         }
-                                                        let _e1273 = phi_2301_;
-                                                        phi_2302_ = _e1273;
+                                                        let _e1736 = phi_2279_;
+                                                        phi_2280_ = _e1736;
                                                     } else {
-                                                        phi_2302_ = _e723;
+                                                        phi_2280_ = _e1186;
                                                     }
-                                                    let _e1275 = phi_2302_;
-                                                    phi_1330_ = _e1275;
+                                                    let _e1738 = phi_2280_;
+                                                    phi_1337_ = _e1738;
                                                 } else {
-                                                    phi_1330_ = type_43();
+                                                    phi_1337_ = type_43();
                                                 }
-                                                let _e1277 = phi_1330_;
+                                                let _e1740 = phi_1337_;
                                                 continue;
                                                 continuing {
-                                                    phi_1329_ = _e1277;
-                                                    phi_1332_ = _e711;
-                                                    phi_4211_ = _e639;
-                                                    break if !(_e717);
+                                                    phi_1336_ = _e1740;
+                                                    phi_1339_ = _e1174;
+                                                    phi_4137_ = _e639;
+                                                    break if !(_e1180);
                                                 }
                                             }
-                                            let _e1280 = phi_4211_;
-                                            phi_4376_ = _e1280;
-                                            if _e1280 {
+                                            let _e1743 = phi_4137_;
+                                            phi_4290_ = _e1743;
+                                            if _e1743 {
                                                 break;
                                             }
-                                            phi_4462_ = _e1280;
-                                            let _e2055 = local_12;
-                                            phi_2303_ = _e2055;
+                                            let _e1745 = local_10;
+                                            phi_4294_ = _e1743;
+                                            let _e2060 = local_13;
+                                            phi_3510_ = _e2060;
+                                            phi_3511_ = false;
+                                            phi_3512_ = _e683;
+                                            phi_3513_ = select(_e685, 0u, (_e592 > _e1745.member.member_1));
                                         } else {
-                                            phi_4462_ = _e639;
-                                            phi_2303_ = _e641;
-                                        }
-                                        let _e1282 = phi_4462_;
-                                        let _e1284 = phi_2303_;
-                                        if _e689 {
-                                            phi_3537_ = type_43();
-                                            phi_3538_ = bool();
-                                            phi_3539_ = u32();
-                                            phi_3540_ = type_54();
-                                        } else {
-                                            if (_e685.member_1 >= _e94) {
-                                                phi_3069_ = type_55(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_54(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_54(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e683.member_1 >= _e94) {
+                                                phi_3046_ = type_55(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_54(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_54(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e685.member_1 < _e94) {
+                                                if (_e683.member_1 < _e94) {
                                                 } else {
-                                                    phi_4376_ = true;
+                                                    phi_4290_ = true;
                                                     break;
                                                 }
-                                                let _e1287 = (_e274 * 2u);
-                                                let _e1289 = ((1u + _e1287) % 7u);
-                                                if (_e1289 < 7u) {
+                                                let _e696 = (_e274 * 2u);
+                                                let _e698 = ((1u + _e696) % 7u);
+                                                if (_e698 < 7u) {
                                                 } else {
-                                                    phi_4376_ = true;
+                                                    phi_4290_ = true;
                                                     break;
                                                 }
-                                                let _e1294 = global_7.member[_e685.member_1][_e1289];
-                                                let _e1296 = ((_e1287 + 2u) % 7u);
-                                                if (_e1296 < 7u) {
+                                                let _e703 = global_7.member[_e683.member_1][_e698];
+                                                let _e705 = ((_e696 + 2u) % 7u);
+                                                if (_e705 < 7u) {
                                                 } else {
-                                                    phi_4376_ = true;
+                                                    phi_4290_ = true;
                                                     break;
                                                 }
-                                                let _e1301 = global_7.member[_e685.member_1][_e1296];
-                                                let _e1302 = (_e273 * 2u);
-                                                let _e1304 = ((1u + _e1302) % 7u);
-                                                if (_e1304 < 7u) {
+                                                let _e710 = global_7.member[_e683.member_1][_e705];
+                                                let _e711 = (_e273 * 2u);
+                                                let _e713 = ((1u + _e711) % 7u);
+                                                if (_e713 < 7u) {
                                                 } else {
-                                                    phi_4376_ = true;
+                                                    phi_4290_ = true;
                                                     break;
                                                 }
-                                                let _e1309 = global_7.member[_e685.member_1][_e1304];
-                                                let _e1311 = ((_e1302 + 2u) % 7u);
-                                                if (_e1311 < 7u) {
+                                                let _e718 = global_7.member[_e683.member_1][_e713];
+                                                let _e720 = ((_e711 + 2u) % 7u);
+                                                if (_e720 < 7u) {
                                                 } else {
-                                                    phi_4376_ = true;
+                                                    phi_4290_ = true;
                                                     break;
                                                 }
-                                                let _e1316 = global_7.member[_e685.member_1][_e1311];
-                                                let _e1317 = (_e275 * 2u);
-                                                let _e1319 = ((1u + _e1317) % 7u);
-                                                if (_e1319 < 7u) {
+                                                let _e725 = global_7.member[_e683.member_1][_e720];
+                                                let _e726 = (_e275 * 2u);
+                                                let _e728 = ((1u + _e726) % 7u);
+                                                if (_e728 < 7u) {
                                                 } else {
-                                                    phi_4376_ = true;
+                                                    phi_4290_ = true;
                                                     break;
                                                 }
-                                                let _e1324 = global_7.member[_e685.member_1][_e1319];
-                                                let _e1326 = ((_e1317 + 2u) % 7u);
-                                                if (_e1326 < 7u) {
+                                                let _e733 = global_7.member[_e683.member_1][_e728];
+                                                let _e735 = ((_e726 + 2u) % 7u);
+                                                if (_e735 < 7u) {
                                                 } else {
-                                                    phi_4376_ = true;
+                                                    phi_4290_ = true;
                                                     break;
                                                 }
-                                                let _e1331 = global_7.member[_e685.member_1][_e1326];
-                                                let _e1354 = (bitcast<f32>((bitcast<u32>((_e685.member.member_1.x - _e685.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e1355 = (bitcast<f32>((bitcast<u32>((_e685.member.member_1.y - _e685.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e1356 = (bitcast<f32>((bitcast<u32>((_e685.member.member_1.z - _e685.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e1358 = select(_e148, _e1354, (_e1354 > _e148));
-                                                let _e1360 = select(_e148, _e1355, (_e1355 > _e148));
-                                                let _e1362 = select(_e148, _e1356, (_e1356 > _e148));
-                                                let _e1393 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1294 & 2097151u))) - 8388608f) * _e1358));
-                                                let _e1398 = (bitcast<i32>((_e1294 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1401 = bitcast<f32>((_e1393 & bitcast<u32>(_e1398)));
-                                                let _e1402 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1309 & 2097151u))) - 8388608f) * _e1360));
-                                                let _e1407 = (bitcast<i32>((_e1309 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1410 = bitcast<f32>((_e1402 & bitcast<u32>(_e1407)));
-                                                let _e1411 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1324 & 2097151u))) - 8388608f) * _e1362));
-                                                let _e1416 = (bitcast<i32>((_e1324 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1419 = bitcast<f32>((_e1411 & bitcast<u32>(_e1416)));
-                                                let _e1423 = bitcast<f32>((_e1393 & bitcast<u32>(~(_e1398))));
-                                                let _e1427 = bitcast<f32>((_e1402 & bitcast<u32>(~(_e1407))));
-                                                let _e1431 = bitcast<f32>((_e1411 & bitcast<u32>(~(_e1416))));
-                                                let _e1432 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1301 & 2097151u))) - 8388608f) * _e1358));
-                                                let _e1437 = (bitcast<i32>((_e1301 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1440 = bitcast<f32>((_e1432 & bitcast<u32>(_e1437)));
-                                                let _e1441 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1316 & 2097151u))) - 8388608f) * _e1360));
-                                                let _e1446 = (bitcast<i32>((_e1316 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1449 = bitcast<f32>((_e1441 & bitcast<u32>(_e1446)));
-                                                let _e1450 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e1331 & 2097151u))) - 8388608f) * _e1362));
-                                                let _e1455 = (bitcast<i32>((_e1331 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e1458 = bitcast<f32>((_e1450 & bitcast<u32>(_e1455)));
-                                                let _e1462 = bitcast<f32>((_e1432 & bitcast<u32>(~(_e1437))));
-                                                let _e1466 = bitcast<f32>((_e1441 & bitcast<u32>(~(_e1446))));
-                                                let _e1470 = bitcast<f32>((_e1450 & bitcast<u32>(~(_e1455))));
-                                                let _e1500 = global_7.member[_e685.member_1][0u];
-                                                let _e1504 = global_7.member[_e685.member_1][2u];
-                                                let _e1508 = global_7.member[_e685.member_1][4u];
-                                                let _e1512 = global_7.member[_e685.member_1][6u];
-                                                let _e1524 = (((_e1504 >> bitcast<u32>(22i)) | ((_e1508 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1512 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e1525 = (_e1500 & 268435455u);
-                                                let _e1526 = (_e1524 & 268435455u);
-                                                let _e1529 = ((_e1500 >> bitcast<u32>(28u)) & 7u);
-                                                let _e1537 = ((_e1500 >> bitcast<u32>(31i)) | (((_e1524 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e1538 = (_e1529 != 0u);
-                                                if (_e1529 == 0u) {
-                                                    phi_3031_ = _e1525;
+                                                let _e740 = global_7.member[_e683.member_1][_e735];
+                                                let _e763 = (bitcast<f32>((bitcast<u32>((_e683.member.member_1.x - _e683.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e764 = (bitcast<f32>((bitcast<u32>((_e683.member.member_1.y - _e683.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e765 = (bitcast<f32>((bitcast<u32>((_e683.member.member_1.z - _e683.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e767 = select(_e148, _e763, (_e763 > _e148));
+                                                let _e769 = select(_e148, _e764, (_e764 > _e148));
+                                                let _e771 = select(_e148, _e765, (_e765 > _e148));
+                                                let _e802 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e703 & 2097151u))) - 8388608f) * _e767));
+                                                let _e807 = (bitcast<i32>((_e703 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e810 = bitcast<f32>((_e802 & bitcast<u32>(_e807)));
+                                                let _e811 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e718 & 2097151u))) - 8388608f) * _e769));
+                                                let _e816 = (bitcast<i32>((_e718 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e819 = bitcast<f32>((_e811 & bitcast<u32>(_e816)));
+                                                let _e820 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e771));
+                                                let _e825 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e828 = bitcast<f32>((_e820 & bitcast<u32>(_e825)));
+                                                let _e832 = bitcast<f32>((_e802 & bitcast<u32>(~(_e807))));
+                                                let _e836 = bitcast<f32>((_e811 & bitcast<u32>(~(_e816))));
+                                                let _e840 = bitcast<f32>((_e820 & bitcast<u32>(~(_e825))));
+                                                let _e841 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e710 & 2097151u))) - 8388608f) * _e767));
+                                                let _e846 = (bitcast<i32>((_e710 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e849 = bitcast<f32>((_e841 & bitcast<u32>(_e846)));
+                                                let _e850 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 2097151u))) - 8388608f) * _e769));
+                                                let _e855 = (bitcast<i32>((_e725 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e858 = bitcast<f32>((_e850 & bitcast<u32>(_e855)));
+                                                let _e859 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 2097151u))) - 8388608f) * _e771));
+                                                let _e864 = (bitcast<i32>((_e740 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e867 = bitcast<f32>((_e859 & bitcast<u32>(_e864)));
+                                                let _e871 = bitcast<f32>((_e841 & bitcast<u32>(~(_e846))));
+                                                let _e875 = bitcast<f32>((_e850 & bitcast<u32>(~(_e855))));
+                                                let _e879 = bitcast<f32>((_e859 & bitcast<u32>(~(_e864))));
+                                                let _e909 = global_7.member[_e683.member_1][0u];
+                                                let _e913 = global_7.member[_e683.member_1][2u];
+                                                let _e917 = global_7.member[_e683.member_1][4u];
+                                                let _e921 = global_7.member[_e683.member_1][6u];
+                                                let _e933 = (((_e913 >> bitcast<u32>(22i)) | ((_e917 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e921 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e934 = (_e909 & 268435455u);
+                                                let _e935 = (_e933 & 268435455u);
+                                                let _e938 = ((_e909 >> bitcast<u32>(28u)) & 7u);
+                                                let _e946 = ((_e909 >> bitcast<u32>(31i)) | (((_e933 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e947 = (_e938 != 0u);
+                                                if (_e938 == 0u) {
+                                                    phi_3008_ = _e934;
                                                 } else {
-                                                    if (_e1529 == 7u) {
-                                                        phi_3030_ = 2147483648u;
+                                                    if (_e938 == 7u) {
+                                                        phi_3007_ = 2147483648u;
                                                     } else {
-                                                        phi_3030_ = ((2147483648u | (_e1529 << bitcast<u32>(28u))) | (_e1526 & 268435455u));
+                                                        phi_3007_ = ((2147483648u | (_e938 << bitcast<u32>(28u))) | (_e935 & 268435455u));
                                                     }
-                                                    let _e1547 = phi_3030_;
-                                                    phi_3031_ = _e1547;
+                                                    let _e956 = phi_3007_;
+                                                    phi_3008_ = _e956;
                                                 }
-                                                let _e1549 = phi_3031_;
-                                                if _e1538 {
-                                                    let _e1550 = (_e1529 != 7u);
-                                                    if _e1550 {
-                                                        phi_3041_ = (_e1526 + _e1529);
+                                                let _e958 = phi_3008_;
+                                                if _e947 {
+                                                    let _e959 = (_e938 != 7u);
+                                                    if _e959 {
+                                                        phi_3018_ = (_e935 + _e938);
                                                     } else {
-                                                        phi_3041_ = u32();
+                                                        phi_3018_ = u32();
                                                     }
-                                                    let _e1553 = phi_3041_;
-                                                    phi_3043_ = _e1553;
-                                                    phi_3044_ = select(true, false, _e1550);
+                                                    let _e962 = phi_3018_;
+                                                    phi_3020_ = _e962;
+                                                    phi_3021_ = select(true, false, _e959);
                                                 } else {
-                                                    phi_3043_ = u32();
-                                                    phi_3044_ = true;
+                                                    phi_3020_ = u32();
+                                                    phi_3021_ = true;
                                                 }
-                                                let _e1556 = phi_3043_;
-                                                let _e1558 = phi_3044_;
-                                                if (_e1537 == 0u) {
-                                                    phi_3065_ = (_e1525 + select(0u, 1u, !(_e1538)));
+                                                let _e965 = phi_3020_;
+                                                let _e967 = phi_3021_;
+                                                if (_e946 == 0u) {
+                                                    phi_3042_ = (_e934 + select(0u, 1u, !(_e947)));
                                                 } else {
-                                                    if (_e1537 == 7u) {
-                                                        phi_3064_ = 2147483648u;
+                                                    if (_e946 == 7u) {
+                                                        phi_3041_ = 2147483648u;
                                                     } else {
-                                                        phi_3064_ = ((2147483648u | (_e1537 << bitcast<u32>(28u))) | (select(_e1556, _e1526, _e1558) & 268435455u));
+                                                        phi_3041_ = ((2147483648u | (_e946 << bitcast<u32>(28u))) | (select(_e965, _e935, _e967) & 268435455u));
                                                     }
-                                                    let _e1571 = phi_3064_;
-                                                    phi_3065_ = _e1571;
+                                                    let _e980 = phi_3041_;
+                                                    phi_3042_ = _e980;
                                                 }
-                                                let _e1573 = phi_3065_;
-                                                phi_3069_ = type_55(array<vec4<f32>, 3>(vec4<f32>((_e685.member.member.x + _e1401), (_e685.member.member.x + _e1423), (_e685.member.member_1.x - _e1440), (_e685.member.member_1.x - _e1462)), vec4<f32>((_e685.member.member.y + _e1410), (_e685.member.member.y + _e1427), (_e685.member.member_1.y - _e1449), (_e685.member.member_1.y - _e1466)), vec4<f32>((_e685.member.member.z + _e1419), (_e685.member.member.z + _e1431), (_e685.member.member_1.z - _e1458), (_e685.member.member_1.z - _e1470))), type_54(type_34((_e685.member.member + vec4<f32>(_e1401, _e1410, _e1419, 0f)), (_e685.member.member_1 - vec4<f32>(_e1440, _e1449, _e1458, 0f))), _e1549), type_54(type_34((_e685.member.member + vec4<f32>(_e1423, _e1427, _e1431, 0f)), (_e685.member.member_1 - vec4<f32>(_e1462, _e1466, _e1470, 0f))), _e1573));
+                                                let _e982 = phi_3042_;
+                                                phi_3046_ = type_55(array<vec4<f32>, 3>(vec4<f32>((_e683.member.member.x + _e810), (_e683.member.member.x + _e832), (_e683.member.member_1.x - _e849), (_e683.member.member_1.x - _e871)), vec4<f32>((_e683.member.member.y + _e819), (_e683.member.member.y + _e836), (_e683.member.member_1.y - _e858), (_e683.member.member_1.y - _e875)), vec4<f32>((_e683.member.member.z + _e828), (_e683.member.member.z + _e840), (_e683.member.member_1.z - _e867), (_e683.member.member_1.z - _e879))), type_54(type_34((_e683.member.member + vec4<f32>(_e810, _e819, _e828, 0f)), (_e683.member.member_1 - vec4<f32>(_e849, _e858, _e867, 0f))), _e958), type_54(type_34((_e683.member.member + vec4<f32>(_e832, _e836, _e840, 0f)), (_e683.member.member_1 - vec4<f32>(_e871, _e875, _e879, 0f))), _e982));
                                             }
-                                            let _e1578 = phi_3069_;
-                                            let _e1597 = ((_e1578.member[0].x - _e359) * _e362);
-                                            let _e1598 = ((_e1578.member[0].y - _e359) * _e362);
-                                            let _e1599 = ((_e1578.member[0].z - _e360) * _e362);
-                                            let _e1600 = ((_e1578.member[0].w - _e360) * _e362);
-                                            let _e1610 = ((_e1578.member[1].x - _e423) * _e426);
-                                            let _e1611 = ((_e1578.member[1].y - _e423) * _e426);
-                                            let _e1612 = ((_e1578.member[1].z - _e424) * _e426);
-                                            let _e1613 = ((_e1578.member[1].w - _e424) * _e426);
-                                            let _e1623 = ((_e1578.member[2].x - _e487) * _e490);
-                                            let _e1624 = ((_e1578.member[2].y - _e487) * _e490);
-                                            let _e1625 = ((_e1578.member[2].z - _e488) * _e490);
-                                            let _e1626 = ((_e1578.member[2].w - _e488) * _e490);
-                                            let _e1628 = select(_e1625, _e1623, (_e1623 < _e1625));
-                                            let _e1630 = select(_e1626, _e1624, (_e1624 < _e1626));
-                                            let _e1632 = select(_e1625, _e1623, (_e1623 > _e1625));
-                                            let _e1634 = select(_e1626, _e1624, (_e1624 > _e1626));
-                                            let _e1636 = select(_e1599, _e1597, (_e1597 < _e1599));
-                                            let _e1638 = select(_e1600, _e1598, (_e1598 < _e1600));
-                                            let _e1640 = select(_e1612, _e1610, (_e1610 < _e1612));
-                                            let _e1642 = select(_e1613, _e1611, (_e1611 < _e1613));
-                                            let _e1644 = select(_e1640, _e1636, (_e1636 > _e1640));
-                                            let _e1646 = select(_e1642, _e1638, (_e1638 > _e1642));
-                                            let _e1648 = select(_e1628, _e1644, (_e1644 > _e1628));
-                                            let _e1650 = select(_e1630, _e1646, (_e1646 > _e1630));
-                                            let _e1652 = select(_e1599, _e1597, (_e1597 > _e1599));
-                                            let _e1654 = select(_e1600, _e1598, (_e1598 > _e1600));
-                                            let _e1656 = select(_e1612, _e1610, (_e1610 > _e1612));
-                                            let _e1658 = select(_e1613, _e1611, (_e1611 > _e1613));
-                                            let _e1660 = select(_e1656, _e1652, (_e1652 < _e1656));
-                                            let _e1662 = select(_e1658, _e1654, (_e1654 < _e1658));
-                                            let _e1667 = -(_e1628);
-                                            let _e1668 = -(_e1630);
-                                            let _e1675 = (select(_e1632, _e1660, (_e1660 < _e1632)) + (select(_e1667, _e1632, (_e1632 > _e1667)) * 0.0000019073523f));
-                                            let _e1676 = (select(_e1634, _e1662, (_e1662 < _e1634)) + (select(_e1668, _e1634, (_e1634 > _e1668)) * 0.0000019073523f));
-                                            let _e1678 = select(_e592, _e1648, (_e1648 > _e592));
-                                            let _e1680 = select(_e592, _e1650, (_e1650 > _e592));
-                                            let _e1685 = (_e1678 <= select(_e1284.member.member_1, _e1675, (_e1675 < _e1284.member.member_1)));
-                                            let _e1686 = (_e1680 <= select(_e1284.member.member_1, _e1676, (_e1676 < _e1284.member.member_1)));
-                                            let _e1687 = (_e1678 <= _e1680);
-                                            if _e1685 {
-                                                if _e1686 {
-                                                    if _e1687 {
-                                                        phi_3434_ = _e1578.member_2;
+                                            let _e987 = phi_3046_;
+                                            let _e1006 = ((_e987.member[0].x - _e359) * _e362);
+                                            let _e1007 = ((_e987.member[0].y - _e359) * _e362);
+                                            let _e1008 = ((_e987.member[0].z - _e360) * _e362);
+                                            let _e1009 = ((_e987.member[0].w - _e360) * _e362);
+                                            let _e1019 = ((_e987.member[1].x - _e423) * _e426);
+                                            let _e1020 = ((_e987.member[1].y - _e423) * _e426);
+                                            let _e1021 = ((_e987.member[1].z - _e424) * _e426);
+                                            let _e1022 = ((_e987.member[1].w - _e424) * _e426);
+                                            let _e1032 = ((_e987.member[2].x - _e487) * _e490);
+                                            let _e1033 = ((_e987.member[2].y - _e487) * _e490);
+                                            let _e1034 = ((_e987.member[2].z - _e488) * _e490);
+                                            let _e1035 = ((_e987.member[2].w - _e488) * _e490);
+                                            let _e1037 = select(_e1034, _e1032, (_e1032 < _e1034));
+                                            let _e1039 = select(_e1035, _e1033, (_e1033 < _e1035));
+                                            let _e1041 = select(_e1034, _e1032, (_e1032 > _e1034));
+                                            let _e1043 = select(_e1035, _e1033, (_e1033 > _e1035));
+                                            let _e1045 = select(_e1008, _e1006, (_e1006 < _e1008));
+                                            let _e1047 = select(_e1009, _e1007, (_e1007 < _e1009));
+                                            let _e1049 = select(_e1021, _e1019, (_e1019 < _e1021));
+                                            let _e1051 = select(_e1022, _e1020, (_e1020 < _e1022));
+                                            let _e1053 = select(_e1049, _e1045, (_e1045 > _e1049));
+                                            let _e1055 = select(_e1051, _e1047, (_e1047 > _e1051));
+                                            let _e1057 = select(_e1037, _e1053, (_e1053 > _e1037));
+                                            let _e1059 = select(_e1039, _e1055, (_e1055 > _e1039));
+                                            let _e1061 = select(_e1008, _e1006, (_e1006 > _e1008));
+                                            let _e1063 = select(_e1009, _e1007, (_e1007 > _e1009));
+                                            let _e1065 = select(_e1021, _e1019, (_e1019 > _e1021));
+                                            let _e1067 = select(_e1022, _e1020, (_e1020 > _e1022));
+                                            let _e1069 = select(_e1065, _e1061, (_e1061 < _e1065));
+                                            let _e1071 = select(_e1067, _e1063, (_e1063 < _e1067));
+                                            let _e1076 = -(_e1037);
+                                            let _e1077 = -(_e1039);
+                                            let _e1084 = (select(_e1041, _e1069, (_e1069 < _e1041)) + (select(_e1076, _e1041, (_e1041 > _e1076)) * 0.0000019073523f));
+                                            let _e1085 = (select(_e1043, _e1071, (_e1071 < _e1043)) + (select(_e1077, _e1043, (_e1043 > _e1077)) * 0.0000019073523f));
+                                            let _e1087 = select(_e592, _e1057, (_e1057 > _e592));
+                                            let _e1089 = select(_e592, _e1059, (_e1059 > _e592));
+                                            let _e1094 = (_e1087 <= select(_e641.member.member_1, _e1084, (_e1084 < _e641.member.member_1)));
+                                            let _e1095 = (_e1089 <= select(_e641.member.member_1, _e1085, (_e1085 < _e641.member.member_1)));
+                                            let _e1096 = (_e1087 <= _e1089);
+                                            if _e1094 {
+                                                if _e1095 {
+                                                    if _e1096 {
+                                                        phi_3411_ = _e987.member_2;
                                                     } else {
-                                                        phi_3434_ = _e1578.member_1;
+                                                        phi_3411_ = _e987.member_1;
                                                     }
-                                                    let _e1691 = phi_3434_;
-                                                    let _e1712 = (_e683 % 128u);
-                                                    let _e1713 = (_e1712 < 128u);
-                                                    if _e1713 {
+                                                    let _e1100 = phi_3411_;
+                                                    let _e1121 = (_e685 % 128u);
+                                                    let _e1122 = (_e1121 < 128u);
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_4376_ = true;
+                                                        phi_4290_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1712] = _e1691.member_1;
-                                                    if _e1713 {
+                                                    local_8[_e1121] = _e1100.member_1;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_4376_ = true;
+                                                        phi_4290_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1712] = _e1691.member.member.x;
-                                                    if _e1713 {
+                                                    local_7[_e1121] = _e1100.member.member.x;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_4376_ = true;
+                                                        phi_4290_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1712] = _e1691.member.member.y;
-                                                    if _e1713 {
+                                                    local_6[_e1121] = _e1100.member.member.y;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_4376_ = true;
+                                                        phi_4290_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1712] = _e1691.member.member.z;
-                                                    if _e1713 {
+                                                    local_5[_e1121] = _e1100.member.member.z;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_4376_ = true;
+                                                        phi_4290_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1712] = _e1691.member.member_1.x;
-                                                    if _e1713 {
+                                                    local_4[_e1121] = _e1100.member.member_1.x;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_4376_ = true;
+                                                        phi_4290_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1712] = _e1691.member.member_1.y;
-                                                    if _e1713 {
+                                                    local_3[_e1121] = _e1100.member.member_1.y;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_4376_ = true;
+                                                        phi_4290_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1712] = _e1691.member.member_1.z;
-                                                    if _e1713 {
+                                                    local_2[_e1121] = _e1100.member.member_1.z;
+                                                    if _e1122 {
                                                     } else {
-                                                        phi_4376_ = true;
+                                                        phi_4290_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1712] = select(_e1678, _e1680, _e1687);
-                                                    if _e1687 {
-                                                        phi_3510_ = _e1578.member_1;
+                                                    local_9[_e1121] = select(_e1087, _e1089, _e1096);
+                                                    if _e1096 {
+                                                        phi_3487_ = _e987.member_1;
                                                     } else {
-                                                        phi_3510_ = _e1578.member_2;
+                                                        phi_3487_ = _e987.member_2;
                                                     }
-                                                    let _e1726 = phi_3510_;
-                                                    phi_3511_ = (_e683 + 1u);
-                                                    phi_3512_ = _e1726;
+                                                    let _e1135 = phi_3487_;
+                                                    phi_3488_ = _e1135;
+                                                    phi_3489_ = (_e685 + 1u);
                                                 } else {
-                                                    phi_3511_ = u32();
-                                                    phi_3512_ = type_54();
+                                                    phi_3488_ = type_54();
+                                                    phi_3489_ = u32();
                                                 }
-                                                let _e1728 = phi_3511_;
-                                                let _e1730 = phi_3512_;
-                                                phi_3514_ = _e1728;
-                                                phi_3515_ = _e1730;
-                                                phi_3516_ = select(true, false, _e1686);
+                                                let _e1137 = phi_3488_;
+                                                let _e1139 = phi_3489_;
+                                                phi_3491_ = _e1137;
+                                                phi_3492_ = _e1139;
+                                                phi_3493_ = select(true, false, _e1095);
                                             } else {
-                                                phi_3514_ = u32();
-                                                phi_3515_ = type_54();
-                                                phi_3516_ = true;
+                                                phi_3491_ = type_54();
+                                                phi_3492_ = u32();
+                                                phi_3493_ = true;
                                             }
-                                            let _e1733 = phi_3514_;
-                                            let _e1735 = phi_3515_;
-                                            let _e1737 = phi_3516_;
-                                            if _e1737 {
-                                                if _e1685 {
-                                                    phi_3525_ = _e1578.member_1;
+                                            let _e1142 = phi_3491_;
+                                            let _e1144 = phi_3492_;
+                                            let _e1146 = phi_3493_;
+                                            if _e1146 {
+                                                if _e1094 {
+                                                    phi_3502_ = _e987.member_1;
                                                 } else {
-                                                    phi_3525_ = _e1578.member_2;
+                                                    phi_3502_ = _e987.member_2;
                                                 }
-                                                let _e1741 = phi_3525_;
-                                                phi_3530_ = select(_e1686, true, _e1685);
-                                                phi_3532_ = _e1741;
+                                                let _e1150 = phi_3502_;
+                                                phi_3507_ = select(_e1095, true, _e1094);
+                                                phi_3508_ = _e1150;
                                             } else {
-                                                phi_3530_ = _e681;
-                                                phi_3532_ = _e1735;
+                                                phi_3507_ = _e681;
+                                                phi_3508_ = _e1142;
                                             }
-                                            let _e1744 = phi_3530_;
-                                            let _e1746 = phi_3532_;
-                                            phi_3537_ = type_43(_e1284.member, (_e1284.member_1 + 1u), _e1284.member_2);
-                                            phi_3538_ = _e1744;
-                                            phi_3539_ = select(_e1733, _e683, _e1737);
-                                            phi_3540_ = _e1746;
+                                            let _e1153 = phi_3507_;
+                                            let _e1155 = phi_3508_;
+                                            phi_4294_ = _e639;
+                                            phi_3510_ = type_43(_e641.member, (_e641.member_1 + 1u), _e641.member_2);
+                                            phi_3511_ = _e1153;
+                                            phi_3512_ = _e1155;
+                                            phi_3513_ = select(_e1144, _e685, _e1146);
                                         }
-                                        let _e1749 = phi_3537_;
-                                        let _e1751 = phi_3538_;
-                                        let _e1753 = phi_3539_;
-                                        let _e1755 = phi_3540_;
-                                        if _e689 {
-                                            phi_3548_ = _e1284;
-                                            phi_3551_ = _e685;
-                                        } else {
-                                            phi_3548_ = _e1749;
-                                            phi_3551_ = _e1755;
-                                        }
-                                        let _e1757 = phi_3548_;
-                                        let _e1759 = phi_3551_;
-                                        phi_4379_ = _e1282;
-                                        phi_3552_ = _e1757;
-                                        phi_3553_ = (_e643 - 1u);
-                                        phi_3554_ = select(_e1751, false, _e689);
-                                        phi_3555_ = select(_e1753, _e683, _e689);
-                                        phi_3556_ = _e1759;
+                                        let _e1751 = phi_4294_;
+                                        let _e1753 = phi_3510_;
+                                        let _e1755 = phi_3511_;
+                                        let _e1757 = phi_3512_;
+                                        let _e1759 = phi_3513_;
+                                        phi_4293_ = _e1751;
+                                        phi_3514_ = _e1753;
+                                        phi_3515_ = _e1755;
+                                        phi_3516_ = _e1757;
+                                        phi_3517_ = _e1759;
+                                        phi_3518_ = (_e649 - 1u);
                                     } else {
-                                        phi_4379_ = _e639;
-                                        phi_3552_ = _e641;
-                                        phi_3553_ = _e643;
-                                        phi_3554_ = _e681;
-                                        phi_3555_ = _e683;
-                                        phi_3556_ = _e685;
+                                        phi_4293_ = _e639;
+                                        phi_3514_ = _e641;
+                                        phi_3515_ = _e681;
+                                        phi_3516_ = _e683;
+                                        phi_3517_ = _e685;
+                                        phi_3518_ = _e649;
                                     }
-                                    let _e1763 = phi_4379_;
-                                    let _e1765 = phi_3552_;
-                                    let _e1767 = phi_3553_;
-                                    let _e1769 = phi_3554_;
-                                    let _e1771 = phi_3555_;
-                                    let _e1773 = phi_3556_;
-                                    phi_4378_ = _e1763;
-                                    phi_3557_ = _e1765;
-                                    phi_3558_ = _e1767;
-                                    phi_3559_ = _e1769;
-                                    phi_3560_ = _e1771;
-                                    phi_3561_ = _e1773;
+                                    let _e1761 = phi_4293_;
+                                    let _e1763 = phi_3514_;
+                                    let _e1765 = phi_3515_;
+                                    let _e1767 = phi_3516_;
+                                    let _e1769 = phi_3517_;
+                                    let _e1771 = phi_3518_;
+                                    phi_4292_ = _e1761;
+                                    phi_3519_ = _e1763;
+                                    phi_3520_ = _e1765;
+                                    phi_3521_ = _e1767;
+                                    phi_3522_ = _e1769;
+                                    phi_3523_ = _e1771;
                                 } else {
-                                    phi_4378_ = _e639;
-                                    phi_3557_ = type_43();
-                                    phi_3558_ = u32();
-                                    phi_3559_ = bool();
-                                    phi_3560_ = u32();
-                                    phi_3561_ = type_54();
+                                    phi_4292_ = _e639;
+                                    phi_3519_ = type_43();
+                                    phi_3520_ = bool();
+                                    phi_3521_ = type_54();
+                                    phi_3522_ = u32();
+                                    phi_3523_ = u32();
                                 }
-                                let _e1775 = phi_4378_;
-                                let _e1777 = phi_3557_;
-                                let _e1779 = phi_3558_;
-                                let _e1781 = phi_3559_;
-                                let _e1783 = phi_3560_;
-                                let _e1785 = phi_3561_;
-                                phi_4377_ = _e1775;
-                                phi_1204_ = _e1777;
-                                phi_1207_ = _e1779;
-                                phi_1209_ = _e1781;
-                                phi_1211_ = _e1783;
-                                phi_1213_ = _e1785;
-                                phi_3562_ = _e653;
+                                let _e1773 = phi_4292_;
+                                let _e1775 = phi_3519_;
+                                let _e1777 = phi_3520_;
+                                let _e1779 = phi_3521_;
+                                let _e1781 = phi_3522_;
+                                let _e1783 = phi_3523_;
+                                phi_4291_ = _e1773;
+                                phi_1211_ = _e1775;
+                                phi_1214_ = _e1777;
+                                phi_1216_ = _e1779;
+                                phi_1218_ = _e1781;
+                                phi_1220_ = _e1783;
+                                phi_3524_ = _e653;
                             } else {
-                                phi_4377_ = _e639;
-                                phi_1204_ = type_43();
-                                phi_1207_ = u32();
-                                phi_1209_ = bool();
-                                phi_1211_ = u32();
-                                phi_1213_ = type_54();
-                                phi_3562_ = false;
+                                phi_4291_ = _e639;
+                                phi_1211_ = type_43();
+                                phi_1214_ = bool();
+                                phi_1216_ = type_54();
+                                phi_1218_ = u32();
+                                phi_1220_ = u32();
+                                phi_3524_ = false;
                             }
-                            let _e1787 = phi_4377_;
-                            let _e1789 = phi_1204_;
-                            let _e1791 = phi_1207_;
-                            let _e1793 = phi_1209_;
-                            let _e1795 = phi_1211_;
-                            let _e1797 = phi_1213_;
-                            let _e1799 = phi_3562_;
+                            let _e1785 = phi_4291_;
+                            let _e1787 = phi_1211_;
+                            let _e1789 = phi_1214_;
+                            let _e1791 = phi_1216_;
+                            let _e1793 = phi_1218_;
+                            let _e1795 = phi_1220_;
+                            let _e1797 = phi_3524_;
                             continue;
                             continuing {
-                                phi_4217_ = _e1787;
-                                phi_1203_ = _e1789;
-                                phi_1206_ = _e1791;
-                                phi_1208_ = _e1793;
-                                phi_1210_ = _e1795;
-                                phi_1212_ = _e1797;
-                                phi_4376_ = _e1787;
-                                break if !(_e1799);
+                                phi_4143_ = _e1785;
+                                phi_1210_ = _e1787;
+                                phi_1213_ = _e1789;
+                                phi_1215_ = _e1791;
+                                phi_1217_ = _e1793;
+                                phi_1219_ = _e1795;
+                                phi_4290_ = _e1785;
+                                break if !(_e1797);
                             }
                         }
-                        let _e1802 = phi_4376_;
-                        if _e1802 {
+                        let _e1800 = phi_4290_;
+                        if _e1800 {
                             break;
                         }
-                        let _e1804 = local_10;
-                        if (_e1804.member.member.member_3 != 4294967295u) {
-                            let _e1810 = bitcast<u32>(_e1804.member.member.member);
-                            let _e1814 = (bitcast<i32>((_e1810 >> bitcast<u32>(23i))) & 255i);
-                            let _e1815 = (_e1814 + _e276);
-                            if (_e1814 == 255i) {
-                                phi_3621_ = _e1804.member.member.member;
+                        let _e1802 = local_11;
+                        if (_e1802.member.member.member_3 != 4294967295u) {
+                            let _e1808 = bitcast<u32>(_e1802.member.member.member);
+                            let _e1812 = (bitcast<i32>((_e1808 >> bitcast<u32>(23i))) & 255i);
+                            let _e1813 = (_e1812 + _e276);
+                            if (_e1812 == 255i) {
+                                phi_3583_ = _e1802.member.member.member;
                             } else {
-                                if (_e1814 > 0i) {
-                                    if (_e1815 > 0i) {
-                                        let _e1819 = (_e1815 < 255i);
-                                        if _e1819 {
-                                            phi_3600_ = bitcast<f32>((_e1810 + bitcast<u32>((_e276 << bitcast<u32>(23i)))));
+                                if (_e1812 > 0i) {
+                                    if (_e1813 > 0i) {
+                                        let _e1817 = (_e1813 < 255i);
+                                        if _e1817 {
+                                            phi_3562_ = bitcast<f32>((_e1808 + bitcast<u32>((_e276 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3600_ = f32();
+                                            phi_3562_ = f32();
                                         }
-                                        let _e1826 = phi_3600_;
-                                        phi_3602_ = _e1826;
-                                        phi_3603_ = select(true, false, _e1819);
+                                        let _e1824 = phi_3562_;
+                                        phi_3564_ = _e1824;
+                                        phi_3565_ = select(true, false, _e1817);
                                     } else {
-                                        phi_3602_ = f32();
-                                        phi_3603_ = true;
+                                        phi_3564_ = f32();
+                                        phi_3565_ = true;
                                     }
-                                    let _e1829 = phi_3602_;
-                                    let _e1831 = phi_3603_;
-                                    phi_3604_ = _e1829;
-                                    phi_3605_ = _e1831;
+                                    let _e1827 = phi_3564_;
+                                    let _e1829 = phi_3565_;
+                                    phi_3566_ = _e1827;
+                                    phi_3567_ = _e1829;
                                 } else {
-                                    phi_3604_ = f32();
-                                    phi_3605_ = true;
+                                    phi_3566_ = f32();
+                                    phi_3567_ = true;
                                 }
-                                let _e1833 = phi_3604_;
-                                let _e1835 = phi_3605_;
-                                if _e1835 {
-                                    let _e1836 = (_e1810 & 2147483648u);
-                                    let _e1843 = ((_e1810 & 8388607u) | (select(0u, 1u, ((_e1810 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                    let _e1847 = (_e1843 == 0u);
-                                    if _e1847 {
-                                        phi_4169_ = bitcast<f32>(_e1836);
+                                let _e1831 = phi_3566_;
+                                let _e1833 = phi_3567_;
+                                if _e1833 {
+                                    let _e1834 = (_e1808 & 2147483648u);
+                                    let _e1841 = ((_e1808 & 8388607u) | (select(0u, 1u, ((_e1808 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                    let _e1845 = (_e1841 == 0u);
+                                    if _e1845 {
+                                        phi_4095_ = bitcast<f32>(_e1834);
                                     } else {
-                                        let _e1852 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1843)), 32u, _e1847) - 8u);
-                                        let _e1855 = (_e1843 << bitcast<u32>((_e1852 & 31u)));
-                                        let _e1857 = ((_e1815 + select(0i, 1i, (_e1814 == 0i))) - bitcast<i32>(_e1852));
-                                        if (_e1857 >= 255i) {
-                                            phi_4159_ = bitcast<f32>((_e1836 | 2139095040u));
-                                            phi_4160_ = f32();
-                                            phi_4161_ = true;
+                                        let _e1850 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1841)), 32u, _e1845) - 8u);
+                                        let _e1853 = (_e1841 << bitcast<u32>((_e1850 & 31u)));
+                                        let _e1855 = ((_e1813 + select(0i, 1i, (_e1812 == 0i))) - bitcast<i32>(_e1850));
+                                        if (_e1855 >= 255i) {
+                                            phi_4085_ = bitcast<f32>((_e1834 | 2139095040u));
+                                            phi_4086_ = f32();
+                                            phi_4087_ = true;
                                         } else {
-                                            let _e1859 = (_e1857 > 0i);
-                                            if _e1859 {
-                                                phi_4153_ = bitcast<f32>(((_e1836 | (bitcast<u32>(_e1857) << bitcast<u32>(23i))) | (_e1855 & 8388607u)));
-                                                phi_4154_ = f32();
+                                            let _e1857 = (_e1855 > 0i);
+                                            if _e1857 {
+                                                phi_4079_ = bitcast<f32>(((_e1834 | (bitcast<u32>(_e1855) << bitcast<u32>(23i))) | (_e1853 & 8388607u)));
+                                                phi_4080_ = f32();
                                             } else {
-                                                if (_e1857 < -24i) {
-                                                    phi_4119_ = 26u;
+                                                if (_e1855 < -24i) {
+                                                    phi_4045_ = 26u;
                                                 } else {
-                                                    phi_4119_ = bitcast<u32>((1i - _e1857));
+                                                    phi_4045_ = bitcast<u32>((1i - _e1855));
                                                 }
-                                                let _e1864 = phi_4119_;
-                                                let _e1865 = (_e1864 & 31u);
-                                                let _e1867 = (_e1855 >> bitcast<u32>(_e1865));
-                                                let _e1871 = (_e1855 & ((1u << bitcast<u32>(_e1865)) - 1u));
-                                                let _e1875 = (1u << bitcast<u32>(((_e1864 - 1u) & 31u)));
-                                                if (_e1871 > _e1875) {
-                                                    phi_4140_ = true;
+                                                let _e1862 = phi_4045_;
+                                                let _e1863 = (_e1862 & 31u);
+                                                let _e1865 = (_e1853 >> bitcast<u32>(_e1863));
+                                                let _e1869 = (_e1853 & ((1u << bitcast<u32>(_e1863)) - 1u));
+                                                let _e1873 = (1u << bitcast<u32>(((_e1862 - 1u) & 31u)));
+                                                if (_e1869 > _e1873) {
+                                                    phi_4066_ = true;
                                                 } else {
-                                                    if (_e1871 == _e1875) {
-                                                        phi_4137_ = ((_e1867 & 1u) == 1u);
+                                                    if (_e1869 == _e1873) {
+                                                        phi_4063_ = ((_e1865 & 1u) == 1u);
                                                     } else {
-                                                        phi_4137_ = false;
+                                                        phi_4063_ = false;
                                                     }
-                                                    let _e1881 = phi_4137_;
-                                                    phi_4140_ = _e1881;
+                                                    let _e1879 = phi_4063_;
+                                                    phi_4066_ = _e1879;
                                                 }
-                                                let _e1883 = phi_4140_;
-                                                phi_4153_ = f32();
-                                                phi_4154_ = bitcast<f32>((_e1836 | (_e1867 + select(0u, 1u, _e1883))));
+                                                let _e1881 = phi_4066_;
+                                                phi_4079_ = f32();
+                                                phi_4080_ = bitcast<f32>((_e1834 | (_e1865 + select(0u, 1u, _e1881))));
                                             }
-                                            let _e1896 = phi_4153_;
-                                            let _e1898 = phi_4154_;
-                                            phi_4159_ = _e1896;
-                                            phi_4160_ = _e1898;
-                                            phi_4161_ = _e1859;
+                                            let _e1894 = phi_4079_;
+                                            let _e1896 = phi_4080_;
+                                            phi_4085_ = _e1894;
+                                            phi_4086_ = _e1896;
+                                            phi_4087_ = _e1857;
                                         }
-                                        let _e1902 = phi_4159_;
-                                        let _e1904 = phi_4160_;
-                                        let _e1906 = phi_4161_;
-                                        phi_4169_ = select(_e1904, _e1902, _e1906);
+                                        let _e1900 = phi_4085_;
+                                        let _e1902 = phi_4086_;
+                                        let _e1904 = phi_4087_;
+                                        phi_4095_ = select(_e1902, _e1900, _e1904);
                                     }
-                                    let _e1910 = phi_4169_;
-                                    phi_3620_ = _e1910;
+                                    let _e1908 = phi_4095_;
+                                    phi_3582_ = _e1908;
                                 } else {
-                                    phi_3620_ = _e1833;
+                                    phi_3582_ = _e1831;
                                 }
-                                let _e1912 = phi_3620_;
-                                phi_3621_ = _e1912;
+                                let _e1910 = phi_3582_;
+                                phi_3583_ = _e1910;
                             }
-                            let _e1914 = phi_3621_;
-                            let _e1915 = bitcast<u32>(_e1914);
-                            if ((_e1915 & 2147483647u) >= 2139095040u) {
-                                phi_3633_ = bitcast<f32>(((_e1915 & 2147483648u) | 2139095039u));
+                            let _e1912 = phi_3583_;
+                            let _e1913 = bitcast<u32>(_e1912);
+                            if ((_e1913 & 2147483647u) >= 2139095040u) {
+                                phi_3595_ = bitcast<f32>(((_e1913 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3633_ = _e1914;
+                                phi_3595_ = _e1912;
                             }
-                            let _e1922 = phi_3633_;
-                            phi_3638_ = type_22(_e1922, _e1804.member.member.member_1, _e1804.member.member.member_2, _e1804.member.member.member_3);
+                            let _e1920 = phi_3595_;
+                            phi_3600_ = type_22(_e1920, _e1802.member.member.member_1, _e1802.member.member.member_2, _e1802.member.member.member_3);
                         } else {
-                            phi_3638_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3600_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1927 = phi_3638_;
+                        let _e1925 = phi_3600_;
                         if _e152 {
                         } else {
                             break;
                         }
-                        global_2.member[_e136] = _e1927;
-                        let _e1931 = local_11;
+                        global_2.member[_e136] = _e1925;
+                        let _e1929 = local_12;
                         if _e153 {
                         } else {
                             break;
                         }
-                        global_5.member[_e136] = _e1931.member_1;
+                        global_5.member[_e136] = _e1929.member_1;
                         if _e151 {
                         } else {
                             break;
                         }
-                        let _e1936 = select(0u, 1u, (_e220 <= _e230));
-                        if (_e1936 > 0u) {
-                            let _e1938 = (1u < _e104);
-                            if _e1938 {
+                        let _e1934 = select(0u, 1u, (_e220 <= _e230));
+                        if (_e1934 > 0u) {
+                            let _e1936 = (1u < _e104);
+                            if _e1936 {
                                 if (0u < _e104) {
                                 } else {
                                     break;
                                 }
-                                let _e1942 = atomicAdd((&global_6.member[0u]), _e1936);
-                                if ((_e1942 + _e1936) < _e1942) {
-                                    if _e1938 {
+                                let _e1940 = atomicAdd((&global_6.member[0u]), _e1934);
+                                if ((_e1940 + _e1934) < _e1940) {
+                                    if _e1936 {
                                     } else {
                                         break;
                                     }
-                                    let _e1947 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1945 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1950 = select(0u, 1u, (_e1927.member_3 != 4294967295u));
-                        if (_e1950 > 0u) {
-                            let _e1952 = (3u < _e104);
-                            if _e1952 {
+                        let _e1948 = select(0u, 1u, (_e1925.member_3 != 4294967295u));
+                        if (_e1948 > 0u) {
+                            let _e1950 = (3u < _e104);
+                            if _e1950 {
                                 if (2u < _e104) {
                                 } else {
                                     break;
                                 }
-                                let _e1956 = atomicAdd((&global_6.member[2u]), _e1950);
-                                if ((_e1956 + _e1950) < _e1956) {
-                                    if _e1952 {
+                                let _e1954 = atomicAdd((&global_6.member[2u]), _e1948);
+                                if ((_e1954 + _e1948) < _e1954) {
+                                    if _e1950 {
                                     } else {
                                         break;
                                     }
-                                    let _e1961 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1959 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1931.member_1 > 0u) {
-                            let _e1963 = (5u < _e104);
-                            if _e1963 {
+                        if (_e1929.member_1 > 0u) {
+                            let _e1961 = (5u < _e104);
+                            if _e1961 {
                                 if (4u < _e104) {
                                 } else {
                                     break;
                                 }
-                                let _e1967 = atomicAdd((&global_6.member[4u]), _e1931.member_1);
-                                if ((_e1967 + _e1931.member_1) < _e1967) {
-                                    if _e1963 {
+                                let _e1965 = atomicAdd((&global_6.member[4u]), _e1929.member_1);
+                                if ((_e1965 + _e1929.member_1) < _e1965) {
+                                    if _e1961 {
                                     } else {
                                         break;
                                     }
-                                    let _e1972 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1970 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

@@ -135,157 +135,145 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_384_: u32;
-    var phi_428_: i32;
-    var phi_568_: type_40;
-    var phi_674_: i32;
-    var phi_675_: i32;
-    var phi_685_: bool;
-    var phi_695_: u32;
-    var phi_696_: u32;
-    var phi_698_: bool;
+    var phi_391_: u32;
+    var phi_435_: i32;
+    var phi_575_: type_40;
+    var phi_681_: i32;
+    var phi_682_: i32;
+    var phi_692_: bool;
+    var phi_702_: u32;
     var phi_703_: u32;
-    var phi_736_: i32;
-    var phi_754_: f32;
-    var phi_760_: f32;
-    var phi_800_: f32;
-    var phi_806_: f32;
-    var phi_879_: f32;
-    var phi_885_: f32;
-    var phi_925_: f32;
-    var phi_931_: f32;
-    var phi_1004_: f32;
-    var phi_1010_: f32;
-    var phi_1050_: f32;
-    var phi_1056_: f32;
-    var phi_1175_: i32;
-    var phi_1197_: u32;
-    var phi_1198_: u32;
-    var phi_1235_: i32;
-    var phi_1257_: u32;
-    var phi_1258_: u32;
-    var phi_1266_: f32;
-    var phi_1267_: f32;
-    var phi_4262_: bool;
-    var phi_1350_: type_43;
-    var phi_1353_: u32;
-    var phi_1355_: bool;
-    var phi_1357_: u32;
-    var phi_1359_: type_62;
-    var phi_1370_: bool;
-    var phi_1456_: bool;
-    var phi_1457_: u32;
-    var phi_1458_: type_62;
-    var phi_1476_: type_43;
-    var phi_1479_: type_8;
-    var phi_1480_: type_8;
-    var phi_1502_: type_8;
-    var phi_1523_: u32;
-    var phi_1615_: array<array<f32, 3>, 3>;
-    var phi_3983_: bool;
-    var phi_3998_: bool;
-    var phi_4013_: bool;
-    var phi_4028_: bool;
-    var phi_4043_: bool;
-    var phi_4058_: bool;
-    var phi_2157_: f32;
-    var phi_2158_: f32;
-    var phi_2159_: f32;
-    var phi_2160_: f32;
-    var phi_2161_: vec3<f32>;
-    var phi_2162_: vec3<f32>;
-    var phi_2163_: vec3<f32>;
-    var phi_2164_: vec3<f32>;
-    var phi_4073_: bool;
-    var phi_4088_: bool;
-    var phi_4103_: bool;
-    var phi_4118_: bool;
-    var phi_4133_: bool;
-    var phi_4148_: bool;
-    var phi_2372_: f32;
-    var phi_2392_: type_46;
-    var phi_2393_: type_46;
-    var phi_2396_: type_46;
-    var phi_2397_: type_46;
-    var phi_2398_: bool;
-    var phi_2402_: type_46;
-    var phi_2411_: type_27;
-    var phi_2434_: u32;
-    var phi_2448_: i32;
-    var phi_2470_: vec3<f32>;
-    var phi_2471_: vec3<f32>;
-    var phi_2489_: vec3<f32>;
-    var phi_2490_: vec3<f32>;
-    var phi_2508_: vec3<f32>;
-    var phi_2509_: vec3<f32>;
-    var phi_2545_: vec3<f32>;
-    var phi_2727_: f32;
-    var phi_2745_: bool;
-    var phi_2746_: bool;
-    var phi_2765_: bool;
-    var phi_2766_: bool;
-    var phi_2772_: type_43;
-    var phi_2773_: type_43;
-    var phi_2774_: type_43;
-    var phi_1477_: type_43;
-    var phi_4256_: bool;
-    var phi_4512_: bool;
-    var phi_2775_: type_43;
-    var phi_2796_: type_55;
-    var phi_3682_: type_62;
+    var phi_705_: bool;
+    var phi_710_: u32;
+    var phi_743_: i32;
+    var phi_761_: f32;
+    var phi_767_: f32;
+    var phi_807_: f32;
+    var phi_813_: f32;
+    var phi_886_: f32;
+    var phi_892_: f32;
+    var phi_932_: f32;
+    var phi_938_: f32;
+    var phi_1011_: f32;
+    var phi_1017_: f32;
+    var phi_1057_: f32;
+    var phi_1063_: f32;
+    var phi_1182_: i32;
+    var phi_1204_: u32;
+    var phi_1205_: u32;
+    var phi_1242_: i32;
+    var phi_1264_: u32;
+    var phi_1265_: u32;
+    var phi_1273_: f32;
+    var phi_1274_: f32;
+    var phi_4191_: bool;
+    var phi_1357_: type_43;
+    var phi_1360_: bool;
+    var phi_1362_: type_62;
+    var phi_1364_: u32;
+    var phi_1366_: u32;
+    var phi_1377_: bool;
+    var phi_1463_: bool;
+    var phi_1464_: type_62;
+    var phi_1465_: u32;
+    var phi_2773_: type_55;
+    var phi_3659_: type_62;
+    var phi_3735_: type_62;
+    var phi_3736_: type_62;
+    var phi_3737_: u32;
+    var phi_3739_: type_62;
+    var phi_3740_: u32;
+    var phi_3741_: bool;
+    var phi_3748_: type_62;
+    var phi_3753_: bool;
+    var phi_3754_: type_62;
+    var phi_1483_: type_43;
+    var phi_1486_: type_8;
+    var phi_1487_: type_8;
+    var phi_1509_: type_8;
+    var phi_1530_: u32;
+    var phi_1622_: array<array<f32, 3>, 3>;
+    var phi_2152_: f32;
+    var phi_2153_: f32;
+    var phi_2154_: f32;
+    var phi_2155_: f32;
+    var phi_2156_: vec3<f32>;
+    var phi_2157_: vec3<f32>;
+    var phi_2158_: vec3<f32>;
+    var phi_2159_: vec3<f32>;
+    var phi_2350_: f32;
+    var phi_2370_: type_46;
+    var phi_2371_: type_46;
+    var phi_2374_: type_46;
+    var phi_2375_: type_46;
+    var phi_2376_: bool;
+    var phi_2380_: type_46;
+    var phi_2389_: type_27;
+    var phi_2412_: u32;
+    var phi_2426_: i32;
+    var phi_2448_: vec3<f32>;
+    var phi_2449_: vec3<f32>;
+    var phi_2467_: vec3<f32>;
+    var phi_2468_: vec3<f32>;
+    var phi_2486_: vec3<f32>;
+    var phi_2487_: vec3<f32>;
+    var phi_2523_: vec3<f32>;
+    var phi_2705_: f32;
+    var phi_2723_: bool;
+    var phi_2724_: bool;
+    var phi_2743_: bool;
+    var phi_2744_: bool;
+    var phi_2750_: type_43;
+    var phi_2751_: type_43;
+    var phi_2752_: type_43;
+    var phi_1484_: type_43;
+    var phi_4185_: bool;
+    var local_10: type_43;
+    var phi_4374_: bool;
+    var phi_3756_: type_43;
+    var phi_3757_: bool;
     var phi_3758_: type_62;
     var phi_3759_: u32;
-    var phi_3760_: type_62;
-    var phi_3762_: u32;
-    var phi_3763_: type_62;
-    var phi_3764_: bool;
-    var phi_3771_: type_62;
-    var phi_3776_: bool;
-    var phi_3778_: type_62;
-    var phi_3782_: bool;
-    var phi_3783_: u32;
-    var phi_3784_: type_62;
-    var phi_3794_: type_62;
-    var phi_4456_: bool;
-    var phi_3795_: type_43;
-    var phi_3796_: u32;
-    var phi_3797_: bool;
-    var phi_3798_: u32;
-    var phi_3799_: type_62;
-    var phi_4455_: bool;
-    var phi_3800_: type_43;
-    var phi_3801_: u32;
-    var phi_3802_: bool;
-    var phi_3803_: u32;
-    var phi_3804_: type_62;
-    var phi_4454_: bool;
-    var phi_1351_: type_43;
-    var phi_1354_: u32;
-    var phi_1356_: bool;
-    var phi_1358_: u32;
-    var phi_1360_: type_62;
-    var phi_3805_: bool;
-    var phi_4453_: bool;
-    var local_10: type_43;
-    var phi_3843_: f32;
-    var phi_3845_: f32;
-    var phi_3846_: bool;
-    var phi_3847_: f32;
-    var phi_3848_: bool;
-    var phi_4176_: u32;
-    var phi_4194_: bool;
-    var phi_4197_: bool;
-    var phi_4210_: f32;
-    var phi_4211_: f32;
-    var phi_4216_: f32;
-    var phi_4217_: f32;
-    var phi_4218_: bool;
-    var phi_4226_: f32;
-    var phi_3863_: f32;
-    var phi_3864_: f32;
-    var phi_3876_: f32;
-    var phi_3881_: type_27;
+    var phi_4373_: bool;
+    var phi_3760_: type_43;
+    var phi_3761_: bool;
+    var phi_3762_: type_62;
+    var phi_3763_: u32;
+    var phi_3764_: u32;
+    var phi_4372_: bool;
+    var phi_3765_: type_43;
+    var phi_3766_: bool;
+    var phi_3767_: type_62;
+    var phi_3768_: u32;
+    var phi_3769_: u32;
+    var phi_4371_: bool;
+    var phi_1358_: type_43;
+    var phi_1361_: bool;
+    var phi_1363_: type_62;
+    var phi_1365_: u32;
+    var phi_1367_: u32;
+    var phi_3770_: bool;
+    var phi_4370_: bool;
     var local_11: type_43;
+    var phi_3808_: f32;
+    var phi_3810_: f32;
+    var phi_3811_: bool;
+    var phi_3812_: f32;
+    var phi_3813_: bool;
+    var phi_4105_: u32;
+    var phi_4123_: bool;
+    var phi_4126_: bool;
+    var phi_4139_: f32;
+    var phi_4140_: f32;
+    var phi_4145_: f32;
+    var phi_4146_: f32;
+    var phi_4147_: bool;
+    var phi_4155_: f32;
+    var phi_3828_: f32;
+    var phi_3829_: f32;
+    var phi_3841_: f32;
+    var phi_3846_: type_27;
+    var local_12: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -308,11 +296,11 @@ fn function_() {
                     break;
                 }
                 let _e155 = global_7.member[_e144].member_2;
-                phi_384_ = _e155;
+                phi_391_ = _e155;
             } else {
-                phi_384_ = 4294967295u;
+                phi_391_ = 4294967295u;
             }
-            let _e157 = phi_384_;
+            let _e157 = phi_391_;
             let _e160 = global_1.member[0u];
             let _e164 = global_2.member[0u][0u];
             let _e168 = global_2.member[0u][1u];
@@ -329,15 +317,15 @@ fn function_() {
             let _e198 = array<u32, 3>(_e184, _e188, _e192);
             let _e200 = bitcast<i32>(_e160);
             if (_e200 < -126i) {
-                phi_428_ = -126i;
+                phi_435_ = -126i;
             } else {
-                phi_428_ = select(_e200, 127i, (_e200 > 127i));
+                phi_435_ = select(_e200, 127i, (_e200 > 127i));
             }
-            let _e205 = phi_428_;
+            let _e205 = phi_435_;
             let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
             let _e216 = bitcast<f32>((bitcast<u32>(((_e200 - _e205) + 127i)) << bitcast<u32>(23i)));
             if (_e176 == 0u) {
-                phi_568_ = type_40(array<f32, 3>(_e193, _e194, _e195), _e176, _e197, _e198);
+                phi_575_ = type_40(array<f32, 3>(_e193, _e194, _e195), _e176, _e197, _e198);
             } else {
                 let _e218 = bitcast<u32>(_e193);
                 let _e220 = ((_e218 & 2139095040u) != 0u);
@@ -347,9 +335,9 @@ fn function_() {
                 let _e254 = ((_e252 & 2139095040u) != 0u);
                 let _e270 = bitcast<u32>(_e197);
                 let _e272 = ((_e270 & 2139095040u) != 0u);
-                phi_568_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e218 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e218 & 2147483648u))), _e193, _e220) * _e210) * select(0.00000011920929f, 1f, _e220)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e194, _e237) * _e210) * select(0.00000011920929f, 1f, _e237)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e195, _e254) * _e210) * select(0.00000011920929f, 1f, _e254)) * _e216)), _e176, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e197, _e272) * _e210) * select(0.00000011920929f, 1f, _e272)) * _e216), _e198);
+                phi_575_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e218 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e218 & 2147483648u))), _e193, _e220) * _e210) * select(0.00000011920929f, 1f, _e220)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e194, _e237) * _e210) * select(0.00000011920929f, 1f, _e237)) * _e216), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e195, _e254) * _e210) * select(0.00000011920929f, 1f, _e254)) * _e216)), _e176, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e197, _e272) * _e210) * select(0.00000011920929f, 1f, _e272)) * _e216), _e198);
             }
-            let _e289 = phi_568_;
+            let _e289 = phi_575_;
             if _e151 {
                 let _e290 = (_e144 < arrayLength((&global_8.member)));
                 if _e290 {
@@ -384,85 +372,85 @@ fn function_() {
                     if _e373 {
                         let _e376 = (bitcast<u32>(bitcast<f32>(_e346)) & 2147483647u);
                         if (_e376 >= 8388608u) {
-                            phi_674_ = (bitcast<i32>((_e376 >> bitcast<u32>(23i))) - 127i);
+                            phi_681_ = (bitcast<i32>((_e376 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_674_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e376)), 32u, (_e376 == 0u))));
+                            phi_681_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e376)), 32u, (_e376 == 0u))));
                         }
-                        let _e390 = phi_674_;
-                        phi_675_ = _e390;
+                        let _e390 = phi_681_;
+                        phi_682_ = _e390;
                     } else {
-                        phi_675_ = 0i;
+                        phi_682_ = 0i;
                     }
-                    let _e392 = phi_675_;
+                    let _e392 = phi_682_;
                     let _e393 = (_e302 == _e346);
                     if _e393 {
-                        phi_685_ = true;
+                        phi_692_ = true;
                     } else {
-                        phi_685_ = (_e310 == _e346);
+                        phi_692_ = (_e310 == _e346);
                     }
-                    let _e396 = phi_685_;
+                    let _e396 = phi_692_;
                     let _e397 = select(1u, 0u, _e393);
                     if _e396 {
                         let _e398 = (_e397 + 1u);
-                        phi_695_ = _e398;
-                        phi_696_ = _e398;
-                        phi_698_ = select(true, false, (_e398 == 2u));
+                        phi_702_ = _e398;
+                        phi_703_ = _e398;
+                        phi_705_ = select(true, false, (_e398 == 2u));
                     } else {
-                        phi_695_ = u32();
-                        phi_696_ = 0u;
-                        phi_698_ = true;
-                    }
-                    let _e402 = phi_695_;
-                    let _e404 = phi_696_;
-                    let _e406 = phi_698_;
-                    if _e406 {
-                        phi_703_ = (_e404 + 1u);
-                    } else {
+                        phi_702_ = u32();
                         phi_703_ = 0u;
+                        phi_705_ = true;
                     }
-                    let _e410 = phi_703_;
+                    let _e402 = phi_702_;
+                    let _e404 = phi_703_;
+                    let _e406 = phi_705_;
+                    if _e406 {
+                        phi_710_ = (_e404 + 1u);
+                    } else {
+                        phi_710_ = 0u;
+                    }
+                    let _e410 = phi_710_;
                     let _e411 = select(_e402, _e404, _e406);
                     let _e412 = select(_e397, select(2u, _e397, _e396), _e406);
                     let _e413 = -(_e392);
                     if (_e413 < -126i) {
-                        phi_736_ = -126i;
+                        phi_743_ = -126i;
                     } else {
-                        phi_736_ = select(_e413, 127i, (_e413 > 127i));
+                        phi_743_ = select(_e413, 127i, (_e413 > 127i));
                     }
-                    let _e418 = phi_736_;
+                    let _e418 = phi_743_;
                     let _e423 = bitcast<f32>((bitcast<u32>((_e418 + 127i)) << bitcast<u32>(23i)));
                     let _e429 = bitcast<f32>((bitcast<u32>(((_e413 - _e418) + 127i)) << bitcast<u32>(23i)));
                     let _e434 = global_7.member[_e144].member.member;
                     let _e435 = (_e411 == 0u);
                     if _e435 {
-                        phi_754_ = _e434[0];
+                        phi_761_ = _e434[0];
                     } else {
-                        phi_754_ = _e434[1];
+                        phi_761_ = _e434[1];
                     }
-                    let _e439 = phi_754_;
+                    let _e439 = phi_761_;
                     let _e440 = (_e411 == 2u);
                     if _e440 {
-                        phi_760_ = _e434[2];
+                        phi_767_ = _e434[2];
                     } else {
-                        phi_760_ = _e439;
+                        phi_767_ = _e439;
                     }
-                    let _e443 = phi_760_;
+                    let _e443 = phi_767_;
                     let _e444 = bitcast<u32>(_e443);
                     let _e446 = ((_e444 & 2139095040u) != 0u);
                     let _e458 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e444 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e444 & 2147483648u))), _e443, _e446) * select(0.00000011920929f, 1f, _e446));
                     let _e459 = global_7.member[_e144].member.member_2;
                     if _e435 {
-                        phi_800_ = _e459[0];
+                        phi_807_ = _e459[0];
                     } else {
-                        phi_800_ = _e459[1];
+                        phi_807_ = _e459[1];
                     }
-                    let _e463 = phi_800_;
+                    let _e463 = phi_807_;
                     if _e440 {
-                        phi_806_ = _e459[2];
+                        phi_813_ = _e459[2];
                     } else {
-                        phi_806_ = _e463;
+                        phi_813_ = _e463;
                     }
-                    let _e466 = phi_806_;
+                    let _e466 = phi_813_;
                     let _e467 = bitcast<u32>(_e466);
                     let _e469 = ((_e467 & 2139095040u) != 0u);
                     let _e483 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * _e423) * select(0.00000011920929f, 1f, _e469)) * _e429);
@@ -476,33 +464,33 @@ fn function_() {
                     let _e499 = select(38685626000000000000000000f, (1f / _e483), _e487);
                     let _e500 = (_e410 == 0u);
                     if _e500 {
-                        phi_879_ = _e434[0];
+                        phi_886_ = _e434[0];
                     } else {
-                        phi_879_ = _e434[1];
+                        phi_886_ = _e434[1];
                     }
-                    let _e504 = phi_879_;
+                    let _e504 = phi_886_;
                     let _e505 = (_e410 == 2u);
                     if _e505 {
-                        phi_885_ = _e434[2];
+                        phi_892_ = _e434[2];
                     } else {
-                        phi_885_ = _e504;
+                        phi_892_ = _e504;
                     }
-                    let _e508 = phi_885_;
+                    let _e508 = phi_892_;
                     let _e509 = bitcast<u32>(_e508);
                     let _e511 = ((_e509 & 2139095040u) != 0u);
                     let _e523 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e509 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e509 & 2147483648u))), _e508, _e511) * select(0.00000011920929f, 1f, _e511));
                     if _e500 {
-                        phi_925_ = _e459[0];
+                        phi_932_ = _e459[0];
                     } else {
-                        phi_925_ = _e459[1];
+                        phi_932_ = _e459[1];
                     }
-                    let _e527 = phi_925_;
+                    let _e527 = phi_932_;
                     if _e505 {
-                        phi_931_ = _e459[2];
+                        phi_938_ = _e459[2];
                     } else {
-                        phi_931_ = _e527;
+                        phi_938_ = _e527;
                     }
-                    let _e530 = phi_931_;
+                    let _e530 = phi_938_;
                     let _e531 = bitcast<u32>(_e530);
                     let _e533 = ((_e531 & 2139095040u) != 0u);
                     let _e547 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e531 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e531 & 2147483648u))), _e530, _e533) * _e423) * select(0.00000011920929f, 1f, _e533)) * _e429);
@@ -516,33 +504,33 @@ fn function_() {
                     let _e563 = select(38685626000000000000000000f, (1f / _e547), _e551);
                     let _e564 = (_e412 == 0u);
                     if _e564 {
-                        phi_1004_ = _e434[0];
+                        phi_1011_ = _e434[0];
                     } else {
-                        phi_1004_ = _e434[1];
+                        phi_1011_ = _e434[1];
                     }
-                    let _e568 = phi_1004_;
+                    let _e568 = phi_1011_;
                     let _e569 = (_e412 == 2u);
                     if _e569 {
-                        phi_1010_ = _e434[2];
+                        phi_1017_ = _e434[2];
                     } else {
-                        phi_1010_ = _e568;
+                        phi_1017_ = _e568;
                     }
-                    let _e572 = phi_1010_;
+                    let _e572 = phi_1017_;
                     let _e573 = bitcast<u32>(_e572);
                     let _e575 = ((_e573 & 2139095040u) != 0u);
                     let _e587 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e573 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e573 & 2147483648u))), _e572, _e575) * select(0.00000011920929f, 1f, _e575));
                     if _e564 {
-                        phi_1050_ = _e459[0];
+                        phi_1057_ = _e459[0];
                     } else {
-                        phi_1050_ = _e459[1];
+                        phi_1057_ = _e459[1];
                     }
-                    let _e591 = phi_1050_;
+                    let _e591 = phi_1057_;
                     if _e569 {
-                        phi_1056_ = _e459[2];
+                        phi_1063_ = _e459[2];
                     } else {
-                        phi_1056_ = _e591;
+                        phi_1063_ = _e591;
                     }
-                    let _e594 = phi_1056_;
+                    let _e594 = phi_1063_;
                     let _e595 = bitcast<u32>(_e594);
                     let _e597 = ((_e595 & 2139095040u) != 0u);
                     let _e611 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e595 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e595 & 2147483648u))), _e594, _e597) * _e423) * select(0.00000011920929f, 1f, _e597)) * _e429);
@@ -561,55 +549,55 @@ fn function_() {
                         let _e648 = (_e641 == 0u);
                         let _e651 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e641)), 32u, _e648)) - 8i);
                         if (_e644 == 255i) {
-                            phi_1175_ = 255i;
+                            phi_1182_ = 255i;
                         } else {
-                            phi_1175_ = (((_e644 + select(0i, 1i, (_e644 == 0i))) - _e651) + _e392);
+                            phi_1182_ = (((_e644 + select(0i, 1i, (_e644 == 0i))) - _e651) + _e392);
                         }
-                        let _e659 = phi_1175_;
+                        let _e659 = phi_1182_;
                         let _e669 = (_e659 <= 0i);
                         if _e669 {
-                            phi_1198_ = u32();
+                            phi_1205_ = u32();
                         } else {
                             if _e648 {
-                                phi_1197_ = u32();
+                                phi_1204_ = u32();
                             } else {
-                                phi_1197_ = select(((bitcast<u32>(_e659) << bitcast<u32>(23i)) | ((_e641 << bitcast<u32>(((_e651 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e659 >= 255i));
+                                phi_1204_ = select(((bitcast<u32>(_e659) << bitcast<u32>(23i)) | ((_e641 << bitcast<u32>(((_e651 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e659 >= 255i));
                             }
-                            let _e673 = phi_1197_;
-                            phi_1198_ = _e673;
+                            let _e673 = phi_1204_;
+                            phi_1205_ = _e673;
                         }
-                        let _e675 = phi_1198_;
+                        let _e675 = phi_1205_;
                         let _e687 = ((_e369 & 8388607u) | (select(0u, 1u, ((_e369 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e690 = bitcast<i32>((_e369 >> bitcast<u32>(23i)));
                         let _e694 = (_e687 == 0u);
                         let _e697 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e687)), 32u, _e694)) - 8i);
                         if (_e690 == 255i) {
-                            phi_1235_ = 255i;
+                            phi_1242_ = 255i;
                         } else {
-                            phi_1235_ = (((_e690 + select(0i, 1i, (_e690 == 0i))) - _e697) + _e392);
+                            phi_1242_ = (((_e690 + select(0i, 1i, (_e690 == 0i))) - _e697) + _e392);
                         }
-                        let _e705 = phi_1235_;
+                        let _e705 = phi_1242_;
                         let _e715 = (_e705 <= 0i);
                         if _e715 {
-                            phi_1258_ = u32();
+                            phi_1265_ = u32();
                         } else {
                             if _e694 {
-                                phi_1257_ = u32();
+                                phi_1264_ = u32();
                             } else {
-                                phi_1257_ = select(((bitcast<u32>(_e705) << bitcast<u32>(23i)) | ((_e687 << bitcast<u32>(((_e697 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e705 >= 255i));
+                                phi_1264_ = select(((bitcast<u32>(_e705) << bitcast<u32>(23i)) | ((_e687 << bitcast<u32>(((_e697 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e705 >= 255i));
                             }
-                            let _e719 = phi_1257_;
-                            phi_1258_ = _e719;
+                            let _e719 = phi_1264_;
+                            phi_1265_ = _e719;
                         }
-                        let _e721 = phi_1258_;
-                        phi_1266_ = bitcast<f32>(((_e368 & 2147483648u) | select(_e721, 0u, select(_e694, true, _e715))));
-                        phi_1267_ = bitcast<f32>(((_e358 & 2147483648u) | select(_e675, 0u, select(_e648, true, _e669))));
+                        let _e721 = phi_1265_;
+                        phi_1273_ = bitcast<f32>(((_e368 & 2147483648u) | select(_e721, 0u, select(_e694, true, _e715))));
+                        phi_1274_ = bitcast<f32>(((_e358 & 2147483648u) | select(_e675, 0u, select(_e648, true, _e669))));
                     } else {
-                        phi_1266_ = 0f;
-                        phi_1267_ = 1f;
+                        phi_1273_ = 0f;
+                        phi_1274_ = 1f;
                     }
-                    let _e727 = phi_1266_;
-                    let _e729 = phi_1267_;
+                    let _e727 = phi_1273_;
+                    let _e729 = phi_1274_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -619,1110 +607,1030 @@ fn function_() {
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 3>(bitcast<f32>(_e116), bitcast<f32>(_e120), bitcast<f32>(_e124));
-                    let _e734 = (_e411 % 3u);
-                    let _e735 = (_e734 < 3u);
-                    if _e735 {
+                    let _e736 = (_e411 % 3u);
+                    let _e737 = (_e736 < 3u);
+                    if _e737 {
                     } else {
                         break;
                     }
-                    let _e737 = local_9[_e734];
-                    let _e738 = (_e410 % 3u);
-                    let _e739 = (_e738 < 3u);
-                    if _e739 {
+                    let _e739 = local_9[_e736];
+                    let _e740 = (_e410 % 3u);
+                    let _e741 = (_e740 < 3u);
+                    if _e741 {
                     } else {
                         break;
                     }
-                    let _e741 = local_9[_e738];
-                    let _e742 = (_e412 % 3u);
-                    let _e743 = (_e742 < 3u);
-                    if _e743 {
+                    let _e743 = local_9[_e740];
+                    let _e744 = (_e412 % 3u);
+                    let _e745 = (_e744 < 3u);
+                    if _e745 {
                     } else {
                         break;
                     }
-                    let _e745 = local_9[_e742];
+                    let _e747 = local_9[_e744];
                     local_8 = array<f32, 3>(bitcast<f32>(_e128), bitcast<f32>(_e132), bitcast<f32>(_e136));
-                    if _e735 {
+                    if _e737 {
                     } else {
                         break;
                     }
-                    let _e749 = local_8[_e734];
-                    if _e739 {
+                    let _e751 = local_8[_e736];
+                    if _e741 {
                     } else {
                         break;
                     }
-                    let _e751 = local_8[_e738];
-                    if _e743 {
+                    let _e753 = local_8[_e740];
+                    if _e745 {
                     } else {
                         break;
                     }
-                    let _e753 = local_8[_e742];
-                    phi_4262_ = false;
-                    phi_1350_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e727);
-                    phi_1353_ = ((3u * _e98) + 1u);
-                    phi_1355_ = (_e729 <= _e727);
-                    phi_1357_ = 0u;
-                    phi_1359_ = type_62(type_60(array<f32, 3>(_e737, _e741, _e745), array<f32, 3>(_e749, _e751, _e753)), select(0u, 2147483648u, (_e98 == 0u)));
+                    let _e755 = local_8[_e744];
+                    phi_4191_ = false;
+                    phi_1357_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e727);
+                    phi_1360_ = (_e729 <= _e727);
+                    phi_1362_ = type_62(type_60(array<f32, 3>(_e739, _e743, _e747), array<f32, 3>(_e751, _e753, _e755)), select(0u, 2147483648u, (_e98 == 0u)));
+                    phi_1364_ = 0u;
+                    phi_1366_ = ((3u * _e98) + 1u);
                     loop {
-                        let _e761 = phi_4262_;
-                        let _e763 = phi_1350_;
-                        let _e765 = phi_1353_;
-                        let _e767 = phi_1355_;
-                        let _e769 = phi_1357_;
-                        let _e771 = phi_1359_;
-                        local_10 = _e763;
-                        if _e767 {
-                            phi_1370_ = true;
+                        let _e761 = phi_4191_;
+                        let _e763 = phi_1357_;
+                        let _e765 = phi_1360_;
+                        let _e767 = phi_1362_;
+                        let _e769 = phi_1364_;
+                        let _e771 = phi_1366_;
+                        local_11 = _e763;
+                        if _e765 {
+                            phi_1377_ = true;
                         } else {
-                            phi_1370_ = (_e769 > 0u);
+                            phi_1377_ = (_e769 > 0u);
                         }
-                        let _e774 = phi_1370_;
+                        let _e774 = phi_1377_;
                         if _e774 {
-                            let _e775 = (_e765 > 0u);
+                            let _e775 = (_e771 > 0u);
                             if _e775 {
-                                if _e767 {
-                                    phi_1456_ = _e767;
-                                    phi_1457_ = _e769;
-                                    phi_1458_ = _e771;
+                                if _e765 {
+                                    phi_1463_ = _e765;
+                                    phi_1464_ = _e767;
+                                    phi_1465_ = _e769;
                                 } else {
                                     let _e776 = (_e769 - 1u);
                                     let _e777 = (_e776 % 128u);
                                     let _e778 = (_e777 < 128u);
                                     if _e778 {
                                     } else {
-                                        phi_4453_ = true;
+                                        phi_4370_ = true;
                                         break;
                                     }
                                     let _e780 = local_6[_e777];
                                     if _e778 {
                                     } else {
-                                        phi_4453_ = true;
+                                        phi_4370_ = true;
                                         break;
                                     }
                                     let _e782 = local_5[_e777];
                                     if _e778 {
                                     } else {
-                                        phi_4453_ = true;
+                                        phi_4370_ = true;
                                         break;
                                     }
                                     let _e784 = local_4[_e777];
                                     if _e778 {
                                     } else {
-                                        phi_4453_ = true;
+                                        phi_4370_ = true;
                                         break;
                                     }
                                     let _e786 = local_3[_e777];
                                     if _e778 {
                                     } else {
-                                        phi_4453_ = true;
+                                        phi_4370_ = true;
                                         break;
                                     }
                                     let _e789 = local_2[_e777];
                                     if _e778 {
                                     } else {
-                                        phi_4453_ = true;
+                                        phi_4370_ = true;
                                         break;
                                     }
                                     let _e791 = local_1[_e777];
                                     if _e778 {
                                     } else {
-                                        phi_4453_ = true;
+                                        phi_4370_ = true;
                                         break;
                                     }
                                     let _e793 = local[_e777];
                                     if _e778 {
                                     } else {
-                                        phi_4453_ = true;
+                                        phi_4370_ = true;
                                         break;
                                     }
                                     let _e798 = local_7[_e777];
-                                    phi_1456_ = (_e798 <= _e763.member_1);
-                                    phi_1457_ = _e776;
-                                    phi_1458_ = type_62(type_60(array<f32, 3>(_e782, _e784, _e786), array<f32, 3>(_e789, _e791, _e793)), _e780);
+                                    phi_1463_ = (_e798 <= _e763.member_1);
+                                    phi_1464_ = type_62(type_60(array<f32, 3>(_e782, _e784, _e786), array<f32, 3>(_e789, _e791, _e793)), _e780);
+                                    phi_1465_ = _e776;
                                 }
-                                let _e802 = phi_1456_;
-                                let _e804 = phi_1457_;
-                                let _e806 = phi_1458_;
+                                let _e802 = phi_1463_;
+                                let _e804 = phi_1464_;
+                                let _e806 = phi_1465_;
                                 if _e802 {
-                                    let _e810 = ((_e806.member_1 & 2147483648u) != 0u);
-                                    if _e810 {
-                                        phi_1476_ = _e763;
-                                        phi_1479_ = type_8(0u, ((_e806.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    if ((_e804.member_1 & 2147483648u) != 0u) {
+                                        phi_1483_ = _e763;
+                                        phi_1486_ = type_8(0u, ((_e804.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e817 = phi_1476_;
-                                            let _e819 = phi_1479_;
-                                            local_11 = _e817;
-                                            if (_e819.member < _e819.member_1) {
-                                                phi_1480_ = type_8((_e819.member + 1u), _e819.member_1);
-                                                phi_1502_ = type_8(1u, _e819.member);
+                                            let _e1181 = phi_1483_;
+                                            let _e1183 = phi_1486_;
+                                            local_10 = _e1181;
+                                            local_12 = _e1181;
+                                            if (_e1183.member < _e1183.member_1) {
+                                                phi_1487_ = type_8((_e1183.member + 1u), _e1183.member_1);
+                                                phi_1509_ = type_8(1u, _e1183.member);
                                             } else {
-                                                phi_1480_ = _e819;
-                                                phi_1502_ = type_8(0u, type_8().member_1);
+                                                phi_1487_ = _e1183;
+                                                phi_1509_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e832 = phi_1480_;
-                                            let _e834 = phi_1502_;
-                                            let _e838 = (bitcast<i32>(_e834.member) != 0i);
-                                            if _e838 {
-                                                let _e839 = ((_e806.member_1 & 268435455u) + _e834.member_1);
-                                                let _e840 = (_e839 < _e100);
-                                                if _e840 {
-                                                    if _e840 {
+                                            let _e1196 = phi_1487_;
+                                            let _e1198 = phi_1509_;
+                                            let _e1202 = (bitcast<i32>(_e1198.member) != 0i);
+                                            if _e1202 {
+                                                let _e1203 = ((_e804.member_1 & 268435455u) + _e1198.member_1);
+                                                let _e1204 = (_e1203 < _e100);
+                                                if _e1204 {
+                                                    if _e1204 {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e844 = global_4.member[_e839].member_1;
-                                                    phi_1523_ = _e844;
+                                                    let _e1208 = global_4.member[_e1203].member_1;
+                                                    phi_1530_ = _e1208;
                                                 } else {
-                                                    phi_1523_ = 4294967295u;
+                                                    phi_1530_ = 4294967295u;
                                                 }
-                                                let _e846 = phi_1523_;
-                                                if (_e839 >= _e100) {
-                                                    phi_1615_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1210 = phi_1530_;
+                                                if (_e1203 >= _e100) {
+                                                    phi_1622_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e840 {
+                                                    if _e1204 {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    if (_e734 < 9u) {
+                                                    if (_e736 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e853 = global_4.member[_e839].member[_e734];
-                                                    if (_e738 < 9u) {
+                                                    let _e1217 = global_4.member[_e1203].member[_e736];
+                                                    if (_e740 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e859 = global_4.member[_e839].member[_e738];
-                                                    if (_e742 < 9u) {
+                                                    let _e1223 = global_4.member[_e1203].member[_e740];
+                                                    if (_e744 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e865 = global_4.member[_e839].member[_e742];
-                                                    let _e867 = (3u + _e734);
-                                                    if (_e867 < 9u) {
+                                                    let _e1229 = global_4.member[_e1203].member[_e744];
+                                                    let _e1231 = (3u + _e736);
+                                                    if (_e1231 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e873 = global_4.member[_e839].member[_e867];
-                                                    let _e874 = (3u + _e738);
-                                                    if (_e874 < 9u) {
+                                                    let _e1237 = global_4.member[_e1203].member[_e1231];
+                                                    let _e1238 = (3u + _e740);
+                                                    if (_e1238 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e880 = global_4.member[_e839].member[_e874];
-                                                    let _e881 = (3u + _e742);
-                                                    if (_e881 < 9u) {
+                                                    let _e1244 = global_4.member[_e1203].member[_e1238];
+                                                    let _e1245 = (3u + _e744);
+                                                    if (_e1245 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e887 = global_4.member[_e839].member[_e881];
-                                                    let _e889 = (6u + _e734);
-                                                    if (_e889 < 9u) {
+                                                    let _e1251 = global_4.member[_e1203].member[_e1245];
+                                                    let _e1253 = (6u + _e736);
+                                                    if (_e1253 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e895 = global_4.member[_e839].member[_e889];
-                                                    let _e896 = (6u + _e738);
-                                                    if (_e896 < 9u) {
+                                                    let _e1259 = global_4.member[_e1203].member[_e1253];
+                                                    let _e1260 = (6u + _e740);
+                                                    if (_e1260 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e902 = global_4.member[_e839].member[_e896];
-                                                    let _e903 = (6u + _e742);
-                                                    if (_e903 < 9u) {
+                                                    let _e1266 = global_4.member[_e1203].member[_e1260];
+                                                    let _e1267 = (6u + _e744);
+                                                    if (_e1267 < 9u) {
                                                     } else {
-                                                        phi_4256_ = true;
+                                                        phi_4185_ = true;
                                                         break;
                                                     }
-                                                    let _e909 = global_4.member[_e839].member[_e903];
-                                                    phi_1615_ = array<array<f32, 3>, 3>(array<f32, 3>(_e853, _e859, _e865), array<f32, 3>(_e873, _e880, _e887), array<f32, 3>(_e895, _e902, _e909));
+                                                    let _e1273 = global_4.member[_e1203].member[_e1267];
+                                                    phi_1622_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1217, _e1223, _e1229), array<f32, 3>(_e1237, _e1244, _e1251), array<f32, 3>(_e1259, _e1266, _e1273));
                                                 }
-                                                let _e913 = phi_1615_;
-                                                let _e929 = (_e913[0][2] - _e587);
-                                                let _e932 = (((_e913[0][0] - _e458) * _e623) - (_e929 * _e495));
-                                                let _e935 = (((_e913[0][1] - _e523) * _e623) - (_e929 * _e559));
-                                                let _e938 = (_e913[1][2] - _e587);
-                                                let _e941 = (((_e913[1][0] - _e458) * _e623) - (_e938 * _e495));
-                                                let _e944 = (((_e913[1][1] - _e523) * _e623) - (_e938 * _e559));
-                                                let _e947 = (_e913[2][2] - _e587);
-                                                let _e950 = (((_e913[2][0] - _e458) * _e623) - (_e947 * _e495));
-                                                let _e953 = (((_e913[2][1] - _e523) * _e623) - (_e947 * _e559));
-                                                let _e954 = (_e950 * _e944);
-                                                let _e955 = (_e953 * _e941);
-                                                let _e956 = (_e932 * _e953);
-                                                let _e957 = (_e935 * _e950);
-                                                let _e958 = (_e941 * _e935);
-                                                let _e959 = (_e944 * _e932);
-                                                let _e964 = (((_e954 >= _e955) && (_e956 >= _e957)) && (_e958 >= _e959));
-                                                let _e970 = (_e964 || (((_e954 <= _e955) && (_e956 <= _e957)) && (_e958 <= _e959)));
-                                                if _e970 {
-                                                    let _e972 = select(-1f, 1f, _e964);
-                                                    let _e974 = ((_e954 - _e955) * _e972);
-                                                    let _e976 = select(0f, _e974, (_e974 > 0f));
-                                                    let _e978 = ((_e956 - _e957) * _e972);
-                                                    let _e980 = select(0f, _e978, (_e978 > 0f));
-                                                    let _e982 = ((_e958 - _e959) * _e972);
-                                                    let _e984 = select(0f, _e982, (_e982 > 0f));
-                                                    let _e986 = ((_e976 + _e980) + _e984);
-                                                    let _e988 = select(_e913[1][0], _e913[0][0], (_e913[0][0] < _e913[1][0]));
-                                                    let _e992 = select(_e913[1][0], _e913[0][0], (_e913[0][0] > _e913[1][0]));
-                                                    let _e996 = select(_e913[1][1], _e913[0][1], (_e913[0][1] < _e913[1][1]));
-                                                    let _e1000 = select(_e913[1][1], _e913[0][1], (_e913[0][1] > _e913[1][1]));
-                                                    let _e1004 = select(_e913[1][2], _e913[0][2], (_e913[0][2] < _e913[1][2]));
-                                                    let _e1008 = select(_e913[1][2], _e913[0][2], (_e913[0][2] > _e913[1][2]));
-                                                    let _e1013 = ((select(_e913[2][0], _e988, (_e988 < _e913[2][0])) - _e496) * _e499);
-                                                    let _e1014 = ((select(_e913[2][0], _e992, (_e992 > _e913[2][0])) - _e497) * _e499);
-                                                    let _e1017 = ((select(_e913[2][1], _e996, (_e996 < _e913[2][1])) - _e560) * _e563);
-                                                    let _e1018 = ((select(_e913[2][1], _e1000, (_e1000 > _e913[2][1])) - _e561) * _e563);
-                                                    let _e1021 = ((select(_e913[2][2], _e1004, (_e1004 < _e913[2][2])) - _e624) * _e627);
-                                                    let _e1022 = ((select(_e913[2][2], _e1008, (_e1008 > _e913[2][2])) - _e625) * _e627);
-                                                    let _e1024 = select(_e1022, _e1021, (_e1021 < _e1022));
-                                                    let _e1026 = select(_e1022, _e1021, (_e1021 > _e1022));
-                                                    let _e1028 = select(_e1014, _e1013, (_e1013 < _e1014));
-                                                    let _e1030 = select(_e1018, _e1017, (_e1017 < _e1018));
-                                                    let _e1032 = select(_e1030, _e1028, (_e1028 > _e1030));
-                                                    let _e1034 = select(_e1024, _e1032, (_e1032 > _e1024));
-                                                    let _e1036 = select(_e1014, _e1013, (_e1013 > _e1014));
-                                                    let _e1038 = select(_e1018, _e1017, (_e1017 > _e1018));
-                                                    let _e1040 = select(_e1038, _e1036, (_e1036 < _e1038));
-                                                    let _e1042 = select(_e1026, _e1040, (_e1040 < _e1026));
-                                                    let _e1043 = -(_e1024);
-                                                    let _e1049 = select(_e729, _e1034, (_e1034 > _e729));
-                                                    let _e1053 = select(_e941, _e932, (_e932 < _e941));
-                                                    let _e1058 = select(_e941, _e932, (_e932 > _e941));
-                                                    let _e1065 = select(_e944, _e935, (_e935 < _e944));
-                                                    let _e1070 = select(_e944, _e935, (_e935 > _e944));
-                                                    let _e1079 = (((((_e970 && (_e986 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e950, _e1053, (_e1053 < _e950)) <= 0f) && (select(_e950, _e1058, (_e1058 > _e950)) >= 0f))) && ((select(_e953, _e1065, (_e1065 < _e953)) <= 0f) && (select(_e953, _e1070, (_e1070 > _e953)) >= 0f))) && (_e1049 <= (_e1042 + (select(_e1043, _e1026, (_e1026 > _e1043)) * 0.0000019073523f)))) && (_e1049 <= _e817.member_1));
-                                                    if _e1079 {
-                                                        let _e1084 = (_e913[1][0] - _e913[0][0]);
-                                                        let _e1085 = (_e913[1][1] - _e913[0][1]);
-                                                        let _e1086 = (_e913[1][2] - _e913[0][2]);
-                                                        let _e1087 = vec3<f32>(_e1084, _e1085, _e1086);
-                                                        let _e1088 = (_e913[2][0] - _e913[1][0]);
-                                                        let _e1089 = (_e913[2][1] - _e913[1][1]);
-                                                        let _e1090 = (_e913[2][2] - _e913[1][2]);
-                                                        let _e1091 = vec3<f32>(_e1088, _e1089, _e1090);
-                                                        let _e1092 = (_e913[0][0] - _e913[2][0]);
-                                                        let _e1093 = (_e913[0][1] - _e913[2][1]);
-                                                        let _e1094 = (_e913[0][2] - _e913[2][2]);
-                                                        let _e1095 = vec3<f32>(_e1092, _e1093, _e1094);
-                                                        let _e1096 = abs(_e1084);
-                                                        let _e1097 = abs(_e1085);
-                                                        if (_e1096 != _e1096) {
-                                                            phi_3983_ = true;
+                                                let _e1277 = phi_1622_;
+                                                let _e1293 = (_e1277[0][2] - _e587);
+                                                let _e1296 = (((_e1277[0][0] - _e458) * _e623) - (_e1293 * _e495));
+                                                let _e1299 = (((_e1277[0][1] - _e523) * _e623) - (_e1293 * _e559));
+                                                let _e1302 = (_e1277[1][2] - _e587);
+                                                let _e1305 = (((_e1277[1][0] - _e458) * _e623) - (_e1302 * _e495));
+                                                let _e1308 = (((_e1277[1][1] - _e523) * _e623) - (_e1302 * _e559));
+                                                let _e1311 = (_e1277[2][2] - _e587);
+                                                let _e1314 = (((_e1277[2][0] - _e458) * _e623) - (_e1311 * _e495));
+                                                let _e1317 = (((_e1277[2][1] - _e523) * _e623) - (_e1311 * _e559));
+                                                let _e1318 = (_e1314 * _e1308);
+                                                let _e1319 = (_e1317 * _e1305);
+                                                let _e1320 = (_e1296 * _e1317);
+                                                let _e1321 = (_e1299 * _e1314);
+                                                let _e1322 = (_e1305 * _e1299);
+                                                let _e1323 = (_e1308 * _e1296);
+                                                let _e1328 = (((_e1318 >= _e1319) && (_e1320 >= _e1321)) && (_e1322 >= _e1323));
+                                                let _e1334 = (_e1328 || (((_e1318 <= _e1319) && (_e1320 <= _e1321)) && (_e1322 <= _e1323)));
+                                                if _e1334 {
+                                                    let _e1336 = select(-1f, 1f, _e1328);
+                                                    let _e1338 = ((_e1318 - _e1319) * _e1336);
+                                                    let _e1340 = select(0f, _e1338, (_e1338 > 0f));
+                                                    let _e1342 = ((_e1320 - _e1321) * _e1336);
+                                                    let _e1344 = select(0f, _e1342, (_e1342 > 0f));
+                                                    let _e1346 = ((_e1322 - _e1323) * _e1336);
+                                                    let _e1348 = select(0f, _e1346, (_e1346 > 0f));
+                                                    let _e1350 = ((_e1340 + _e1344) + _e1348);
+                                                    let _e1352 = select(_e1277[1][0], _e1277[0][0], (_e1277[0][0] < _e1277[1][0]));
+                                                    let _e1356 = select(_e1277[1][0], _e1277[0][0], (_e1277[0][0] > _e1277[1][0]));
+                                                    let _e1360 = select(_e1277[1][1], _e1277[0][1], (_e1277[0][1] < _e1277[1][1]));
+                                                    let _e1364 = select(_e1277[1][1], _e1277[0][1], (_e1277[0][1] > _e1277[1][1]));
+                                                    let _e1368 = select(_e1277[1][2], _e1277[0][2], (_e1277[0][2] < _e1277[1][2]));
+                                                    let _e1372 = select(_e1277[1][2], _e1277[0][2], (_e1277[0][2] > _e1277[1][2]));
+                                                    let _e1377 = ((select(_e1277[2][0], _e1352, (_e1352 < _e1277[2][0])) - _e496) * _e499);
+                                                    let _e1378 = ((select(_e1277[2][0], _e1356, (_e1356 > _e1277[2][0])) - _e497) * _e499);
+                                                    let _e1381 = ((select(_e1277[2][1], _e1360, (_e1360 < _e1277[2][1])) - _e560) * _e563);
+                                                    let _e1382 = ((select(_e1277[2][1], _e1364, (_e1364 > _e1277[2][1])) - _e561) * _e563);
+                                                    let _e1385 = ((select(_e1277[2][2], _e1368, (_e1368 < _e1277[2][2])) - _e624) * _e627);
+                                                    let _e1386 = ((select(_e1277[2][2], _e1372, (_e1372 > _e1277[2][2])) - _e625) * _e627);
+                                                    let _e1388 = select(_e1386, _e1385, (_e1385 < _e1386));
+                                                    let _e1390 = select(_e1386, _e1385, (_e1385 > _e1386));
+                                                    let _e1392 = select(_e1378, _e1377, (_e1377 < _e1378));
+                                                    let _e1394 = select(_e1382, _e1381, (_e1381 < _e1382));
+                                                    let _e1396 = select(_e1394, _e1392, (_e1392 > _e1394));
+                                                    let _e1398 = select(_e1388, _e1396, (_e1396 > _e1388));
+                                                    let _e1400 = select(_e1378, _e1377, (_e1377 > _e1378));
+                                                    let _e1402 = select(_e1382, _e1381, (_e1381 > _e1382));
+                                                    let _e1404 = select(_e1402, _e1400, (_e1400 < _e1402));
+                                                    let _e1406 = select(_e1390, _e1404, (_e1404 < _e1390));
+                                                    let _e1407 = -(_e1388);
+                                                    let _e1413 = select(_e729, _e1398, (_e1398 > _e729));
+                                                    let _e1417 = select(_e1305, _e1296, (_e1296 < _e1305));
+                                                    let _e1422 = select(_e1305, _e1296, (_e1296 > _e1305));
+                                                    let _e1429 = select(_e1308, _e1299, (_e1299 < _e1308));
+                                                    let _e1434 = select(_e1308, _e1299, (_e1299 > _e1308));
+                                                    let _e1443 = (((((_e1334 && (_e1350 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1314, _e1417, (_e1417 < _e1314)) <= 0f) && (select(_e1314, _e1422, (_e1422 > _e1314)) >= 0f))) && ((select(_e1317, _e1429, (_e1429 < _e1317)) <= 0f) && (select(_e1317, _e1434, (_e1434 > _e1317)) >= 0f))) && (_e1413 <= (_e1406 + (select(_e1407, _e1390, (_e1390 > _e1407)) * 0.0000019073523f)))) && (_e1413 <= _e1181.member_1));
+                                                    if _e1443 {
+                                                        let _e1448 = (_e1277[1][0] - _e1277[0][0]);
+                                                        let _e1449 = (_e1277[1][1] - _e1277[0][1]);
+                                                        let _e1450 = (_e1277[1][2] - _e1277[0][2]);
+                                                        let _e1451 = vec3<f32>(_e1448, _e1449, _e1450);
+                                                        let _e1452 = (_e1277[2][0] - _e1277[1][0]);
+                                                        let _e1453 = (_e1277[2][1] - _e1277[1][1]);
+                                                        let _e1454 = (_e1277[2][2] - _e1277[1][2]);
+                                                        let _e1455 = vec3<f32>(_e1452, _e1453, _e1454);
+                                                        let _e1456 = (_e1277[0][0] - _e1277[2][0]);
+                                                        let _e1457 = (_e1277[0][1] - _e1277[2][1]);
+                                                        let _e1458 = (_e1277[0][2] - _e1277[2][2]);
+                                                        let _e1459 = vec3<f32>(_e1456, _e1457, _e1458);
+                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
+                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u));
+                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
+                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1450) & 2147483647u));
+                                                        let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
+                                                        let _e1475 = bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u));
+                                                        let _e1478 = bitcast<f32>((bitcast<u32>(_e1453) & 2147483647u));
+                                                        let _e1480 = select(_e1478, _e1475, (_e1475 > _e1478));
+                                                        let _e1483 = bitcast<f32>((bitcast<u32>(_e1454) & 2147483647u));
+                                                        let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
+                                                        let _e1488 = bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u));
+                                                        let _e1491 = bitcast<f32>((bitcast<u32>(_e1457) & 2147483647u));
+                                                        let _e1493 = select(_e1491, _e1488, (_e1488 > _e1491));
+                                                        let _e1496 = bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u));
+                                                        let _e1498 = select(_e1496, _e1493, (_e1493 > _e1496));
+                                                        let _e1500 = select(_e1485, _e1472, (_e1472 > _e1485));
+                                                        let _e1502 = select(_e1498, _e1500, (_e1500 > _e1498));
+                                                        if (_e1472 == _e1502) {
+                                                            phi_2152_ = _e1308;
+                                                            phi_2153_ = _e1305;
+                                                            phi_2154_ = _e1299;
+                                                            phi_2155_ = _e1296;
+                                                            phi_2156_ = vec3<f32>(_e1277[0][0], _e1277[0][1], _e1277[0][2]);
+                                                            phi_2157_ = _e1459;
+                                                            phi_2158_ = _e1455;
+                                                            phi_2159_ = _e1451;
                                                         } else {
-                                                            phi_3983_ = (_e1097 >= _e1096);
+                                                            let _e1504 = (_e1485 == _e1502);
+                                                            let _e1509 = vec3(_e1504);
+                                                            phi_2152_ = select(_e1299, _e1317, _e1504);
+                                                            phi_2153_ = select(_e1296, _e1314, _e1504);
+                                                            phi_2154_ = select(_e1317, _e1308, _e1504);
+                                                            phi_2155_ = select(_e1314, _e1305, _e1504);
+                                                            phi_2156_ = select(vec3<f32>(_e1277[2][0], _e1277[2][1], _e1277[2][2]), vec3<f32>(_e1277[1][0], _e1277[1][1], _e1277[1][2]), _e1509);
+                                                            phi_2157_ = select(_e1455, _e1451, _e1509);
+                                                            phi_2158_ = select(_e1451, _e1459, _e1509);
+                                                            phi_2159_ = select(_e1459, _e1455, _e1509);
                                                         }
-                                                        let _e1101 = phi_3983_;
-                                                        let _e1102 = select(_e1096, _e1097, _e1101);
-                                                        let _e1103 = abs(_e1086);
-                                                        if (_e1102 != _e1102) {
-                                                            phi_3998_ = true;
+                                                        let _e1515 = phi_2152_;
+                                                        let _e1517 = phi_2153_;
+                                                        let _e1519 = phi_2154_;
+                                                        let _e1521 = phi_2155_;
+                                                        let _e1523 = phi_2156_;
+                                                        let _e1525 = phi_2157_;
+                                                        let _e1527 = phi_2158_;
+                                                        let _e1529 = phi_2159_;
+                                                        let _e1536 = ((_e1527.y * _e1525.z) - (_e1525.y * _e1527.z));
+                                                        let _e1541 = ((_e1527.z * _e1525.x) - (_e1525.z * _e1527.x));
+                                                        let _e1544 = ((_e1527.x * _e1525.y) - (_e1525.x * _e1527.y));
+                                                        let _e1547 = ((_e1340 >= _e1344) && (_e1340 >= _e1348));
+                                                        let _e1548 = (_e1344 >= _e1348);
+                                                        let _e1562 = (((_e1536 * (select(select(_e1277[2][0], _e1277[1][0], _e1548), _e1277[0][0], _e1547) - _e458)) + (_e1541 * (select(select(_e1277[2][1], _e1277[1][1], _e1548), _e1277[0][1], _e1547) - _e523))) + (_e1544 * (select(select(_e1277[2][2], _e1277[1][2], _e1548), _e1277[0][2], _e1547) - _e587)));
+                                                        let _e1567 = (((_e1536 * _e495) + (_e1541 * _e559)) + (_e1544 * _e623));
+                                                        let _e1568 = (_e1517 - _e1521);
+                                                        let _e1569 = (_e1515 - _e1519);
+                                                        let _e1572 = ((_e1568 * _e1568) + (_e1569 * _e1569));
+                                                        let _e1579 = (-(((_e1521 * _e1568) + (_e1519 * _e1569))) / select(0.000000000000000000000000000000000000011754944f, _e1572, (_e1572 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e1581 = select(1f, _e1579, (_e1579 < 1f));
+                                                        let _e1583 = select(0f, _e1581, (_e1581 > 0f));
+                                                        let _e1592 = ((_e1523.x + (_e1529.x * _e1583)) - _e458);
+                                                        let _e1595 = ((_e1523.y + (_e1529.y * _e1583)) - _e523);
+                                                        let _e1598 = ((_e1523.z + (_e1529.z * _e1583)) - _e587);
+                                                        let _e1601 = bitcast<f32>((bitcast<u32>(_e1592) & 2147483647u));
+                                                        let _e1604 = bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u));
+                                                        let _e1606 = select(_e1604, _e1601, (_e1601 > _e1604));
+                                                        let _e1609 = bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u));
+                                                        let _e1611 = select(_e1609, _e1606, (_e1606 > _e1609));
+                                                        let _e1617 = bitcast<f32>((bitcast<u32>(_e1536) & 2147483647u));
+                                                        let _e1620 = bitcast<f32>((bitcast<u32>(_e1541) & 2147483647u));
+                                                        let _e1622 = select(_e1620, _e1617, (_e1617 > _e1620));
+                                                        let _e1625 = bitcast<f32>((bitcast<u32>(_e1544) & 2147483647u));
+                                                        let _e1644 = bitcast<f32>((bitcast<u32>(_e1527.x) & 2147483647u));
+                                                        let _e1647 = bitcast<f32>((bitcast<u32>(_e1527.y) & 2147483647u));
+                                                        let _e1649 = select(_e1647, _e1644, (_e1644 > _e1647));
+                                                        let _e1652 = bitcast<f32>((bitcast<u32>(_e1527.z) & 2147483647u));
+                                                        let _e1658 = bitcast<f32>((bitcast<u32>(_e1525.x) & 2147483647u));
+                                                        let _e1661 = bitcast<f32>((bitcast<u32>(_e1525.y) & 2147483647u));
+                                                        let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
+                                                        let _e1666 = bitcast<f32>((bitcast<u32>(_e1525.z) & 2147483647u));
+                                                        let _e1672 = ((bitcast<f32>((bitcast<u32>(((((_e1536 * _e1592) + (_e1541 * _e1595)) + (_e1544 * _e1598)) - _e1562)) & 2147483647u)) <= ((0.0000009536743f * select(_e1502, _e1611, (_e1611 > _e1502))) * select(_e1625, _e1622, (_e1622 > _e1625)))) && !((bitcast<f32>((bitcast<u32>(_e1567) & 2147483647u)) <= ((0.0000038146973f * select(_e1652, _e1649, (_e1649 > _e1652))) * select(_e1666, _e1663, (_e1663 > _e1666))))));
+                                                        let _e1673 = (_e1562 / _e1567);
+                                                        if (_e1443 && !(_e1672)) {
+                                                            let _e1676 = (_e1598 / _e623);
+                                                            let _e1684 = (((_e1536 * (_e1592 - (_e495 * _e1676))) + (_e1541 * (_e1595 - (_e559 * _e1676)))) / _e1567);
+                                                            phi_2350_ = select(select(_e1676, (_e1676 + _e1684), (bitcast<f32>((bitcast<u32>(_e1684) & 2147483647u)) <= _e1502)), _e1673, _e1672);
                                                         } else {
-                                                            phi_3998_ = (_e1103 >= _e1102);
+                                                            phi_2350_ = _e1673;
                                                         }
-                                                        let _e1107 = phi_3998_;
-                                                        let _e1108 = select(_e1102, _e1103, _e1107);
-                                                        let _e1109 = abs(_e1088);
-                                                        let _e1110 = abs(_e1089);
-                                                        if (_e1109 != _e1109) {
-                                                            phi_4013_ = true;
-                                                        } else {
-                                                            phi_4013_ = (_e1110 >= _e1109);
-                                                        }
-                                                        let _e1114 = phi_4013_;
-                                                        let _e1115 = select(_e1109, _e1110, _e1114);
-                                                        let _e1116 = abs(_e1090);
-                                                        if (_e1115 != _e1115) {
-                                                            phi_4028_ = true;
-                                                        } else {
-                                                            phi_4028_ = (_e1116 >= _e1115);
-                                                        }
-                                                        let _e1120 = phi_4028_;
-                                                        let _e1121 = select(_e1115, _e1116, _e1120);
-                                                        let _e1122 = abs(_e1092);
-                                                        let _e1123 = abs(_e1093);
-                                                        if (_e1122 != _e1122) {
-                                                            phi_4043_ = true;
-                                                        } else {
-                                                            phi_4043_ = (_e1123 >= _e1122);
-                                                        }
-                                                        let _e1127 = phi_4043_;
-                                                        let _e1128 = select(_e1122, _e1123, _e1127);
-                                                        let _e1129 = abs(_e1094);
-                                                        if (_e1128 != _e1128) {
-                                                            phi_4058_ = true;
-                                                        } else {
-                                                            phi_4058_ = (_e1129 >= _e1128);
-                                                        }
-                                                        let _e1133 = phi_4058_;
-                                                        let _e1134 = select(_e1128, _e1129, _e1133);
-                                                        let _e1136 = select(_e1121, _e1108, (_e1108 > _e1121));
-                                                        let _e1138 = select(_e1134, _e1136, (_e1136 > _e1134));
-                                                        if (_e1108 == _e1138) {
-                                                            phi_2157_ = _e944;
-                                                            phi_2158_ = _e941;
-                                                            phi_2159_ = _e935;
-                                                            phi_2160_ = _e932;
-                                                            phi_2161_ = vec3<f32>(_e913[0][0], _e913[0][1], _e913[0][2]);
-                                                            phi_2162_ = _e1095;
-                                                            phi_2163_ = _e1091;
-                                                            phi_2164_ = _e1087;
-                                                        } else {
-                                                            let _e1140 = (_e1121 == _e1138);
-                                                            let _e1145 = vec3(_e1140);
-                                                            phi_2157_ = select(_e935, _e953, _e1140);
-                                                            phi_2158_ = select(_e932, _e950, _e1140);
-                                                            phi_2159_ = select(_e953, _e944, _e1140);
-                                                            phi_2160_ = select(_e950, _e941, _e1140);
-                                                            phi_2161_ = select(vec3<f32>(_e913[2][0], _e913[2][1], _e913[2][2]), vec3<f32>(_e913[1][0], _e913[1][1], _e913[1][2]), _e1145);
-                                                            phi_2162_ = select(_e1091, _e1087, _e1145);
-                                                            phi_2163_ = select(_e1087, _e1095, _e1145);
-                                                            phi_2164_ = select(_e1095, _e1091, _e1145);
-                                                        }
-                                                        let _e1151 = phi_2157_;
-                                                        let _e1153 = phi_2158_;
-                                                        let _e1155 = phi_2159_;
-                                                        let _e1157 = phi_2160_;
-                                                        let _e1159 = phi_2161_;
-                                                        let _e1161 = phi_2162_;
-                                                        let _e1163 = phi_2163_;
-                                                        let _e1165 = phi_2164_;
-                                                        let _e1172 = ((_e1163.y * _e1161.z) - (_e1161.y * _e1163.z));
-                                                        let _e1177 = ((_e1163.z * _e1161.x) - (_e1161.z * _e1163.x));
-                                                        let _e1180 = ((_e1163.x * _e1161.y) - (_e1161.x * _e1163.y));
-                                                        let _e1183 = ((_e976 >= _e980) && (_e976 >= _e984));
-                                                        let _e1184 = (_e980 >= _e984);
-                                                        let _e1198 = (((_e1172 * (select(select(_e913[2][0], _e913[1][0], _e1184), _e913[0][0], _e1183) - _e458)) + (_e1177 * (select(select(_e913[2][1], _e913[1][1], _e1184), _e913[0][1], _e1183) - _e523))) + (_e1180 * (select(select(_e913[2][2], _e913[1][2], _e1184), _e913[0][2], _e1183) - _e587)));
-                                                        let _e1203 = (((_e1172 * _e495) + (_e1177 * _e559)) + (_e1180 * _e623));
-                                                        let _e1204 = (_e1153 - _e1157);
-                                                        let _e1205 = (_e1151 - _e1155);
-                                                        let _e1208 = ((_e1204 * _e1204) + (_e1205 * _e1205));
-                                                        let _e1215 = (-(((_e1157 * _e1204) + (_e1155 * _e1205))) / select(0.000000000000000000000000000000000000011754944f, _e1208, (_e1208 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1217 = select(1f, _e1215, (_e1215 < 1f));
-                                                        let _e1219 = select(0f, _e1217, (_e1217 > 0f));
-                                                        let _e1228 = ((_e1159.x + (_e1165.x * _e1219)) - _e458);
-                                                        let _e1231 = ((_e1159.y + (_e1165.y * _e1219)) - _e523);
-                                                        let _e1234 = ((_e1159.z + (_e1165.z * _e1219)) - _e587);
-                                                        let _e1237 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
-                                                        let _e1240 = bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u));
-                                                        let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
-                                                        let _e1245 = bitcast<f32>((bitcast<u32>(_e1234) & 2147483647u));
-                                                        let _e1247 = select(_e1245, _e1242, (_e1242 > _e1245));
-                                                        let _e1251 = abs(_e1172);
-                                                        let _e1252 = abs(_e1177);
-                                                        if (_e1251 != _e1251) {
-                                                            phi_4073_ = true;
-                                                        } else {
-                                                            phi_4073_ = (_e1252 >= _e1251);
-                                                        }
-                                                        let _e1256 = phi_4073_;
-                                                        let _e1257 = select(_e1251, _e1252, _e1256);
-                                                        let _e1258 = abs(_e1180);
-                                                        if (_e1257 != _e1257) {
-                                                            phi_4088_ = true;
-                                                        } else {
-                                                            phi_4088_ = (_e1258 >= _e1257);
-                                                        }
-                                                        let _e1262 = phi_4088_;
-                                                        let _e1278 = abs(_e1163.x);
-                                                        let _e1279 = abs(_e1163.y);
-                                                        if (_e1278 != _e1278) {
-                                                            phi_4103_ = true;
-                                                        } else {
-                                                            phi_4103_ = (_e1279 >= _e1278);
-                                                        }
-                                                        let _e1283 = phi_4103_;
-                                                        let _e1284 = select(_e1278, _e1279, _e1283);
-                                                        let _e1285 = abs(_e1163.z);
-                                                        if (_e1284 != _e1284) {
-                                                            phi_4118_ = true;
-                                                        } else {
-                                                            phi_4118_ = (_e1285 >= _e1284);
-                                                        }
-                                                        let _e1289 = phi_4118_;
-                                                        let _e1292 = abs(_e1161.x);
-                                                        let _e1293 = abs(_e1161.y);
-                                                        if (_e1292 != _e1292) {
-                                                            phi_4133_ = true;
-                                                        } else {
-                                                            phi_4133_ = (_e1293 >= _e1292);
-                                                        }
-                                                        let _e1297 = phi_4133_;
-                                                        let _e1298 = select(_e1292, _e1293, _e1297);
-                                                        let _e1299 = abs(_e1161.z);
-                                                        if (_e1298 != _e1298) {
-                                                            phi_4148_ = true;
-                                                        } else {
-                                                            phi_4148_ = (_e1299 >= _e1298);
-                                                        }
-                                                        let _e1303 = phi_4148_;
-                                                        let _e1308 = ((bitcast<f32>((bitcast<u32>(((((_e1172 * _e1228) + (_e1177 * _e1231)) + (_e1180 * _e1234)) - _e1198)) & 2147483647u)) <= ((0.0000009536743f * select(_e1138, _e1247, (_e1247 > _e1138))) * select(_e1257, _e1258, _e1262))) && !((bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u)) <= ((0.0000038146973f * select(_e1284, _e1285, _e1289)) * select(_e1298, _e1299, _e1303)))));
-                                                        let _e1309 = (_e1198 / _e1203);
-                                                        if (_e1079 && !(_e1308)) {
-                                                            let _e1312 = (_e1234 / _e623);
-                                                            let _e1320 = (((_e1172 * (_e1228 - (_e495 * _e1312))) + (_e1177 * (_e1231 - (_e559 * _e1312)))) / _e1203);
-                                                            phi_2372_ = select(select(_e1312, (_e1312 + _e1320), (bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u)) <= _e1138)), _e1309, _e1308);
-                                                        } else {
-                                                            phi_2372_ = _e1309;
-                                                        }
-                                                        let _e1329 = phi_2372_;
-                                                        let _e1331 = select(_e1042, _e1329, (_e1329 < _e1042));
-                                                        let _e1333 = select(_e1034, _e1331, (_e1331 > _e1034));
-                                                        let _e1334 = (1f / _e986);
-                                                        phi_2392_ = type_46(_e1333, (_e980 * _e1334), (_e984 * _e1334), ((_e1079 && (_e1333 >= _e729)) && (_e1333 <= _e817.member_1)));
-                                                        phi_2393_ = type_46();
+                                                        let _e1693 = phi_2350_;
+                                                        let _e1695 = select(_e1406, _e1693, (_e1693 < _e1406));
+                                                        let _e1697 = select(_e1398, _e1695, (_e1695 > _e1398));
+                                                        let _e1698 = (1f / _e1350);
+                                                        phi_2370_ = type_46(_e1697, (_e1344 * _e1698), (_e1348 * _e1698), ((_e1443 && (_e1697 >= _e729)) && (_e1697 <= _e1181.member_1)));
+                                                        phi_2371_ = type_46();
                                                     } else {
-                                                        phi_2392_ = type_46();
-                                                        phi_2393_ = type_46(0f, 0f, 0f, _e1079);
+                                                        phi_2370_ = type_46();
+                                                        phi_2371_ = type_46(0f, 0f, 0f, _e1443);
                                                     }
-                                                    let _e1343 = phi_2392_;
-                                                    let _e1345 = phi_2393_;
-                                                    phi_2396_ = _e1343;
-                                                    phi_2397_ = _e1345;
-                                                    phi_2398_ = select(true, false, _e1079);
+                                                    let _e1707 = phi_2370_;
+                                                    let _e1709 = phi_2371_;
+                                                    phi_2374_ = _e1707;
+                                                    phi_2375_ = _e1709;
+                                                    phi_2376_ = select(true, false, _e1443);
                                                 } else {
-                                                    phi_2396_ = type_46();
-                                                    phi_2397_ = type_46(0f, 0f, 0f, _e970);
-                                                    phi_2398_ = true;
+                                                    phi_2374_ = type_46();
+                                                    phi_2375_ = type_46(0f, 0f, 0f, _e1334);
+                                                    phi_2376_ = true;
                                                 }
-                                                let _e1348 = phi_2396_;
-                                                let _e1350 = phi_2397_;
-                                                let _e1352 = phi_2398_;
-                                                if _e1352 {
-                                                    phi_2402_ = _e1350;
+                                                let _e1712 = phi_2374_;
+                                                let _e1714 = phi_2375_;
+                                                let _e1716 = phi_2376_;
+                                                if _e1716 {
+                                                    phi_2380_ = _e1714;
                                                 } else {
-                                                    phi_2402_ = _e1348;
+                                                    phi_2380_ = _e1712;
                                                 }
-                                                let _e1354 = phi_2402_;
-                                                if _e1354.member_3 {
-                                                    phi_2411_ = type_27(_e1354.member, _e1354.member_1, _e1354.member_2, _e846);
+                                                let _e1718 = phi_2380_;
+                                                if _e1718.member_3 {
+                                                    phi_2389_ = type_27(_e1718.member, _e1718.member_1, _e1718.member_2, _e1210);
                                                 } else {
-                                                    phi_2411_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2389_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1361 = phi_2411_;
-                                                if (_e1361.member_3 != 4294967295u) {
-                                                    if (_e846 == _e157) {
-                                                        phi_2746_ = false;
+                                                let _e1725 = phi_2389_;
+                                                if (_e1725.member_3 != 4294967295u) {
+                                                    if (_e1210 == _e157) {
+                                                        phi_2724_ = false;
                                                     } else {
-                                                        let _e1365 = (_e846 < arrayLength((&global_5.member)));
-                                                        if _e1365 {
-                                                            if _e1365 {
+                                                        let _e1729 = (_e1210 < arrayLength((&global_5.member)));
+                                                        if _e1729 {
+                                                            if _e1729 {
                                                             } else {
-                                                                phi_4256_ = true;
+                                                                phi_4185_ = true;
                                                                 break;
                                                             }
-                                                            let _e1367 = global_5.member[_e846];
-                                                            phi_2434_ = _e1367;
+                                                            let _e1731 = global_5.member[_e1210];
+                                                            phi_2412_ = _e1731;
                                                         } else {
-                                                            phi_2434_ = 4294967295u;
+                                                            phi_2412_ = 4294967295u;
                                                         }
-                                                        let _e1369 = phi_2434_;
-                                                        let _e1370 = (_e1369 < arrayLength((&global_6.member)));
-                                                        if _e1370 {
-                                                            if _e1370 {
+                                                        let _e1733 = phi_2412_;
+                                                        let _e1734 = (_e1733 < arrayLength((&global_6.member)));
+                                                        if _e1734 {
+                                                            if _e1734 {
                                                             } else {
-                                                                phi_4256_ = true;
+                                                                phi_4185_ = true;
                                                                 break;
                                                             }
-                                                            let _e1372 = global_6.member[_e1369];
-                                                            phi_2448_ = _e1372;
+                                                            let _e1736 = global_6.member[_e1733];
+                                                            phi_2426_ = _e1736;
                                                         } else {
-                                                            phi_2448_ = 0i;
+                                                            phi_2426_ = 0i;
                                                         }
-                                                        let _e1374 = phi_2448_;
-                                                        let _e1375 = (_e1374 == 0i);
-                                                        if _e1375 {
-                                                            phi_2745_ = true;
+                                                        let _e1738 = phi_2426_;
+                                                        let _e1739 = (_e1738 == 0i);
+                                                        if _e1739 {
+                                                            phi_2723_ = true;
                                                         } else {
                                                             if _e435 {
-                                                                phi_2471_ = vec3<f32>(_e913[0][0], _e913[0][1], _e913[0][2]);
+                                                                phi_2449_ = vec3<f32>(_e1277[0][0], _e1277[0][1], _e1277[0][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2470_ = vec3<f32>(_e913[0][2], _e913[0][0], _e913[0][1]);
+                                                                    phi_2448_ = vec3<f32>(_e1277[0][2], _e1277[0][0], _e1277[0][1]);
                                                                 } else {
-                                                                    phi_2470_ = vec3<f32>(_e913[0][1], _e913[0][2], _e913[0][0]);
+                                                                    phi_2448_ = vec3<f32>(_e1277[0][1], _e1277[0][2], _e1277[0][0]);
                                                                 }
-                                                                let _e1380 = phi_2470_;
-                                                                phi_2471_ = _e1380;
+                                                                let _e1744 = phi_2448_;
+                                                                phi_2449_ = _e1744;
                                                             }
-                                                            let _e1383 = phi_2471_;
+                                                            let _e1747 = phi_2449_;
                                                             if _e435 {
-                                                                phi_2490_ = vec3<f32>(_e913[1][0], _e913[1][1], _e913[1][2]);
+                                                                phi_2468_ = vec3<f32>(_e1277[1][0], _e1277[1][1], _e1277[1][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2489_ = vec3<f32>(_e913[1][2], _e913[1][0], _e913[1][1]);
+                                                                    phi_2467_ = vec3<f32>(_e1277[1][2], _e1277[1][0], _e1277[1][1]);
                                                                 } else {
-                                                                    phi_2489_ = vec3<f32>(_e913[1][1], _e913[1][2], _e913[1][0]);
+                                                                    phi_2467_ = vec3<f32>(_e1277[1][1], _e1277[1][2], _e1277[1][0]);
                                                                 }
-                                                                let _e1388 = phi_2489_;
-                                                                phi_2490_ = _e1388;
+                                                                let _e1752 = phi_2467_;
+                                                                phi_2468_ = _e1752;
                                                             }
-                                                            let _e1391 = phi_2490_;
+                                                            let _e1755 = phi_2468_;
                                                             if _e435 {
-                                                                phi_2509_ = vec3<f32>(_e913[2][0], _e913[2][1], _e913[2][2]);
+                                                                phi_2487_ = vec3<f32>(_e1277[2][0], _e1277[2][1], _e1277[2][2]);
                                                             } else {
                                                                 if (_e411 == 1u) {
-                                                                    phi_2508_ = vec3<f32>(_e913[2][2], _e913[2][0], _e913[2][1]);
+                                                                    phi_2486_ = vec3<f32>(_e1277[2][2], _e1277[2][0], _e1277[2][1]);
                                                                 } else {
-                                                                    phi_2508_ = vec3<f32>(_e913[2][1], _e913[2][2], _e913[2][0]);
+                                                                    phi_2486_ = vec3<f32>(_e1277[2][1], _e1277[2][2], _e1277[2][0]);
                                                                 }
-                                                                let _e1396 = phi_2508_;
-                                                                phi_2509_ = _e1396;
+                                                                let _e1760 = phi_2486_;
+                                                                phi_2487_ = _e1760;
                                                             }
-                                                            let _e1399 = phi_2509_;
-                                                            let _e1402 = (_e1391.x - _e1383.x);
-                                                            let _e1405 = (_e1391.y - _e1383.y);
-                                                            let _e1408 = (_e1391.z - _e1383.z);
-                                                            let _e1410 = (_e1399.x - _e1383.x);
-                                                            let _e1412 = (_e1399.y - _e1383.y);
-                                                            let _e1414 = (_e1399.z - _e1383.z);
+                                                            let _e1763 = phi_2487_;
+                                                            let _e1766 = (_e1755.x - _e1747.x);
+                                                            let _e1769 = (_e1755.y - _e1747.y);
+                                                            let _e1772 = (_e1755.z - _e1747.z);
+                                                            let _e1774 = (_e1763.x - _e1747.x);
+                                                            let _e1776 = (_e1763.y - _e1747.y);
+                                                            let _e1778 = (_e1763.z - _e1747.z);
                                                             if (_e289.member_1 == 1u) {
-                                                                phi_2545_ = (vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]) - _e1383);
+                                                                phi_2523_ = (vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]) - _e1747);
                                                             } else {
-                                                                phi_2545_ = vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]);
+                                                                phi_2523_ = vec3<f32>(_e289.member[0], _e289.member[1], _e289.member[2]);
                                                             }
-                                                            let _e1429 = phi_2545_;
-                                                            let _e1435 = bitcast<f32>((bitcast<u32>((_e1402 * _e1412)) ^ _e289.member_3[0]));
-                                                            let _e1439 = bitcast<f32>((bitcast<u32>((_e1405 * _e1410)) ^ _e289.member_3[0]));
-                                                            let _e1443 = bitcast<f32>((bitcast<u32>((_e1405 * _e1414)) ^ _e289.member_3[0]));
-                                                            let _e1447 = bitcast<f32>((bitcast<u32>((_e1408 * _e1412)) ^ _e289.member_3[0]));
-                                                            let _e1451 = bitcast<f32>((bitcast<u32>((_e1408 * _e1410)) ^ _e289.member_3[0]));
-                                                            let _e1455 = bitcast<f32>((bitcast<u32>((_e1402 * _e1414)) ^ _e289.member_3[0]));
-                                                            let _e1456 = (_e1443 - _e1447);
-                                                            let _e1457 = (_e1451 - _e1455);
-                                                            let _e1458 = (_e1435 - _e1439);
-                                                            let _e1482 = (bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u)));
-                                                            let _e1489 = (bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1455) & 2147483647u)));
-                                                            let _e1496 = (bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u)));
+                                                            let _e1793 = phi_2523_;
+                                                            let _e1799 = bitcast<f32>((bitcast<u32>((_e1766 * _e1776)) ^ _e289.member_3[0]));
+                                                            let _e1803 = bitcast<f32>((bitcast<u32>((_e1769 * _e1774)) ^ _e289.member_3[0]));
+                                                            let _e1807 = bitcast<f32>((bitcast<u32>((_e1769 * _e1778)) ^ _e289.member_3[0]));
+                                                            let _e1811 = bitcast<f32>((bitcast<u32>((_e1772 * _e1776)) ^ _e289.member_3[0]));
+                                                            let _e1815 = bitcast<f32>((bitcast<u32>((_e1772 * _e1774)) ^ _e289.member_3[0]));
+                                                            let _e1819 = bitcast<f32>((bitcast<u32>((_e1766 * _e1778)) ^ _e289.member_3[0]));
+                                                            let _e1820 = (_e1807 - _e1811);
+                                                            let _e1821 = (_e1815 - _e1819);
+                                                            let _e1822 = (_e1799 - _e1803);
+                                                            let _e1846 = (bitcast<f32>((bitcast<u32>(_e1807) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1811) & 2147483647u)));
+                                                            let _e1853 = (bitcast<f32>((bitcast<u32>(_e1815) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1819) & 2147483647u)));
+                                                            let _e1860 = (bitcast<f32>((bitcast<u32>(_e1799) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1803) & 2147483647u)));
                                                             if (_e289.member_2 == 0f) {
-                                                                phi_2727_ = 0f;
+                                                                phi_2705_ = 0f;
                                                             } else {
-                                                                let _e1526 = bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u));
-                                                                let _e1529 = bitcast<f32>((bitcast<u32>(_e1457) & 2147483647u));
-                                                                let _e1532 = bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u));
-                                                                let _e1534 = select(_e1532, _e1529, (_e1529 > _e1532));
-                                                                let _e1538 = select(_e1532, _e1529, (_e1529 < _e1532));
-                                                                let _e1542 = select(_e1529, _e1526, (_e1526 < _e1529));
-                                                                let _e1544 = select(_e1529, _e1526, (_e1526 > _e1529));
-                                                                let _e1546 = select(_e1532, _e1544, (_e1544 < _e1532));
-                                                                phi_2727_ = bitcast<f32>((bitcast<u32>((_e289.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1534, _e1526, (_e1526 > _e1534)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1546, _e1542, (_e1542 > _e1546)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1538, _e1526, (_e1526 < _e1538)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1482 + _e1489) + _e1496))) ^ _e289.member_3[0]))) * 1.0000005f)) ^ _e289.member_3[0])))) ^ _e289.member_3[0]));
+                                                                let _e1890 = bitcast<f32>((bitcast<u32>(_e1820) & 2147483647u));
+                                                                let _e1893 = bitcast<f32>((bitcast<u32>(_e1821) & 2147483647u));
+                                                                let _e1896 = bitcast<f32>((bitcast<u32>(_e1822) & 2147483647u));
+                                                                let _e1898 = select(_e1896, _e1893, (_e1893 > _e1896));
+                                                                let _e1902 = select(_e1896, _e1893, (_e1893 < _e1896));
+                                                                let _e1906 = select(_e1893, _e1890, (_e1890 < _e1893));
+                                                                let _e1908 = select(_e1893, _e1890, (_e1890 > _e1893));
+                                                                let _e1910 = select(_e1896, _e1908, (_e1908 < _e1896));
+                                                                phi_2705_ = bitcast<f32>((bitcast<u32>((_e289.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1898, _e1890, (_e1890 > _e1898)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1910, _e1906, (_e1906 > _e1910)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1902, _e1890, (_e1890 < _e1902)))) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1846 + _e1853) + _e1860))) ^ _e289.member_3[0]))) * 1.0000005f)) ^ _e289.member_3[0])))) ^ _e289.member_3[0]));
                                                             }
-                                                            let _e1573 = phi_2727_;
-                                                            phi_2745_ = (_e1375 || !(((((bitcast<f32>((bitcast<u32>((_e1429.x * _e1456)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1429.y * _e1457)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1429.z * _e1458)) ^ _e289.member_3[0]))) * f32(-(_e1374))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1429.x) & 2147483647u)) * _e1482)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1429.y) & 2147483647u)) * _e1489)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1429.z) & 2147483647u)) * _e1496)) ^ _e289.member_3[0]))))) ^ _e289.member_3[0])) + _e1573) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1937 = phi_2705_;
+                                                            phi_2723_ = (_e1739 || !(((((bitcast<f32>((bitcast<u32>((_e1793.x * _e1820)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1793.y * _e1821)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1793.z * _e1822)) ^ _e289.member_3[0]))) * f32(-(_e1738))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1793.x) & 2147483647u)) * _e1846)) ^ _e289.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1793.y) & 2147483647u)) * _e1853)) ^ _e289.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1793.z) & 2147483647u)) * _e1860)) ^ _e289.member_3[0]))))) ^ _e289.member_3[0])) + _e1937) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1587 = phi_2745_;
-                                                        phi_2746_ = _e1587;
+                                                        let _e1951 = phi_2723_;
+                                                        phi_2724_ = _e1951;
                                                     }
-                                                    let _e1589 = phi_2746_;
-                                                    if _e1589 {
-                                                        if (_e1361.member < _e817.member.member) {
-                                                            phi_2766_ = true;
+                                                    let _e1953 = phi_2724_;
+                                                    if _e1953 {
+                                                        if (_e1725.member < _e1181.member.member) {
+                                                            phi_2744_ = true;
                                                         } else {
-                                                            if (_e1361.member == _e817.member.member) {
-                                                                phi_2765_ = (_e1361.member_3 < _e817.member.member_3);
+                                                            if (_e1725.member == _e1181.member.member) {
+                                                                phi_2743_ = (_e1725.member_3 < _e1181.member.member_3);
                                                             } else {
-                                                                phi_2765_ = false;
+                                                                phi_2743_ = false;
                                                             }
-                                                            let _e1599 = phi_2765_;
-                                                            phi_2766_ = _e1599;
+                                                            let _e1963 = phi_2743_;
+                                                            phi_2744_ = _e1963;
                                                         }
-                                                        let _e1601 = phi_2766_;
-                                                        if _e1601 {
-                                                            phi_2772_ = type_43(_e1361, _e1361.member);
+                                                        let _e1965 = phi_2744_;
+                                                        if _e1965 {
+                                                            phi_2750_ = type_43(_e1725, _e1725.member);
                                                         } else {
-                                                            phi_2772_ = _e817;
+                                                            phi_2750_ = _e1181;
                                                         }
-                                                        let _e1604 = phi_2772_;
-                                                        phi_2773_ = _e1604;
+                                                        let _e1968 = phi_2750_;
+                                                        phi_2751_ = _e1968;
                                                     } else {
-                                                        phi_2773_ = _e817;
+                                                        phi_2751_ = _e1181;
                                                     }
-                                                    let _e1606 = phi_2773_;
-                                                    phi_2774_ = _e1606;
+                                                    let _e1970 = phi_2751_;
+                                                    phi_2752_ = _e1970;
                                                 } else {
-                                                    phi_2774_ = _e817;
+                                                    phi_2752_ = _e1181;
                                                 }
-                                                let _e1608 = phi_2774_;
-                                                phi_1477_ = _e1608;
+                                                let _e1972 = phi_2752_;
+                                                phi_1484_ = _e1972;
                                             } else {
-                                                phi_1477_ = type_43();
+                                                phi_1484_ = type_43();
                                             }
-                                            let _e1610 = phi_1477_;
+                                            let _e1974 = phi_1484_;
                                             continue;
                                             continuing {
-                                                phi_1476_ = _e1610;
-                                                phi_1479_ = _e832;
-                                                phi_4256_ = _e761;
-                                                break if !(_e838);
+                                                phi_1483_ = _e1974;
+                                                phi_1486_ = _e1196;
+                                                phi_4185_ = _e761;
+                                                break if !(_e1202);
                                             }
                                         }
-                                        let _e1613 = phi_4256_;
-                                        phi_4453_ = _e1613;
-                                        if _e1613 {
+                                        let _e1977 = phi_4185_;
+                                        phi_4370_ = _e1977;
+                                        if _e1977 {
                                             break;
                                         }
-                                        phi_4512_ = _e1613;
-                                        let _e2283 = local_11;
-                                        phi_2775_ = _e2283;
+                                        let _e1979 = local_10;
+                                        phi_4374_ = _e1977;
+                                        let _e2284 = local_12;
+                                        phi_3756_ = _e2284;
+                                        phi_3757_ = false;
+                                        phi_3758_ = _e804;
+                                        phi_3759_ = select(_e806, 0u, (_e729 > _e1979.member_1));
                                     } else {
-                                        phi_4512_ = _e761;
-                                        phi_2775_ = _e763;
-                                    }
-                                    let _e1615 = phi_4512_;
-                                    let _e1617 = phi_2775_;
-                                    if _e810 {
-                                        phi_3782_ = bool();
-                                        phi_3783_ = u32();
-                                        phi_3784_ = type_62();
-                                    } else {
-                                        let _e1618 = (_e806.member_1 < _e98);
-                                        if _e1618 {
-                                            if _e1618 {
+                                        let _e815 = (_e804.member_1 < _e98);
+                                        if _e815 {
+                                            if _e815 {
                                             } else {
-                                                phi_4453_ = true;
+                                                phi_4370_ = true;
                                                 break;
                                             }
-                                            let _e1620 = global_10.member[_e806.member_1];
-                                            phi_2796_ = _e1620;
+                                            let _e817 = global_10.member[_e804.member_1];
+                                            phi_2773_ = _e817;
                                         } else {
-                                            phi_2796_ = type_55(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2773_ = type_55(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e1622 = phi_2796_;
-                                        let _e1637 = ((10u * _e411) & 31u);
-                                        let _e1640 = ((_e1622.member[0] >> bitcast<u32>(_e1637)) & 1023u);
-                                        let _e1648 = bitcast<f32>((bitcast<u32>(((_e806.member.member_1[0] - _e806.member.member[0]) * 0.0009775171f)) ^ _e140));
-                                        let _e1653 = (_e806.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1640)) - 8388608f) * _e1648)) ^ _e140)));
-                                        let _e1657 = select(select(_e806.member.member_1[0], _e1653, (_e1653 < _e806.member.member_1[0])), _e806.member.member_1[0], (_e1640 == 1023u));
-                                        let _e1659 = ((10u * _e410) & 31u);
-                                        let _e1662 = ((_e1622.member[0] >> bitcast<u32>(_e1659)) & 1023u);
-                                        let _e1670 = bitcast<f32>((bitcast<u32>(((_e806.member.member_1[1] - _e806.member.member[1]) * 0.0009775171f)) ^ _e140));
-                                        let _e1675 = (_e806.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1662)) - 8388608f) * _e1670)) ^ _e140)));
-                                        let _e1679 = select(select(_e806.member.member_1[1], _e1675, (_e1675 < _e806.member.member_1[1])), _e806.member.member_1[1], (_e1662 == 1023u));
-                                        let _e1681 = ((10u * _e412) & 31u);
-                                        let _e1684 = ((_e1622.member[0] >> bitcast<u32>(_e1681)) & 1023u);
-                                        let _e1692 = bitcast<f32>((bitcast<u32>(((_e806.member.member_1[2] - _e806.member.member[2]) * 0.0009775171f)) ^ _e140));
-                                        let _e1697 = (_e806.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1684)) - 8388608f) * _e1692)) ^ _e140)));
-                                        let _e1701 = select(select(_e806.member.member_1[2], _e1697, (_e1697 < _e806.member.member_1[2])), _e806.member.member_1[2], (_e1684 == 1023u));
-                                        let _e1704 = ((_e1622.member[1] >> bitcast<u32>(_e1637)) & 1023u);
-                                        let _e1712 = (_e806.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1704)) - 8388608f) * _e1648)) ^ _e140)));
-                                        let _e1716 = select(select(_e806.member.member_1[0], _e1712, (_e1712 < _e806.member.member_1[0])), _e806.member.member_1[0], (_e1704 == 1023u));
-                                        let _e1719 = ((_e1622.member[1] >> bitcast<u32>(_e1659)) & 1023u);
-                                        let _e1727 = (_e806.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1719)) - 8388608f) * _e1670)) ^ _e140)));
-                                        let _e1731 = select(select(_e806.member.member_1[1], _e1727, (_e1727 < _e806.member.member_1[1])), _e806.member.member_1[1], (_e1719 == 1023u));
-                                        let _e1734 = ((_e1622.member[1] >> bitcast<u32>(_e1681)) & 1023u);
-                                        let _e1742 = (_e806.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1734)) - 8388608f) * _e1692)) ^ _e140)));
-                                        let _e1746 = select(select(_e806.member.member_1[2], _e1742, (_e1742 < _e806.member.member_1[2])), _e806.member.member_1[2], (_e1734 == 1023u));
-                                        let _e1752 = ((_e1622.member_1[0] >> bitcast<u32>(_e1637)) & 1023u);
-                                        let _e1760 = (_e806.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1752)) - 8388608f) * _e1648)) ^ _e140)));
-                                        let _e1764 = select(select(_e806.member.member_1[0], _e1760, (_e1760 < _e806.member.member_1[0])), _e806.member.member_1[0], (_e1752 == 1023u));
-                                        let _e1767 = ((_e1622.member_1[0] >> bitcast<u32>(_e1659)) & 1023u);
-                                        let _e1775 = (_e806.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1767)) - 8388608f) * _e1670)) ^ _e140)));
-                                        let _e1779 = select(select(_e806.member.member_1[1], _e1775, (_e1775 < _e806.member.member_1[1])), _e806.member.member_1[1], (_e1767 == 1023u));
-                                        let _e1782 = ((_e1622.member_1[0] >> bitcast<u32>(_e1681)) & 1023u);
-                                        let _e1790 = (_e806.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1782)) - 8388608f) * _e1692)) ^ _e140)));
-                                        let _e1794 = select(select(_e806.member.member_1[2], _e1790, (_e1790 < _e806.member.member_1[2])), _e806.member.member_1[2], (_e1782 == 1023u));
-                                        let _e1797 = ((_e1622.member_1[1] >> bitcast<u32>(_e1637)) & 1023u);
-                                        let _e1805 = (_e806.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1797)) - 8388608f) * _e1648)) ^ _e140)));
-                                        let _e1809 = select(select(_e806.member.member_1[0], _e1805, (_e1805 < _e806.member.member_1[0])), _e806.member.member_1[0], (_e1797 == 1023u));
-                                        let _e1812 = ((_e1622.member_1[1] >> bitcast<u32>(_e1659)) & 1023u);
-                                        let _e1820 = (_e806.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1812)) - 8388608f) * _e1670)) ^ _e140)));
-                                        let _e1824 = select(select(_e806.member.member_1[1], _e1820, (_e1820 < _e806.member.member_1[1])), _e806.member.member_1[1], (_e1812 == 1023u));
-                                        let _e1827 = ((_e1622.member_1[1] >> bitcast<u32>(_e1681)) & 1023u);
-                                        let _e1835 = (_e806.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1827)) - 8388608f) * _e1692)) ^ _e140)));
-                                        let _e1839 = select(select(_e806.member.member_1[2], _e1835, (_e1835 < _e806.member.member_1[2])), _e806.member.member_1[2], (_e1827 == 1023u));
-                                        let _e1844 = type_62(type_60(array<f32, 3>(_e1657, _e1679, _e1701), array<f32, 3>(_e1716, _e1731, _e1746)), _e1622.member_2);
-                                        let _e1849 = type_62(type_60(array<f32, 3>(_e1764, _e1779, _e1794), array<f32, 3>(_e1809, _e1824, _e1839)), _e1622.member_3);
-                                        let _e1855 = ((_e1657 - _e496) * _e499);
-                                        let _e1856 = ((_e1764 - _e496) * _e499);
-                                        let _e1857 = ((_e1716 - _e497) * _e499);
-                                        let _e1858 = ((_e1809 - _e497) * _e499);
-                                        let _e1863 = ((_e1679 - _e560) * _e563);
-                                        let _e1864 = ((_e1779 - _e560) * _e563);
-                                        let _e1865 = ((_e1731 - _e561) * _e563);
-                                        let _e1866 = ((_e1824 - _e561) * _e563);
-                                        let _e1871 = ((_e1701 - _e624) * _e627);
-                                        let _e1872 = ((_e1794 - _e624) * _e627);
-                                        let _e1873 = ((_e1746 - _e625) * _e627);
-                                        let _e1874 = ((_e1839 - _e625) * _e627);
-                                        let _e1876 = select(_e1873, _e1871, (_e1871 < _e1873));
-                                        let _e1878 = select(_e1874, _e1872, (_e1872 < _e1874));
-                                        let _e1880 = select(_e1873, _e1871, (_e1871 > _e1873));
-                                        let _e1882 = select(_e1874, _e1872, (_e1872 > _e1874));
-                                        let _e1884 = select(_e1857, _e1855, (_e1855 < _e1857));
-                                        let _e1886 = select(_e1858, _e1856, (_e1856 < _e1858));
-                                        let _e1888 = select(_e1865, _e1863, (_e1863 < _e1865));
-                                        let _e1890 = select(_e1866, _e1864, (_e1864 < _e1866));
-                                        let _e1892 = select(_e1888, _e1884, (_e1884 > _e1888));
-                                        let _e1894 = select(_e1890, _e1886, (_e1886 > _e1890));
-                                        let _e1896 = select(_e1876, _e1892, (_e1892 > _e1876));
-                                        let _e1898 = select(_e1878, _e1894, (_e1894 > _e1878));
-                                        let _e1900 = select(_e1857, _e1855, (_e1855 > _e1857));
-                                        let _e1902 = select(_e1858, _e1856, (_e1856 > _e1858));
-                                        let _e1904 = select(_e1865, _e1863, (_e1863 > _e1865));
-                                        let _e1906 = select(_e1866, _e1864, (_e1864 > _e1866));
-                                        let _e1908 = select(_e1904, _e1900, (_e1900 < _e1904));
-                                        let _e1910 = select(_e1906, _e1902, (_e1902 < _e1906));
-                                        let _e1915 = -(_e1876);
-                                        let _e1916 = -(_e1878);
-                                        let _e1923 = (select(_e1880, _e1908, (_e1908 < _e1880)) + (select(_e1915, _e1880, (_e1880 > _e1915)) * 0.0000019073523f));
-                                        let _e1924 = (select(_e1882, _e1910, (_e1910 < _e1882)) + (select(_e1916, _e1882, (_e1882 > _e1916)) * 0.0000019073523f));
-                                        let _e1926 = select(_e729, _e1896, (_e1896 > _e729));
-                                        let _e1928 = select(_e729, _e1898, (_e1898 > _e729));
-                                        let _e1933 = (_e1926 <= select(_e1617.member_1, _e1923, (_e1923 < _e1617.member_1)));
-                                        let _e1934 = (_e1928 <= select(_e1617.member_1, _e1924, (_e1924 < _e1617.member_1)));
-                                        let _e1935 = (_e1926 <= _e1928);
-                                        if _e1933 {
-                                            if _e1934 {
-                                                if _e1935 {
-                                                    phi_3682_ = _e1849;
+                                        let _e819 = phi_2773_;
+                                        let _e834 = ((10u * _e411) & 31u);
+                                        let _e837 = ((_e819.member[0] >> bitcast<u32>(_e834)) & 1023u);
+                                        let _e845 = bitcast<f32>((bitcast<u32>(((_e804.member.member_1[0] - _e804.member.member[0]) * 0.0009775171f)) ^ _e140));
+                                        let _e850 = (_e804.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e837)) - 8388608f) * _e845)) ^ _e140)));
+                                        let _e854 = select(select(_e804.member.member_1[0], _e850, (_e850 < _e804.member.member_1[0])), _e804.member.member_1[0], (_e837 == 1023u));
+                                        let _e856 = ((10u * _e410) & 31u);
+                                        let _e859 = ((_e819.member[0] >> bitcast<u32>(_e856)) & 1023u);
+                                        let _e867 = bitcast<f32>((bitcast<u32>(((_e804.member.member_1[1] - _e804.member.member[1]) * 0.0009775171f)) ^ _e140));
+                                        let _e872 = (_e804.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e859)) - 8388608f) * _e867)) ^ _e140)));
+                                        let _e876 = select(select(_e804.member.member_1[1], _e872, (_e872 < _e804.member.member_1[1])), _e804.member.member_1[1], (_e859 == 1023u));
+                                        let _e878 = ((10u * _e412) & 31u);
+                                        let _e881 = ((_e819.member[0] >> bitcast<u32>(_e878)) & 1023u);
+                                        let _e889 = bitcast<f32>((bitcast<u32>(((_e804.member.member_1[2] - _e804.member.member[2]) * 0.0009775171f)) ^ _e140));
+                                        let _e894 = (_e804.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e889)) ^ _e140)));
+                                        let _e898 = select(select(_e804.member.member_1[2], _e894, (_e894 < _e804.member.member_1[2])), _e804.member.member_1[2], (_e881 == 1023u));
+                                        let _e901 = ((_e819.member[1] >> bitcast<u32>(_e834)) & 1023u);
+                                        let _e909 = (_e804.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e901)) - 8388608f) * _e845)) ^ _e140)));
+                                        let _e913 = select(select(_e804.member.member_1[0], _e909, (_e909 < _e804.member.member_1[0])), _e804.member.member_1[0], (_e901 == 1023u));
+                                        let _e916 = ((_e819.member[1] >> bitcast<u32>(_e856)) & 1023u);
+                                        let _e924 = (_e804.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e916)) - 8388608f) * _e867)) ^ _e140)));
+                                        let _e928 = select(select(_e804.member.member_1[1], _e924, (_e924 < _e804.member.member_1[1])), _e804.member.member_1[1], (_e916 == 1023u));
+                                        let _e931 = ((_e819.member[1] >> bitcast<u32>(_e878)) & 1023u);
+                                        let _e939 = (_e804.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e931)) - 8388608f) * _e889)) ^ _e140)));
+                                        let _e943 = select(select(_e804.member.member_1[2], _e939, (_e939 < _e804.member.member_1[2])), _e804.member.member_1[2], (_e931 == 1023u));
+                                        let _e949 = ((_e819.member_1[0] >> bitcast<u32>(_e834)) & 1023u);
+                                        let _e957 = (_e804.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e949)) - 8388608f) * _e845)) ^ _e140)));
+                                        let _e961 = select(select(_e804.member.member_1[0], _e957, (_e957 < _e804.member.member_1[0])), _e804.member.member_1[0], (_e949 == 1023u));
+                                        let _e964 = ((_e819.member_1[0] >> bitcast<u32>(_e856)) & 1023u);
+                                        let _e972 = (_e804.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e964)) - 8388608f) * _e867)) ^ _e140)));
+                                        let _e976 = select(select(_e804.member.member_1[1], _e972, (_e972 < _e804.member.member_1[1])), _e804.member.member_1[1], (_e964 == 1023u));
+                                        let _e979 = ((_e819.member_1[0] >> bitcast<u32>(_e878)) & 1023u);
+                                        let _e987 = (_e804.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e979)) - 8388608f) * _e889)) ^ _e140)));
+                                        let _e991 = select(select(_e804.member.member_1[2], _e987, (_e987 < _e804.member.member_1[2])), _e804.member.member_1[2], (_e979 == 1023u));
+                                        let _e994 = ((_e819.member_1[1] >> bitcast<u32>(_e834)) & 1023u);
+                                        let _e1002 = (_e804.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e994)) - 8388608f) * _e845)) ^ _e140)));
+                                        let _e1006 = select(select(_e804.member.member_1[0], _e1002, (_e1002 < _e804.member.member_1[0])), _e804.member.member_1[0], (_e994 == 1023u));
+                                        let _e1009 = ((_e819.member_1[1] >> bitcast<u32>(_e856)) & 1023u);
+                                        let _e1017 = (_e804.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1009)) - 8388608f) * _e867)) ^ _e140)));
+                                        let _e1021 = select(select(_e804.member.member_1[1], _e1017, (_e1017 < _e804.member.member_1[1])), _e804.member.member_1[1], (_e1009 == 1023u));
+                                        let _e1024 = ((_e819.member_1[1] >> bitcast<u32>(_e878)) & 1023u);
+                                        let _e1032 = (_e804.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1024)) - 8388608f) * _e889)) ^ _e140)));
+                                        let _e1036 = select(select(_e804.member.member_1[2], _e1032, (_e1032 < _e804.member.member_1[2])), _e804.member.member_1[2], (_e1024 == 1023u));
+                                        let _e1041 = type_62(type_60(array<f32, 3>(_e854, _e876, _e898), array<f32, 3>(_e913, _e928, _e943)), _e819.member_2);
+                                        let _e1046 = type_62(type_60(array<f32, 3>(_e961, _e976, _e991), array<f32, 3>(_e1006, _e1021, _e1036)), _e819.member_3);
+                                        let _e1052 = ((_e854 - _e496) * _e499);
+                                        let _e1053 = ((_e961 - _e496) * _e499);
+                                        let _e1054 = ((_e913 - _e497) * _e499);
+                                        let _e1055 = ((_e1006 - _e497) * _e499);
+                                        let _e1060 = ((_e876 - _e560) * _e563);
+                                        let _e1061 = ((_e976 - _e560) * _e563);
+                                        let _e1062 = ((_e928 - _e561) * _e563);
+                                        let _e1063 = ((_e1021 - _e561) * _e563);
+                                        let _e1068 = ((_e898 - _e624) * _e627);
+                                        let _e1069 = ((_e991 - _e624) * _e627);
+                                        let _e1070 = ((_e943 - _e625) * _e627);
+                                        let _e1071 = ((_e1036 - _e625) * _e627);
+                                        let _e1073 = select(_e1070, _e1068, (_e1068 < _e1070));
+                                        let _e1075 = select(_e1071, _e1069, (_e1069 < _e1071));
+                                        let _e1077 = select(_e1070, _e1068, (_e1068 > _e1070));
+                                        let _e1079 = select(_e1071, _e1069, (_e1069 > _e1071));
+                                        let _e1081 = select(_e1054, _e1052, (_e1052 < _e1054));
+                                        let _e1083 = select(_e1055, _e1053, (_e1053 < _e1055));
+                                        let _e1085 = select(_e1062, _e1060, (_e1060 < _e1062));
+                                        let _e1087 = select(_e1063, _e1061, (_e1061 < _e1063));
+                                        let _e1089 = select(_e1085, _e1081, (_e1081 > _e1085));
+                                        let _e1091 = select(_e1087, _e1083, (_e1083 > _e1087));
+                                        let _e1093 = select(_e1073, _e1089, (_e1089 > _e1073));
+                                        let _e1095 = select(_e1075, _e1091, (_e1091 > _e1075));
+                                        let _e1097 = select(_e1054, _e1052, (_e1052 > _e1054));
+                                        let _e1099 = select(_e1055, _e1053, (_e1053 > _e1055));
+                                        let _e1101 = select(_e1062, _e1060, (_e1060 > _e1062));
+                                        let _e1103 = select(_e1063, _e1061, (_e1061 > _e1063));
+                                        let _e1105 = select(_e1101, _e1097, (_e1097 < _e1101));
+                                        let _e1107 = select(_e1103, _e1099, (_e1099 < _e1103));
+                                        let _e1112 = -(_e1073);
+                                        let _e1113 = -(_e1075);
+                                        let _e1120 = (select(_e1077, _e1105, (_e1105 < _e1077)) + (select(_e1112, _e1077, (_e1077 > _e1112)) * 0.0000019073523f));
+                                        let _e1121 = (select(_e1079, _e1107, (_e1107 < _e1079)) + (select(_e1113, _e1079, (_e1079 > _e1113)) * 0.0000019073523f));
+                                        let _e1123 = select(_e729, _e1093, (_e1093 > _e729));
+                                        let _e1125 = select(_e729, _e1095, (_e1095 > _e729));
+                                        let _e1130 = (_e1123 <= select(_e763.member_1, _e1120, (_e1120 < _e763.member_1)));
+                                        let _e1131 = (_e1125 <= select(_e763.member_1, _e1121, (_e1121 < _e763.member_1)));
+                                        let _e1132 = (_e1123 <= _e1125);
+                                        if _e1130 {
+                                            if _e1131 {
+                                                if _e1132 {
+                                                    phi_3659_ = _e1046;
                                                 } else {
-                                                    phi_3682_ = _e1844;
+                                                    phi_3659_ = _e1041;
                                                 }
-                                                let _e1937 = phi_3682_;
-                                                let _e1944 = (_e804 % 128u);
-                                                let _e1945 = (_e1944 < 128u);
-                                                if _e1945 {
+                                                let _e1134 = phi_3659_;
+                                                let _e1141 = (_e806 % 128u);
+                                                let _e1142 = (_e1141 < 128u);
+                                                if _e1142 {
                                                 } else {
-                                                    phi_4453_ = true;
+                                                    phi_4370_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1944] = _e1937.member_1;
-                                                if _e1945 {
+                                                local_6[_e1141] = _e1134.member_1;
+                                                if _e1142 {
                                                 } else {
-                                                    phi_4453_ = true;
+                                                    phi_4370_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1944] = _e1937.member.member[0];
-                                                if _e1945 {
+                                                local_5[_e1141] = _e1134.member.member[0];
+                                                if _e1142 {
                                                 } else {
-                                                    phi_4453_ = true;
+                                                    phi_4370_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1944] = _e1937.member.member[1];
-                                                if _e1945 {
+                                                local_4[_e1141] = _e1134.member.member[1];
+                                                if _e1142 {
                                                 } else {
-                                                    phi_4453_ = true;
+                                                    phi_4370_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1944] = _e1937.member.member[2];
-                                                if _e1945 {
+                                                local_3[_e1141] = _e1134.member.member[2];
+                                                if _e1142 {
                                                 } else {
-                                                    phi_4453_ = true;
+                                                    phi_4370_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1944] = _e1937.member.member_1[0];
-                                                if _e1945 {
+                                                local_2[_e1141] = _e1134.member.member_1[0];
+                                                if _e1142 {
                                                 } else {
-                                                    phi_4453_ = true;
+                                                    phi_4370_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1944] = _e1937.member.member_1[1];
-                                                if _e1945 {
+                                                local_1[_e1141] = _e1134.member.member_1[1];
+                                                if _e1142 {
                                                 } else {
-                                                    phi_4453_ = true;
+                                                    phi_4370_ = true;
                                                     break;
                                                 }
-                                                local[_e1944] = _e1937.member.member_1[2];
-                                                if _e1945 {
+                                                local[_e1141] = _e1134.member.member_1[2];
+                                                if _e1142 {
                                                 } else {
-                                                    phi_4453_ = true;
+                                                    phi_4370_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1944] = select(_e1926, _e1928, _e1935);
-                                                if _e1935 {
-                                                    phi_3758_ = _e1844;
+                                                local_7[_e1141] = select(_e1123, _e1125, _e1132);
+                                                if _e1132 {
+                                                    phi_3735_ = _e1041;
                                                 } else {
-                                                    phi_3758_ = _e1849;
+                                                    phi_3735_ = _e1046;
                                                 }
-                                                let _e1962 = phi_3758_;
-                                                phi_3759_ = (_e804 + 1u);
-                                                phi_3760_ = _e1962;
+                                                let _e1159 = phi_3735_;
+                                                phi_3736_ = _e1159;
+                                                phi_3737_ = (_e806 + 1u);
                                             } else {
-                                                phi_3759_ = u32();
-                                                phi_3760_ = type_62();
+                                                phi_3736_ = type_62();
+                                                phi_3737_ = u32();
                                             }
-                                            let _e1964 = phi_3759_;
-                                            let _e1966 = phi_3760_;
-                                            phi_3762_ = _e1964;
-                                            phi_3763_ = _e1966;
-                                            phi_3764_ = select(true, false, _e1934);
+                                            let _e1161 = phi_3736_;
+                                            let _e1163 = phi_3737_;
+                                            phi_3739_ = _e1161;
+                                            phi_3740_ = _e1163;
+                                            phi_3741_ = select(true, false, _e1131);
                                         } else {
-                                            phi_3762_ = u32();
-                                            phi_3763_ = type_62();
-                                            phi_3764_ = true;
+                                            phi_3739_ = type_62();
+                                            phi_3740_ = u32();
+                                            phi_3741_ = true;
                                         }
-                                        let _e1969 = phi_3762_;
-                                        let _e1971 = phi_3763_;
-                                        let _e1973 = phi_3764_;
-                                        if _e1973 {
-                                            if _e1933 {
-                                                phi_3771_ = _e1844;
+                                        let _e1166 = phi_3739_;
+                                        let _e1168 = phi_3740_;
+                                        let _e1170 = phi_3741_;
+                                        if _e1170 {
+                                            if _e1130 {
+                                                phi_3748_ = _e1041;
                                             } else {
-                                                phi_3771_ = _e1849;
+                                                phi_3748_ = _e1046;
                                             }
-                                            let _e1975 = phi_3771_;
-                                            phi_3776_ = select(_e1934, true, _e1933);
-                                            phi_3778_ = _e1975;
+                                            let _e1172 = phi_3748_;
+                                            phi_3753_ = select(_e1131, true, _e1130);
+                                            phi_3754_ = _e1172;
                                         } else {
-                                            phi_3776_ = _e802;
-                                            phi_3778_ = _e1971;
+                                            phi_3753_ = _e802;
+                                            phi_3754_ = _e1166;
                                         }
-                                        let _e1978 = phi_3776_;
-                                        let _e1980 = phi_3778_;
-                                        phi_3782_ = _e1978;
-                                        phi_3783_ = select(_e1969, _e804, _e1973);
-                                        phi_3784_ = _e1980;
+                                        let _e1175 = phi_3753_;
+                                        let _e1177 = phi_3754_;
+                                        phi_4374_ = _e761;
+                                        phi_3756_ = _e763;
+                                        phi_3757_ = _e1175;
+                                        phi_3758_ = _e1177;
+                                        phi_3759_ = select(_e1168, _e806, _e1170);
                                     }
-                                    let _e1983 = phi_3782_;
-                                    let _e1985 = phi_3783_;
-                                    let _e1987 = phi_3784_;
-                                    if _e810 {
-                                        phi_3794_ = _e806;
-                                    } else {
-                                        phi_3794_ = _e1987;
-                                    }
-                                    let _e1989 = phi_3794_;
-                                    phi_4456_ = _e1615;
-                                    phi_3795_ = _e1617;
-                                    phi_3796_ = (_e765 - 1u);
-                                    phi_3797_ = select(_e1983, false, _e810);
-                                    phi_3798_ = select(_e1985, _e804, _e810);
-                                    phi_3799_ = _e1989;
+                                    let _e1984 = phi_4374_;
+                                    let _e1986 = phi_3756_;
+                                    let _e1988 = phi_3757_;
+                                    let _e1990 = phi_3758_;
+                                    let _e1992 = phi_3759_;
+                                    phi_4373_ = _e1984;
+                                    phi_3760_ = _e1986;
+                                    phi_3761_ = _e1988;
+                                    phi_3762_ = _e1990;
+                                    phi_3763_ = _e1992;
+                                    phi_3764_ = (_e771 - 1u);
                                 } else {
-                                    phi_4456_ = _e761;
-                                    phi_3795_ = _e763;
-                                    phi_3796_ = _e765;
-                                    phi_3797_ = _e802;
-                                    phi_3798_ = _e804;
-                                    phi_3799_ = _e806;
+                                    phi_4373_ = _e761;
+                                    phi_3760_ = _e763;
+                                    phi_3761_ = _e802;
+                                    phi_3762_ = _e804;
+                                    phi_3763_ = _e806;
+                                    phi_3764_ = _e771;
                                 }
-                                let _e1993 = phi_4456_;
-                                let _e1995 = phi_3795_;
-                                let _e1997 = phi_3796_;
-                                let _e1999 = phi_3797_;
-                                let _e2001 = phi_3798_;
-                                let _e2003 = phi_3799_;
-                                phi_4455_ = _e1993;
-                                phi_3800_ = _e1995;
-                                phi_3801_ = _e1997;
-                                phi_3802_ = _e1999;
-                                phi_3803_ = _e2001;
-                                phi_3804_ = _e2003;
+                                let _e1994 = phi_4373_;
+                                let _e1996 = phi_3760_;
+                                let _e1998 = phi_3761_;
+                                let _e2000 = phi_3762_;
+                                let _e2002 = phi_3763_;
+                                let _e2004 = phi_3764_;
+                                phi_4372_ = _e1994;
+                                phi_3765_ = _e1996;
+                                phi_3766_ = _e1998;
+                                phi_3767_ = _e2000;
+                                phi_3768_ = _e2002;
+                                phi_3769_ = _e2004;
                             } else {
-                                phi_4455_ = _e761;
-                                phi_3800_ = type_43();
-                                phi_3801_ = u32();
-                                phi_3802_ = bool();
-                                phi_3803_ = u32();
-                                phi_3804_ = type_62();
+                                phi_4372_ = _e761;
+                                phi_3765_ = type_43();
+                                phi_3766_ = bool();
+                                phi_3767_ = type_62();
+                                phi_3768_ = u32();
+                                phi_3769_ = u32();
                             }
-                            let _e2005 = phi_4455_;
-                            let _e2007 = phi_3800_;
-                            let _e2009 = phi_3801_;
-                            let _e2011 = phi_3802_;
-                            let _e2013 = phi_3803_;
-                            let _e2015 = phi_3804_;
-                            phi_4454_ = _e2005;
-                            phi_1351_ = _e2007;
-                            phi_1354_ = _e2009;
-                            phi_1356_ = _e2011;
-                            phi_1358_ = _e2013;
-                            phi_1360_ = _e2015;
-                            phi_3805_ = _e775;
+                            let _e2006 = phi_4372_;
+                            let _e2008 = phi_3765_;
+                            let _e2010 = phi_3766_;
+                            let _e2012 = phi_3767_;
+                            let _e2014 = phi_3768_;
+                            let _e2016 = phi_3769_;
+                            phi_4371_ = _e2006;
+                            phi_1358_ = _e2008;
+                            phi_1361_ = _e2010;
+                            phi_1363_ = _e2012;
+                            phi_1365_ = _e2014;
+                            phi_1367_ = _e2016;
+                            phi_3770_ = _e775;
                         } else {
-                            phi_4454_ = _e761;
-                            phi_1351_ = type_43();
-                            phi_1354_ = u32();
-                            phi_1356_ = bool();
-                            phi_1358_ = u32();
-                            phi_1360_ = type_62();
-                            phi_3805_ = false;
+                            phi_4371_ = _e761;
+                            phi_1358_ = type_43();
+                            phi_1361_ = bool();
+                            phi_1363_ = type_62();
+                            phi_1365_ = u32();
+                            phi_1367_ = u32();
+                            phi_3770_ = false;
                         }
-                        let _e2017 = phi_4454_;
-                        let _e2019 = phi_1351_;
-                        let _e2021 = phi_1354_;
-                        let _e2023 = phi_1356_;
-                        let _e2025 = phi_1358_;
-                        let _e2027 = phi_1360_;
-                        let _e2029 = phi_3805_;
+                        let _e2018 = phi_4371_;
+                        let _e2020 = phi_1358_;
+                        let _e2022 = phi_1361_;
+                        let _e2024 = phi_1363_;
+                        let _e2026 = phi_1365_;
+                        let _e2028 = phi_1367_;
+                        let _e2030 = phi_3770_;
                         continue;
                         continuing {
-                            phi_4262_ = _e2017;
-                            phi_1350_ = _e2019;
-                            phi_1353_ = _e2021;
-                            phi_1355_ = _e2023;
-                            phi_1357_ = _e2025;
-                            phi_1359_ = _e2027;
-                            phi_4453_ = _e2017;
-                            break if !(_e2029);
+                            phi_4191_ = _e2018;
+                            phi_1357_ = _e2020;
+                            phi_1360_ = _e2022;
+                            phi_1362_ = _e2024;
+                            phi_1364_ = _e2026;
+                            phi_1366_ = _e2028;
+                            phi_4370_ = _e2018;
+                            break if !(_e2030);
                         }
                     }
-                    let _e2032 = phi_4453_;
-                    if _e2032 {
+                    let _e2033 = phi_4370_;
+                    if _e2033 {
                         break;
                     }
-                    let _e2034 = local_10;
-                    if (_e2034.member.member_3 != 4294967295u) {
-                        let _e2039 = bitcast<u32>(_e2034.member.member);
-                        let _e2043 = (bitcast<i32>((_e2039 >> bitcast<u32>(23i))) & 255i);
-                        let _e2044 = (_e2043 + _e413);
-                        if (_e2043 == 255i) {
-                            phi_3864_ = _e2034.member.member;
+                    let _e2035 = local_11;
+                    if (_e2035.member.member_3 != 4294967295u) {
+                        let _e2040 = bitcast<u32>(_e2035.member.member);
+                        let _e2044 = (bitcast<i32>((_e2040 >> bitcast<u32>(23i))) & 255i);
+                        let _e2045 = (_e2044 + _e413);
+                        if (_e2044 == 255i) {
+                            phi_3829_ = _e2035.member.member;
                         } else {
-                            if (_e2043 > 0i) {
-                                if (_e2044 > 0i) {
-                                    let _e2048 = (_e2044 < 255i);
-                                    if _e2048 {
-                                        phi_3843_ = bitcast<f32>((_e2039 + bitcast<u32>((_e413 << bitcast<u32>(23i)))));
+                            if (_e2044 > 0i) {
+                                if (_e2045 > 0i) {
+                                    let _e2049 = (_e2045 < 255i);
+                                    if _e2049 {
+                                        phi_3808_ = bitcast<f32>((_e2040 + bitcast<u32>((_e413 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3843_ = f32();
+                                        phi_3808_ = f32();
                                     }
-                                    let _e2055 = phi_3843_;
-                                    phi_3845_ = _e2055;
-                                    phi_3846_ = select(true, false, _e2048);
+                                    let _e2056 = phi_3808_;
+                                    phi_3810_ = _e2056;
+                                    phi_3811_ = select(true, false, _e2049);
                                 } else {
-                                    phi_3845_ = f32();
-                                    phi_3846_ = true;
+                                    phi_3810_ = f32();
+                                    phi_3811_ = true;
                                 }
-                                let _e2058 = phi_3845_;
-                                let _e2060 = phi_3846_;
-                                phi_3847_ = _e2058;
-                                phi_3848_ = _e2060;
+                                let _e2059 = phi_3810_;
+                                let _e2061 = phi_3811_;
+                                phi_3812_ = _e2059;
+                                phi_3813_ = _e2061;
                             } else {
-                                phi_3847_ = f32();
-                                phi_3848_ = true;
+                                phi_3812_ = f32();
+                                phi_3813_ = true;
                             }
-                            let _e2062 = phi_3847_;
-                            let _e2064 = phi_3848_;
-                            if _e2064 {
-                                let _e2065 = (_e2039 & 2147483648u);
-                                let _e2072 = ((_e2039 & 8388607u) | (select(0u, 1u, ((_e2039 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2076 = (_e2072 == 0u);
-                                if _e2076 {
-                                    phi_4226_ = bitcast<f32>(_e2065);
+                            let _e2063 = phi_3812_;
+                            let _e2065 = phi_3813_;
+                            if _e2065 {
+                                let _e2066 = (_e2040 & 2147483648u);
+                                let _e2073 = ((_e2040 & 8388607u) | (select(0u, 1u, ((_e2040 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2077 = (_e2073 == 0u);
+                                if _e2077 {
+                                    phi_4155_ = bitcast<f32>(_e2066);
                                 } else {
-                                    let _e2081 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2072)), 32u, _e2076) - 8u);
-                                    let _e2084 = (_e2072 << bitcast<u32>((_e2081 & 31u)));
-                                    let _e2086 = ((_e2044 + select(0i, 1i, (_e2043 == 0i))) - bitcast<i32>(_e2081));
-                                    if (_e2086 >= 255i) {
-                                        phi_4216_ = bitcast<f32>((_e2065 | 2139095040u));
-                                        phi_4217_ = f32();
-                                        phi_4218_ = true;
+                                    let _e2082 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2073)), 32u, _e2077) - 8u);
+                                    let _e2085 = (_e2073 << bitcast<u32>((_e2082 & 31u)));
+                                    let _e2087 = ((_e2045 + select(0i, 1i, (_e2044 == 0i))) - bitcast<i32>(_e2082));
+                                    if (_e2087 >= 255i) {
+                                        phi_4145_ = bitcast<f32>((_e2066 | 2139095040u));
+                                        phi_4146_ = f32();
+                                        phi_4147_ = true;
                                     } else {
-                                        let _e2088 = (_e2086 > 0i);
-                                        if _e2088 {
-                                            phi_4210_ = bitcast<f32>(((_e2065 | (bitcast<u32>(_e2086) << bitcast<u32>(23i))) | (_e2084 & 8388607u)));
-                                            phi_4211_ = f32();
+                                        let _e2089 = (_e2087 > 0i);
+                                        if _e2089 {
+                                            phi_4139_ = bitcast<f32>(((_e2066 | (bitcast<u32>(_e2087) << bitcast<u32>(23i))) | (_e2085 & 8388607u)));
+                                            phi_4140_ = f32();
                                         } else {
-                                            if (_e2086 < -24i) {
-                                                phi_4176_ = 26u;
+                                            if (_e2087 < -24i) {
+                                                phi_4105_ = 26u;
                                             } else {
-                                                phi_4176_ = bitcast<u32>((1i - _e2086));
+                                                phi_4105_ = bitcast<u32>((1i - _e2087));
                                             }
-                                            let _e2093 = phi_4176_;
-                                            let _e2094 = (_e2093 & 31u);
-                                            let _e2096 = (_e2084 >> bitcast<u32>(_e2094));
-                                            let _e2100 = (_e2084 & ((1u << bitcast<u32>(_e2094)) - 1u));
-                                            let _e2104 = (1u << bitcast<u32>(((_e2093 - 1u) & 31u)));
-                                            if (_e2100 > _e2104) {
-                                                phi_4197_ = true;
+                                            let _e2094 = phi_4105_;
+                                            let _e2095 = (_e2094 & 31u);
+                                            let _e2097 = (_e2085 >> bitcast<u32>(_e2095));
+                                            let _e2101 = (_e2085 & ((1u << bitcast<u32>(_e2095)) - 1u));
+                                            let _e2105 = (1u << bitcast<u32>(((_e2094 - 1u) & 31u)));
+                                            if (_e2101 > _e2105) {
+                                                phi_4126_ = true;
                                             } else {
-                                                if (_e2100 == _e2104) {
-                                                    phi_4194_ = ((_e2096 & 1u) == 1u);
+                                                if (_e2101 == _e2105) {
+                                                    phi_4123_ = ((_e2097 & 1u) == 1u);
                                                 } else {
-                                                    phi_4194_ = false;
+                                                    phi_4123_ = false;
                                                 }
-                                                let _e2110 = phi_4194_;
-                                                phi_4197_ = _e2110;
+                                                let _e2111 = phi_4123_;
+                                                phi_4126_ = _e2111;
                                             }
-                                            let _e2112 = phi_4197_;
-                                            phi_4210_ = f32();
-                                            phi_4211_ = bitcast<f32>((_e2065 | (_e2096 + select(0u, 1u, _e2112))));
+                                            let _e2113 = phi_4126_;
+                                            phi_4139_ = f32();
+                                            phi_4140_ = bitcast<f32>((_e2066 | (_e2097 + select(0u, 1u, _e2113))));
                                         }
-                                        let _e2125 = phi_4210_;
-                                        let _e2127 = phi_4211_;
-                                        phi_4216_ = _e2125;
-                                        phi_4217_ = _e2127;
-                                        phi_4218_ = _e2088;
+                                        let _e2126 = phi_4139_;
+                                        let _e2128 = phi_4140_;
+                                        phi_4145_ = _e2126;
+                                        phi_4146_ = _e2128;
+                                        phi_4147_ = _e2089;
                                     }
-                                    let _e2131 = phi_4216_;
-                                    let _e2133 = phi_4217_;
-                                    let _e2135 = phi_4218_;
-                                    phi_4226_ = select(_e2133, _e2131, _e2135);
+                                    let _e2132 = phi_4145_;
+                                    let _e2134 = phi_4146_;
+                                    let _e2136 = phi_4147_;
+                                    phi_4155_ = select(_e2134, _e2132, _e2136);
                                 }
-                                let _e2139 = phi_4226_;
-                                phi_3863_ = _e2139;
+                                let _e2140 = phi_4155_;
+                                phi_3828_ = _e2140;
                             } else {
-                                phi_3863_ = _e2062;
+                                phi_3828_ = _e2063;
                             }
-                            let _e2141 = phi_3863_;
-                            phi_3864_ = _e2141;
+                            let _e2142 = phi_3828_;
+                            phi_3829_ = _e2142;
                         }
-                        let _e2143 = phi_3864_;
-                        let _e2144 = bitcast<u32>(_e2143);
-                        if ((_e2144 & 2147483647u) >= 2139095040u) {
-                            phi_3876_ = bitcast<f32>(((_e2144 & 2147483648u) | 2139095039u));
+                        let _e2144 = phi_3829_;
+                        let _e2145 = bitcast<u32>(_e2144);
+                        if ((_e2145 & 2147483647u) >= 2139095040u) {
+                            phi_3841_ = bitcast<f32>(((_e2145 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3876_ = _e2143;
+                            phi_3841_ = _e2144;
                         }
-                        let _e2151 = phi_3876_;
-                        phi_3881_ = type_27(_e2151, _e2034.member.member_1, _e2034.member.member_2, _e2034.member.member_3);
+                        let _e2152 = phi_3841_;
+                        phi_3846_ = type_27(_e2152, _e2035.member.member_1, _e2035.member.member_2, _e2035.member.member_3);
                     } else {
-                        phi_3881_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3846_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2156 = phi_3881_;
+                    let _e2157 = phi_3846_;
                     if _e290 {
                     } else {
                         break;
                     }
-                    global_8.member[_e144] = _e2156;
+                    global_8.member[_e144] = _e2157;
                     if _e151 {
                     } else {
                         break;
                     }
-                    let _e2160 = select(0u, 1u, (_e357 <= _e367));
-                    if (_e2160 > 0u) {
-                        let _e2162 = (1u < _e112);
-                        if _e2162 {
+                    let _e2161 = select(0u, 1u, (_e357 <= _e367));
+                    if (_e2161 > 0u) {
+                        let _e2163 = (1u < _e112);
+                        if _e2163 {
                             if (0u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e2166 = atomicAdd((&global_9.member[0u]), _e2160);
-                            if ((_e2166 + _e2160) < _e2166) {
-                                if _e2162 {
+                            let _e2167 = atomicAdd((&global_9.member[0u]), _e2161);
+                            if ((_e2167 + _e2161) < _e2167) {
+                                if _e2163 {
                                 } else {
                                     break;
                                 }
-                                let _e2171 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2172 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2174 = select(0u, 1u, (_e2156.member_3 != 4294967295u));
-                    if (_e2174 > 0u) {
-                        let _e2176 = (3u < _e112);
-                        if _e2176 {
+                    let _e2175 = select(0u, 1u, (_e2157.member_3 != 4294967295u));
+                    if (_e2175 > 0u) {
+                        let _e2177 = (3u < _e112);
+                        if _e2177 {
                             if (2u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e2180 = atomicAdd((&global_9.member[2u]), _e2174);
-                            if ((_e2180 + _e2174) < _e2180) {
-                                if _e2176 {
+                            let _e2181 = atomicAdd((&global_9.member[2u]), _e2175);
+                            if ((_e2181 + _e2175) < _e2181) {
+                                if _e2177 {
                                 } else {
                                     break;
                                 }
-                                let _e2185 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2186 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

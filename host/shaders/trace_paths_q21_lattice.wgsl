@@ -125,198 +125,186 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_442_: u32;
-    var phi_486_: i32;
-    var phi_626_: type_35;
-    var phi_732_: i32;
-    var phi_733_: i32;
-    var phi_743_: bool;
-    var phi_753_: u32;
-    var phi_754_: u32;
-    var phi_756_: bool;
+    var phi_449_: u32;
+    var phi_493_: i32;
+    var phi_633_: type_35;
+    var phi_739_: i32;
+    var phi_740_: i32;
+    var phi_750_: bool;
+    var phi_760_: u32;
     var phi_761_: u32;
-    var phi_794_: i32;
-    var phi_812_: f32;
-    var phi_818_: f32;
-    var phi_858_: f32;
-    var phi_864_: f32;
-    var phi_937_: f32;
-    var phi_943_: f32;
-    var phi_983_: f32;
-    var phi_989_: f32;
-    var phi_1062_: f32;
-    var phi_1068_: f32;
-    var phi_1108_: f32;
-    var phi_1114_: f32;
-    var phi_1233_: i32;
-    var phi_1255_: u32;
-    var phi_1256_: u32;
-    var phi_1293_: i32;
-    var phi_1315_: u32;
-    var phi_1316_: u32;
-    var phi_1324_: f32;
-    var phi_1325_: f32;
-    var phi_5377_: bool;
-    var phi_1421_: type_39;
-    var phi_1424_: u32;
-    var phi_1426_: bool;
-    var phi_1428_: u32;
-    var phi_1430_: type_58;
-    var phi_1441_: bool;
-    var phi_1527_: bool;
-    var phi_1528_: u32;
-    var phi_1529_: type_58;
-    var phi_1548_: type_39;
-    var phi_1551_: type_8;
-    var phi_1552_: type_8;
-    var phi_1574_: type_8;
-    var phi_1615_: u32;
-    var phi_1621_: u32;
-    var phi_1631_: u32;
-    var phi_1647_: u32;
-    var phi_1680_: u32;
-    var phi_1686_: u32;
-    var phi_2152_: u32;
-    var phi_2170_: u32;
-    var phi_2188_: u32;
-    var phi_2211_: u32;
-    var phi_2229_: u32;
-    var phi_2247_: u32;
-    var phi_2270_: u32;
-    var phi_2288_: u32;
-    var phi_2306_: u32;
-    var phi_1860_: u32;
-    var phi_1875_: u32;
-    var phi_1885_: u32;
-    var phi_1906_: u32;
-    var phi_1927_: u32;
-    var phi_1957_: u32;
-    var phi_1972_: u32;
-    var phi_1982_: u32;
-    var phi_2003_: u32;
-    var phi_2024_: u32;
-    var phi_2054_: u32;
-    var phi_2069_: u32;
-    var phi_2079_: u32;
-    var phi_2100_: u32;
-    var phi_2121_: u32;
-    var phi_1713_: u32;
-    var phi_1762_: u32;
-    var phi_1811_: u32;
-    var phi_2312_: array<array<f32, 3>, 3>;
-    var phi_4938_: bool;
-    var phi_4953_: bool;
-    var phi_4968_: bool;
-    var phi_4983_: bool;
-    var phi_4998_: bool;
-    var phi_5013_: bool;
-    var phi_2854_: f32;
-    var phi_2855_: f32;
-    var phi_2856_: f32;
-    var phi_2857_: f32;
-    var phi_2858_: vec3<f32>;
-    var phi_2859_: vec3<f32>;
-    var phi_2860_: vec3<f32>;
-    var phi_2861_: vec3<f32>;
-    var phi_5028_: bool;
-    var phi_5043_: bool;
-    var phi_5058_: bool;
-    var phi_5073_: bool;
-    var phi_5088_: bool;
-    var phi_5103_: bool;
-    var phi_3069_: f32;
-    var phi_3089_: type_42;
-    var phi_3090_: type_42;
-    var phi_3093_: type_42;
-    var phi_3094_: type_42;
-    var phi_3095_: bool;
-    var phi_3099_: type_42;
-    var phi_3108_: type_21;
-    var phi_3131_: u32;
-    var phi_3145_: i32;
-    var phi_3167_: vec3<f32>;
-    var phi_3168_: vec3<f32>;
-    var phi_3186_: vec3<f32>;
-    var phi_3187_: vec3<f32>;
-    var phi_3205_: vec3<f32>;
-    var phi_3206_: vec3<f32>;
-    var phi_3242_: vec3<f32>;
-    var phi_3424_: f32;
-    var phi_3442_: bool;
-    var phi_3443_: bool;
-    var phi_3462_: bool;
-    var phi_3463_: bool;
-    var phi_3469_: type_39;
-    var phi_3470_: type_39;
-    var phi_3471_: type_39;
-    var phi_1549_: type_39;
-    var phi_5371_: bool;
-    var phi_5706_: bool;
-    var phi_3472_: type_39;
-    var phi_3974_: u32;
-    var phi_3980_: u32;
-    var phi_4234_: u32;
-    var phi_4235_: u32;
+    var phi_763_: bool;
+    var phi_768_: u32;
+    var phi_801_: i32;
+    var phi_819_: f32;
+    var phi_825_: f32;
+    var phi_865_: f32;
+    var phi_871_: f32;
+    var phi_944_: f32;
+    var phi_950_: f32;
+    var phi_990_: f32;
+    var phi_996_: f32;
+    var phi_1069_: f32;
+    var phi_1075_: f32;
+    var phi_1115_: f32;
+    var phi_1121_: f32;
+    var phi_1240_: i32;
+    var phi_1262_: u32;
+    var phi_1263_: u32;
+    var phi_1300_: i32;
+    var phi_1322_: u32;
+    var phi_1323_: u32;
+    var phi_1331_: f32;
+    var phi_1332_: f32;
+    var phi_5306_: bool;
+    var phi_1428_: type_39;
+    var phi_1431_: bool;
+    var phi_1433_: type_58;
+    var phi_1435_: u32;
+    var phi_1437_: u32;
+    var phi_1448_: bool;
+    var phi_1534_: bool;
+    var phi_1535_: type_58;
+    var phi_1536_: u32;
+    var phi_3951_: u32;
+    var phi_3957_: u32;
+    var phi_4211_: u32;
+    var phi_4212_: u32;
+    var phi_4222_: u32;
+    var phi_4224_: u32;
+    var phi_4225_: bool;
     var phi_4245_: u32;
-    var phi_4247_: u32;
-    var phi_4248_: bool;
-    var phi_4268_: u32;
-    var phi_4269_: u32;
-    var phi_4273_: type_59;
-    var phi_4635_: type_58;
-    var phi_4711_: type_58;
-    var phi_4712_: u32;
-    var phi_4713_: type_58;
-    var phi_4715_: u32;
-    var phi_4716_: type_58;
-    var phi_4717_: bool;
-    var phi_4726_: type_58;
-    var phi_4731_: bool;
-    var phi_4733_: type_58;
-    var phi_4737_: bool;
-    var phi_4738_: u32;
-    var phi_4739_: type_58;
-    var phi_4749_: type_58;
-    var phi_5618_: bool;
-    var phi_4750_: type_39;
-    var phi_4751_: u32;
-    var phi_4752_: bool;
-    var phi_4753_: u32;
-    var phi_4754_: type_58;
-    var phi_5617_: bool;
-    var phi_4755_: type_39;
-    var phi_4756_: u32;
-    var phi_4757_: bool;
-    var phi_4758_: u32;
-    var phi_4759_: type_58;
-    var phi_5616_: bool;
-    var phi_1422_: type_39;
-    var phi_1425_: u32;
-    var phi_1427_: bool;
-    var phi_1429_: u32;
-    var phi_1431_: type_58;
-    var phi_4760_: bool;
-    var phi_5615_: bool;
-    var local_10: type_39;
-    var phi_4798_: f32;
-    var phi_4800_: f32;
-    var phi_4801_: bool;
-    var phi_4802_: f32;
-    var phi_4803_: bool;
-    var phi_5279_: u32;
-    var phi_5297_: bool;
+    var phi_4246_: u32;
+    var phi_4250_: type_59;
+    var phi_4612_: type_58;
+    var phi_4688_: type_58;
+    var phi_4689_: type_58;
+    var phi_4690_: u32;
+    var phi_4692_: type_58;
+    var phi_4693_: u32;
+    var phi_4694_: bool;
+    var phi_4703_: type_58;
+    var phi_4708_: bool;
+    var phi_4709_: type_58;
+    var phi_1555_: type_39;
+    var phi_1558_: type_8;
+    var phi_1559_: type_8;
+    var phi_1581_: type_8;
+    var phi_1622_: u32;
+    var phi_1628_: u32;
+    var phi_1638_: u32;
+    var phi_1654_: u32;
+    var phi_1687_: u32;
+    var phi_1693_: u32;
+    var phi_2159_: u32;
+    var phi_2177_: u32;
+    var phi_2195_: u32;
+    var phi_2218_: u32;
+    var phi_2236_: u32;
+    var phi_2254_: u32;
+    var phi_2277_: u32;
+    var phi_2295_: u32;
+    var phi_2313_: u32;
+    var phi_1867_: u32;
+    var phi_1882_: u32;
+    var phi_1892_: u32;
+    var phi_1913_: u32;
+    var phi_1934_: u32;
+    var phi_1964_: u32;
+    var phi_1979_: u32;
+    var phi_1989_: u32;
+    var phi_2010_: u32;
+    var phi_2031_: u32;
+    var phi_2061_: u32;
+    var phi_2076_: u32;
+    var phi_2086_: u32;
+    var phi_2107_: u32;
+    var phi_2128_: u32;
+    var phi_1720_: u32;
+    var phi_1769_: u32;
+    var phi_1818_: u32;
+    var phi_2319_: array<array<f32, 3>, 3>;
+    var phi_2849_: f32;
+    var phi_2850_: f32;
+    var phi_2851_: f32;
+    var phi_2852_: f32;
+    var phi_2853_: vec3<f32>;
+    var phi_2854_: vec3<f32>;
+    var phi_2855_: vec3<f32>;
+    var phi_2856_: vec3<f32>;
+    var phi_3047_: f32;
+    var phi_3067_: type_42;
+    var phi_3068_: type_42;
+    var phi_3071_: type_42;
+    var phi_3072_: type_42;
+    var phi_3073_: bool;
+    var phi_3077_: type_42;
+    var phi_3086_: type_21;
+    var phi_3109_: u32;
+    var phi_3123_: i32;
+    var phi_3145_: vec3<f32>;
+    var phi_3146_: vec3<f32>;
+    var phi_3164_: vec3<f32>;
+    var phi_3165_: vec3<f32>;
+    var phi_3183_: vec3<f32>;
+    var phi_3184_: vec3<f32>;
+    var phi_3220_: vec3<f32>;
+    var phi_3402_: f32;
+    var phi_3420_: bool;
+    var phi_3421_: bool;
+    var phi_3440_: bool;
+    var phi_3441_: bool;
+    var phi_3447_: type_39;
+    var phi_3448_: type_39;
+    var phi_3449_: type_39;
+    var phi_1556_: type_39;
     var phi_5300_: bool;
-    var phi_5313_: f32;
-    var phi_5314_: f32;
-    var phi_5319_: f32;
-    var phi_5320_: f32;
-    var phi_5321_: bool;
-    var phi_5329_: f32;
-    var phi_4818_: f32;
-    var phi_4819_: f32;
-    var phi_4831_: f32;
-    var phi_4836_: type_21;
+    var local_10: type_39;
+    var phi_5536_: bool;
+    var phi_4711_: type_39;
+    var phi_4712_: bool;
+    var phi_4713_: type_58;
+    var phi_4714_: u32;
+    var phi_5535_: bool;
+    var phi_4715_: type_39;
+    var phi_4716_: bool;
+    var phi_4717_: type_58;
+    var phi_4718_: u32;
+    var phi_4719_: u32;
+    var phi_5534_: bool;
+    var phi_4720_: type_39;
+    var phi_4721_: bool;
+    var phi_4722_: type_58;
+    var phi_4723_: u32;
+    var phi_4724_: u32;
+    var phi_5533_: bool;
+    var phi_1429_: type_39;
+    var phi_1432_: bool;
+    var phi_1434_: type_58;
+    var phi_1436_: u32;
+    var phi_1438_: u32;
+    var phi_4725_: bool;
+    var phi_5532_: bool;
     var local_11: type_39;
+    var phi_4763_: f32;
+    var phi_4765_: f32;
+    var phi_4766_: bool;
+    var phi_4767_: f32;
+    var phi_4768_: bool;
+    var phi_5208_: u32;
+    var phi_5226_: bool;
+    var phi_5229_: bool;
+    var phi_5242_: f32;
+    var phi_5243_: f32;
+    var phi_5248_: f32;
+    var phi_5249_: f32;
+    var phi_5250_: bool;
+    var phi_5258_: f32;
+    var phi_4783_: f32;
+    var phi_4784_: f32;
+    var phi_4796_: f32;
+    var phi_4801_: type_21;
+    var local_12: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -342,11 +330,11 @@ fn function_() {
                     break;
                 }
                 let _e172 = global_6.member[_e153].member_2;
-                phi_442_ = _e172;
+                phi_449_ = _e172;
             } else {
-                phi_442_ = 4294967295u;
+                phi_449_ = 4294967295u;
             }
-            let _e174 = phi_442_;
+            let _e174 = phi_449_;
             let _e177 = global_1.member[0u];
             let _e181 = global_2.member[0u][0u];
             let _e185 = global_2.member[0u][1u];
@@ -363,15 +351,15 @@ fn function_() {
             let _e215 = array<u32, 3>(_e201, _e205, _e209);
             let _e217 = bitcast<i32>(_e177);
             if (_e217 < -126i) {
-                phi_486_ = -126i;
+                phi_493_ = -126i;
             } else {
-                phi_486_ = select(_e217, 127i, (_e217 > 127i));
+                phi_493_ = select(_e217, 127i, (_e217 > 127i));
             }
-            let _e222 = phi_486_;
+            let _e222 = phi_493_;
             let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
             let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
             if (_e193 == 0u) {
-                phi_626_ = type_35(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
+                phi_633_ = type_35(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
             } else {
                 let _e235 = bitcast<u32>(_e210);
                 let _e237 = ((_e235 & 2139095040u) != 0u);
@@ -381,9 +369,9 @@ fn function_() {
                 let _e271 = ((_e269 & 2139095040u) != 0u);
                 let _e287 = bitcast<u32>(_e214);
                 let _e289 = ((_e287 & 2139095040u) != 0u);
-                phi_626_ = type_35(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
+                phi_633_ = type_35(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
             }
-            let _e306 = phi_626_;
+            let _e306 = phi_633_;
             if _e168 {
                 let _e307 = (_e153 < arrayLength((&global_7.member)));
                 if _e307 {
@@ -418,85 +406,85 @@ fn function_() {
                     if _e390 {
                         let _e393 = (bitcast<u32>(bitcast<f32>(_e363)) & 2147483647u);
                         if (_e393 >= 8388608u) {
-                            phi_732_ = (bitcast<i32>((_e393 >> bitcast<u32>(23i))) - 127i);
+                            phi_739_ = (bitcast<i32>((_e393 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_732_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e393)), 32u, (_e393 == 0u))));
+                            phi_739_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e393)), 32u, (_e393 == 0u))));
                         }
-                        let _e407 = phi_732_;
-                        phi_733_ = _e407;
+                        let _e407 = phi_739_;
+                        phi_740_ = _e407;
                     } else {
-                        phi_733_ = 0i;
+                        phi_740_ = 0i;
                     }
-                    let _e409 = phi_733_;
+                    let _e409 = phi_740_;
                     let _e410 = (_e319 == _e363);
                     if _e410 {
-                        phi_743_ = true;
+                        phi_750_ = true;
                     } else {
-                        phi_743_ = (_e327 == _e363);
+                        phi_750_ = (_e327 == _e363);
                     }
-                    let _e413 = phi_743_;
+                    let _e413 = phi_750_;
                     let _e414 = select(1u, 0u, _e410);
                     if _e413 {
                         let _e415 = (_e414 + 1u);
-                        phi_753_ = _e415;
-                        phi_754_ = _e415;
-                        phi_756_ = select(true, false, (_e415 == 2u));
+                        phi_760_ = _e415;
+                        phi_761_ = _e415;
+                        phi_763_ = select(true, false, (_e415 == 2u));
                     } else {
-                        phi_753_ = u32();
-                        phi_754_ = 0u;
-                        phi_756_ = true;
-                    }
-                    let _e419 = phi_753_;
-                    let _e421 = phi_754_;
-                    let _e423 = phi_756_;
-                    if _e423 {
-                        phi_761_ = (_e421 + 1u);
-                    } else {
+                        phi_760_ = u32();
                         phi_761_ = 0u;
+                        phi_763_ = true;
                     }
-                    let _e427 = phi_761_;
+                    let _e419 = phi_760_;
+                    let _e421 = phi_761_;
+                    let _e423 = phi_763_;
+                    if _e423 {
+                        phi_768_ = (_e421 + 1u);
+                    } else {
+                        phi_768_ = 0u;
+                    }
+                    let _e427 = phi_768_;
                     let _e428 = select(_e419, _e421, _e423);
                     let _e429 = select(_e414, select(2u, _e414, _e413), _e423);
                     let _e430 = -(_e409);
                     if (_e430 < -126i) {
-                        phi_794_ = -126i;
+                        phi_801_ = -126i;
                     } else {
-                        phi_794_ = select(_e430, 127i, (_e430 > 127i));
+                        phi_801_ = select(_e430, 127i, (_e430 > 127i));
                     }
-                    let _e435 = phi_794_;
+                    let _e435 = phi_801_;
                     let _e440 = bitcast<f32>((bitcast<u32>((_e435 + 127i)) << bitcast<u32>(23i)));
                     let _e446 = bitcast<f32>((bitcast<u32>(((_e430 - _e435) + 127i)) << bitcast<u32>(23i)));
                     let _e451 = global_6.member[_e153].member.member;
                     let _e452 = (_e428 == 0u);
                     if _e452 {
-                        phi_812_ = _e451[0];
+                        phi_819_ = _e451[0];
                     } else {
-                        phi_812_ = _e451[1];
+                        phi_819_ = _e451[1];
                     }
-                    let _e456 = phi_812_;
+                    let _e456 = phi_819_;
                     let _e457 = (_e428 == 2u);
                     if _e457 {
-                        phi_818_ = _e451[2];
+                        phi_825_ = _e451[2];
                     } else {
-                        phi_818_ = _e456;
+                        phi_825_ = _e456;
                     }
-                    let _e460 = phi_818_;
+                    let _e460 = phi_825_;
                     let _e461 = bitcast<u32>(_e460);
                     let _e463 = ((_e461 & 2139095040u) != 0u);
                     let _e475 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e461 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e461 & 2147483648u))), _e460, _e463) * select(0.00000011920929f, 1f, _e463));
                     let _e476 = global_6.member[_e153].member.member_2;
                     if _e452 {
-                        phi_858_ = _e476[0];
+                        phi_865_ = _e476[0];
                     } else {
-                        phi_858_ = _e476[1];
+                        phi_865_ = _e476[1];
                     }
-                    let _e480 = phi_858_;
+                    let _e480 = phi_865_;
                     if _e457 {
-                        phi_864_ = _e476[2];
+                        phi_871_ = _e476[2];
                     } else {
-                        phi_864_ = _e480;
+                        phi_871_ = _e480;
                     }
-                    let _e483 = phi_864_;
+                    let _e483 = phi_871_;
                     let _e484 = bitcast<u32>(_e483);
                     let _e486 = ((_e484 & 2139095040u) != 0u);
                     let _e500 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e484 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e484 & 2147483648u))), _e483, _e486) * _e440) * select(0.00000011920929f, 1f, _e486)) * _e446);
@@ -510,33 +498,33 @@ fn function_() {
                     let _e516 = select(38685626000000000000000000f, (1f / _e500), _e504);
                     let _e517 = (_e427 == 0u);
                     if _e517 {
-                        phi_937_ = _e451[0];
+                        phi_944_ = _e451[0];
                     } else {
-                        phi_937_ = _e451[1];
+                        phi_944_ = _e451[1];
                     }
-                    let _e521 = phi_937_;
+                    let _e521 = phi_944_;
                     let _e522 = (_e427 == 2u);
                     if _e522 {
-                        phi_943_ = _e451[2];
+                        phi_950_ = _e451[2];
                     } else {
-                        phi_943_ = _e521;
+                        phi_950_ = _e521;
                     }
-                    let _e525 = phi_943_;
+                    let _e525 = phi_950_;
                     let _e526 = bitcast<u32>(_e525);
                     let _e528 = ((_e526 & 2139095040u) != 0u);
                     let _e540 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e526 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e526 & 2147483648u))), _e525, _e528) * select(0.00000011920929f, 1f, _e528));
                     if _e517 {
-                        phi_983_ = _e476[0];
+                        phi_990_ = _e476[0];
                     } else {
-                        phi_983_ = _e476[1];
+                        phi_990_ = _e476[1];
                     }
-                    let _e544 = phi_983_;
+                    let _e544 = phi_990_;
                     if _e522 {
-                        phi_989_ = _e476[2];
+                        phi_996_ = _e476[2];
                     } else {
-                        phi_989_ = _e544;
+                        phi_996_ = _e544;
                     }
-                    let _e547 = phi_989_;
+                    let _e547 = phi_996_;
                     let _e548 = bitcast<u32>(_e547);
                     let _e550 = ((_e548 & 2139095040u) != 0u);
                     let _e564 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e548 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e548 & 2147483648u))), _e547, _e550) * _e440) * select(0.00000011920929f, 1f, _e550)) * _e446);
@@ -550,33 +538,33 @@ fn function_() {
                     let _e580 = select(38685626000000000000000000f, (1f / _e564), _e568);
                     let _e581 = (_e429 == 0u);
                     if _e581 {
-                        phi_1062_ = _e451[0];
+                        phi_1069_ = _e451[0];
                     } else {
-                        phi_1062_ = _e451[1];
+                        phi_1069_ = _e451[1];
                     }
-                    let _e585 = phi_1062_;
+                    let _e585 = phi_1069_;
                     let _e586 = (_e429 == 2u);
                     if _e586 {
-                        phi_1068_ = _e451[2];
+                        phi_1075_ = _e451[2];
                     } else {
-                        phi_1068_ = _e585;
+                        phi_1075_ = _e585;
                     }
-                    let _e589 = phi_1068_;
+                    let _e589 = phi_1075_;
                     let _e590 = bitcast<u32>(_e589);
                     let _e592 = ((_e590 & 2139095040u) != 0u);
                     let _e604 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e590 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e590 & 2147483648u))), _e589, _e592) * select(0.00000011920929f, 1f, _e592));
                     if _e581 {
-                        phi_1108_ = _e476[0];
+                        phi_1115_ = _e476[0];
                     } else {
-                        phi_1108_ = _e476[1];
+                        phi_1115_ = _e476[1];
                     }
-                    let _e608 = phi_1108_;
+                    let _e608 = phi_1115_;
                     if _e586 {
-                        phi_1114_ = _e476[2];
+                        phi_1121_ = _e476[2];
                     } else {
-                        phi_1114_ = _e608;
+                        phi_1121_ = _e608;
                     }
-                    let _e611 = phi_1114_;
+                    let _e611 = phi_1121_;
                     let _e612 = bitcast<u32>(_e611);
                     let _e614 = ((_e612 & 2139095040u) != 0u);
                     let _e628 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e612 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e612 & 2147483648u))), _e611, _e614) * _e440) * select(0.00000011920929f, 1f, _e614)) * _e446);
@@ -595,55 +583,55 @@ fn function_() {
                         let _e665 = (_e658 == 0u);
                         let _e668 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e658)), 32u, _e665)) - 8i);
                         if (_e661 == 255i) {
-                            phi_1233_ = 255i;
+                            phi_1240_ = 255i;
                         } else {
-                            phi_1233_ = (((_e661 + select(0i, 1i, (_e661 == 0i))) - _e668) + _e409);
+                            phi_1240_ = (((_e661 + select(0i, 1i, (_e661 == 0i))) - _e668) + _e409);
                         }
-                        let _e676 = phi_1233_;
+                        let _e676 = phi_1240_;
                         let _e686 = (_e676 <= 0i);
                         if _e686 {
-                            phi_1256_ = u32();
+                            phi_1263_ = u32();
                         } else {
                             if _e665 {
-                                phi_1255_ = u32();
+                                phi_1262_ = u32();
                             } else {
-                                phi_1255_ = select(((bitcast<u32>(_e676) << bitcast<u32>(23i)) | ((_e658 << bitcast<u32>(((_e668 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e676 >= 255i));
+                                phi_1262_ = select(((bitcast<u32>(_e676) << bitcast<u32>(23i)) | ((_e658 << bitcast<u32>(((_e668 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e676 >= 255i));
                             }
-                            let _e690 = phi_1255_;
-                            phi_1256_ = _e690;
+                            let _e690 = phi_1262_;
+                            phi_1263_ = _e690;
                         }
-                        let _e692 = phi_1256_;
+                        let _e692 = phi_1263_;
                         let _e704 = ((_e386 & 8388607u) | (select(0u, 1u, ((_e386 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e707 = bitcast<i32>((_e386 >> bitcast<u32>(23i)));
                         let _e711 = (_e704 == 0u);
                         let _e714 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e704)), 32u, _e711)) - 8i);
                         if (_e707 == 255i) {
-                            phi_1293_ = 255i;
+                            phi_1300_ = 255i;
                         } else {
-                            phi_1293_ = (((_e707 + select(0i, 1i, (_e707 == 0i))) - _e714) + _e409);
+                            phi_1300_ = (((_e707 + select(0i, 1i, (_e707 == 0i))) - _e714) + _e409);
                         }
-                        let _e722 = phi_1293_;
+                        let _e722 = phi_1300_;
                         let _e732 = (_e722 <= 0i);
                         if _e732 {
-                            phi_1316_ = u32();
+                            phi_1323_ = u32();
                         } else {
                             if _e711 {
-                                phi_1315_ = u32();
+                                phi_1322_ = u32();
                             } else {
-                                phi_1315_ = select(((bitcast<u32>(_e722) << bitcast<u32>(23i)) | ((_e704 << bitcast<u32>(((_e714 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e722 >= 255i));
+                                phi_1322_ = select(((bitcast<u32>(_e722) << bitcast<u32>(23i)) | ((_e704 << bitcast<u32>(((_e714 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e722 >= 255i));
                             }
-                            let _e736 = phi_1315_;
-                            phi_1316_ = _e736;
+                            let _e736 = phi_1322_;
+                            phi_1323_ = _e736;
                         }
-                        let _e738 = phi_1316_;
-                        phi_1324_ = bitcast<f32>(((_e385 & 2147483648u) | select(_e738, 0u, select(_e711, true, _e732))));
-                        phi_1325_ = bitcast<f32>(((_e375 & 2147483648u) | select(_e692, 0u, select(_e665, true, _e686))));
+                        let _e738 = phi_1323_;
+                        phi_1331_ = bitcast<f32>(((_e385 & 2147483648u) | select(_e738, 0u, select(_e711, true, _e732))));
+                        phi_1332_ = bitcast<f32>(((_e375 & 2147483648u) | select(_e692, 0u, select(_e665, true, _e686))));
                     } else {
-                        phi_1324_ = 0f;
-                        phi_1325_ = 1f;
+                        phi_1331_ = 0f;
+                        phi_1332_ = 1f;
                     }
-                    let _e744 = phi_1324_;
-                    let _e746 = phi_1325_;
+                    let _e744 = phi_1331_;
+                    let _e746 = phi_1332_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -652,1561 +640,1481 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e750 = (_e428 % 3u);
-                    let _e751 = (_e750 < 3u);
-                    if _e751 {
+                    let _e752 = (_e428 % 3u);
+                    let _e753 = (_e752 < 3u);
+                    if _e753 {
                     } else {
                         break;
                     }
-                    let _e753 = local_1[_e750];
-                    let _e756 = (_e427 % 3u);
-                    let _e757 = (_e756 < 3u);
-                    if _e757 {
+                    let _e755 = local_1[_e752];
+                    let _e758 = (_e427 % 3u);
+                    let _e759 = (_e758 < 3u);
+                    if _e759 {
                     } else {
                         break;
                     }
-                    let _e759 = local_1[_e756];
-                    let _e762 = (_e429 % 3u);
-                    let _e763 = (_e762 < 3u);
-                    if _e763 {
+                    let _e761 = local_1[_e758];
+                    let _e764 = (_e429 % 3u);
+                    let _e765 = (_e764 < 3u);
+                    if _e765 {
                     } else {
                         break;
                     }
-                    let _e765 = local_1[_e762];
-                    if _e751 {
+                    let _e767 = local_1[_e764];
+                    if _e753 {
                     } else {
                         break;
                     }
-                    let _e770 = local[_e750];
-                    if _e757 {
+                    let _e772 = local[_e752];
+                    if _e759 {
                     } else {
                         break;
                     }
-                    let _e774 = local[_e756];
-                    if _e763 {
+                    let _e776 = local[_e758];
+                    if _e765 {
                     } else {
                         break;
                     }
-                    let _e778 = local[_e762];
-                    phi_5377_ = false;
-                    phi_1421_ = type_39(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e744);
-                    phi_1424_ = ((3u * _e106) + 1u);
-                    phi_1426_ = (_e746 <= _e744);
-                    phi_1428_ = 0u;
-                    phi_1430_ = type_58(type_33(vec4<f32>((f32(_e753) * _e165), (f32(_e759) * _e165), (f32(_e765) * _e165), 0f), vec4<f32>((f32(_e770) * _e165), (f32(_e774) * _e165), (f32(_e778) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
+                    let _e780 = local[_e764];
+                    phi_5306_ = false;
+                    phi_1428_ = type_39(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e744);
+                    phi_1431_ = (_e746 <= _e744);
+                    phi_1433_ = type_58(type_33(vec4<f32>((f32(_e755) * _e165), (f32(_e761) * _e165), (f32(_e767) * _e165), 0f), vec4<f32>((f32(_e772) * _e165), (f32(_e776) * _e165), (f32(_e780) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
+                    phi_1435_ = 0u;
+                    phi_1437_ = ((3u * _e106) + 1u);
                     loop {
-                        let _e788 = phi_5377_;
-                        let _e790 = phi_1421_;
-                        let _e792 = phi_1424_;
-                        let _e794 = phi_1426_;
-                        let _e796 = phi_1428_;
-                        let _e798 = phi_1430_;
-                        local_10 = _e790;
-                        if _e794 {
-                            phi_1441_ = true;
+                        let _e788 = phi_5306_;
+                        let _e790 = phi_1428_;
+                        let _e792 = phi_1431_;
+                        let _e794 = phi_1433_;
+                        let _e796 = phi_1435_;
+                        let _e798 = phi_1437_;
+                        local_11 = _e790;
+                        if _e792 {
+                            phi_1448_ = true;
                         } else {
-                            phi_1441_ = (_e796 > 0u);
+                            phi_1448_ = (_e796 > 0u);
                         }
-                        let _e801 = phi_1441_;
+                        let _e801 = phi_1448_;
                         if _e801 {
-                            let _e802 = (_e792 > 0u);
+                            let _e802 = (_e798 > 0u);
                             if _e802 {
-                                if _e794 {
-                                    phi_1527_ = _e794;
-                                    phi_1528_ = _e796;
-                                    phi_1529_ = _e798;
+                                if _e792 {
+                                    phi_1534_ = _e792;
+                                    phi_1535_ = _e794;
+                                    phi_1536_ = _e796;
                                 } else {
                                     let _e803 = (_e796 - 1u);
                                     let _e804 = (_e803 % 128u);
                                     let _e805 = (_e804 < 128u);
                                     if _e805 {
                                     } else {
-                                        phi_5615_ = true;
+                                        phi_5532_ = true;
                                         break;
                                     }
                                     let _e807 = local_7[_e804];
                                     if _e805 {
                                     } else {
-                                        phi_5615_ = true;
+                                        phi_5532_ = true;
                                         break;
                                     }
                                     let _e809 = local_6[_e804];
                                     if _e805 {
                                     } else {
-                                        phi_5615_ = true;
+                                        phi_5532_ = true;
                                         break;
                                     }
                                     let _e811 = local_5[_e804];
                                     if _e805 {
                                     } else {
-                                        phi_5615_ = true;
+                                        phi_5532_ = true;
                                         break;
                                     }
                                     let _e813 = local_4[_e804];
                                     if _e805 {
                                     } else {
-                                        phi_5615_ = true;
+                                        phi_5532_ = true;
                                         break;
                                     }
                                     let _e815 = local_3[_e804];
                                     if _e805 {
                                     } else {
-                                        phi_5615_ = true;
+                                        phi_5532_ = true;
                                         break;
                                     }
                                     let _e817 = local_2[_e804];
                                     if _e805 {
                                     } else {
-                                        phi_5615_ = true;
+                                        phi_5532_ = true;
                                         break;
                                     }
                                     let _e822 = local_8[_e804];
                                     if _e805 {
                                     } else {
-                                        phi_5615_ = true;
+                                        phi_5532_ = true;
                                         break;
                                     }
                                     let _e825 = local_9[_e804];
-                                    phi_1527_ = (_e825 <= _e790.member_1);
-                                    phi_1528_ = _e803;
-                                    phi_1529_ = type_58(type_33(vec4<f32>(_e807, _e809, _e811, 0f), vec4<f32>(_e813, _e815, _e817, 0f)), _e822);
+                                    phi_1534_ = (_e825 <= _e790.member_1);
+                                    phi_1535_ = type_58(type_33(vec4<f32>(_e807, _e809, _e811, 0f), vec4<f32>(_e813, _e815, _e817, 0f)), _e822);
+                                    phi_1536_ = _e803;
                                 }
-                                let _e829 = phi_1527_;
-                                let _e831 = phi_1528_;
-                                let _e833 = phi_1529_;
+                                let _e829 = phi_1534_;
+                                let _e831 = phi_1535_;
+                                let _e833 = phi_1536_;
                                 if _e829 {
-                                    let _e837 = ((_e833.member_1 & 2147483648u) != 0u);
-                                    let _e838 = (_e833.member_1 & 268435455u);
-                                    if _e837 {
-                                        phi_1548_ = _e790;
-                                        phi_1551_ = type_8(0u, ((_e833.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e838 = (_e831.member_1 & 268435455u);
+                                    if ((_e831.member_1 & 2147483648u) != 0u) {
+                                        phi_1555_ = _e790;
+                                        phi_1558_ = type_8(0u, ((_e831.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e845 = phi_1548_;
-                                            let _e847 = phi_1551_;
-                                            local_11 = _e845;
-                                            if (_e847.member < _e847.member_1) {
-                                                phi_1552_ = type_8((_e847.member + 1u), _e847.member_1);
-                                                phi_1574_ = type_8(1u, _e847.member);
+                                            let _e1321 = phi_1555_;
+                                            let _e1323 = phi_1558_;
+                                            local_10 = _e1321;
+                                            local_12 = _e1321;
+                                            if (_e1323.member < _e1323.member_1) {
+                                                phi_1559_ = type_8((_e1323.member + 1u), _e1323.member_1);
+                                                phi_1581_ = type_8(1u, _e1323.member);
                                             } else {
-                                                phi_1552_ = _e847;
-                                                phi_1574_ = type_8(0u, type_8().member_1);
+                                                phi_1559_ = _e1323;
+                                                phi_1581_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e860 = phi_1552_;
-                                            let _e862 = phi_1574_;
-                                            let _e866 = (bitcast<i32>(_e862.member) != 0i);
-                                            if _e866 {
-                                                let _e871 = (_e833.member.member_1.x - _e833.member.member.x);
-                                                let _e874 = (_e833.member.member_1.y - _e833.member.member.y);
-                                                let _e877 = (_e833.member.member_1.z - _e833.member.member.z);
-                                                let _e879 = select(_e874, _e871, (_e871 > _e874));
-                                                let _e881 = select(_e877, _e879, (_e879 > _e877));
-                                                let _e883 = (_e881 < (1024f * _e165));
-                                                if _e883 {
-                                                    phi_1615_ = 0u;
+                                            let _e1336 = phi_1559_;
+                                            let _e1338 = phi_1581_;
+                                            let _e1342 = (bitcast<i32>(_e1338.member) != 0i);
+                                            if _e1342 {
+                                                let _e1347 = (_e831.member.member_1.x - _e831.member.member.x);
+                                                let _e1350 = (_e831.member.member_1.y - _e831.member.member.y);
+                                                let _e1353 = (_e831.member.member_1.z - _e831.member.member.z);
+                                                let _e1355 = select(_e1350, _e1347, (_e1347 > _e1350));
+                                                let _e1357 = select(_e1353, _e1355, (_e1355 > _e1353));
+                                                let _e1359 = (_e1357 < (1024f * _e165));
+                                                if _e1359 {
+                                                    phi_1622_ = 0u;
                                                 } else {
-                                                    phi_1615_ = select(2u, 1u, (_e881 < (2097152f * _e165)));
+                                                    phi_1622_ = select(2u, 1u, (_e1357 < (2097152f * _e165)));
                                                 }
-                                                let _e888 = phi_1615_;
-                                                switch bitcast<i32>(_e888) {
+                                                let _e1364 = phi_1622_;
+                                                switch bitcast<i32>(_e1364) {
                                                     case 0: {
-                                                        phi_1621_ = 1u;
+                                                        phi_1628_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1621_ = 2u;
+                                                        phi_1628_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1621_ = 3u;
+                                                        phi_1628_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1621_ = u32();
+                                                        phi_1628_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e891 = phi_1621_;
-                                                switch bitcast<i32>(_e888) {
+                                                let _e1367 = phi_1628_;
+                                                switch bitcast<i32>(_e1364) {
                                                     case 0: {
-                                                        phi_1631_ = 1u;
+                                                        phi_1638_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1631_ = 2u;
+                                                        phi_1638_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1631_ = 3u;
+                                                        phi_1638_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1631_ = u32();
+                                                        phi_1638_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e898 = phi_1631_;
-                                                let _e900 = ((_e838 + (_e862.member_1 * ((3u * _e891) + 1u))) + (3u * _e898));
-                                                let _e901 = (_e900 < _e109);
-                                                if _e901 {
-                                                    if _e901 {
+                                                let _e1374 = phi_1638_;
+                                                let _e1376 = ((_e838 + (_e1338.member_1 * ((3u * _e1367) + 1u))) + (3u * _e1374));
+                                                let _e1377 = (_e1376 < _e109);
+                                                if _e1377 {
+                                                    if _e1377 {
                                                     } else {
-                                                        phi_5371_ = true;
+                                                        phi_5300_ = true;
                                                         break;
                                                     }
-                                                    let _e903 = global_10.member[_e900];
-                                                    phi_1647_ = _e903;
+                                                    let _e1379 = global_10.member[_e1376];
+                                                    phi_1654_ = _e1379;
                                                 } else {
-                                                    phi_1647_ = 4294967295u;
+                                                    phi_1654_ = 4294967295u;
                                                 }
-                                                let _e905 = phi_1647_;
-                                                if _e883 {
-                                                    phi_1680_ = 0u;
+                                                let _e1381 = phi_1654_;
+                                                if _e1359 {
+                                                    phi_1687_ = 0u;
                                                 } else {
-                                                    phi_1680_ = select(2u, 1u, (_e881 < (2097152f * _e165)));
+                                                    phi_1687_ = select(2u, 1u, (_e1357 < (2097152f * _e165)));
                                                 }
-                                                let _e910 = phi_1680_;
-                                                switch bitcast<i32>(_e910) {
+                                                let _e1386 = phi_1687_;
+                                                switch bitcast<i32>(_e1386) {
                                                     case 0: {
-                                                        phi_1686_ = 1u;
+                                                        phi_1693_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1686_ = 2u;
+                                                        phi_1693_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1686_ = 3u;
+                                                        phi_1693_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1686_ = u32();
+                                                        phi_1693_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e913 = phi_1686_;
-                                                let _e917 = (_e838 + (_e862.member_1 * ((3u * _e913) + 1u)));
-                                                switch bitcast<i32>(_e910) {
+                                                let _e1389 = phi_1693_;
+                                                let _e1393 = (_e838 + (_e1338.member_1 * ((3u * _e1389) + 1u)));
+                                                switch bitcast<i32>(_e1386) {
                                                     case 0: {
-                                                        let _e1192 = (_e917 < _e109);
-                                                        if _e1192 {
-                                                            if _e1192 {
+                                                        let _e1668 = (_e1393 < _e109);
+                                                        if _e1668 {
+                                                            if _e1668 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1194 = global_10.member[_e917];
-                                                            phi_1713_ = _e1194;
+                                                            let _e1670 = global_10.member[_e1393];
+                                                            phi_1720_ = _e1670;
                                                         } else {
-                                                            phi_1713_ = 0u;
+                                                            phi_1720_ = 0u;
                                                         }
-                                                        let _e1196 = phi_1713_;
-                                                        let _e1198 = ((10u * _e428) & 31u);
-                                                        let _e1208 = ((10u * _e427) & 31u);
-                                                        let _e1218 = ((10u * _e429) & 31u);
-                                                        let _e1228 = (_e917 + 1u);
-                                                        let _e1229 = (_e1228 < _e109);
-                                                        if _e1229 {
-                                                            if _e1229 {
+                                                        let _e1672 = phi_1720_;
+                                                        let _e1674 = ((10u * _e428) & 31u);
+                                                        let _e1684 = ((10u * _e427) & 31u);
+                                                        let _e1694 = ((10u * _e429) & 31u);
+                                                        let _e1704 = (_e1393 + 1u);
+                                                        let _e1705 = (_e1704 < _e109);
+                                                        if _e1705 {
+                                                            if _e1705 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1231 = global_10.member[_e1228];
-                                                            phi_1762_ = _e1231;
+                                                            let _e1707 = global_10.member[_e1704];
+                                                            phi_1769_ = _e1707;
                                                         } else {
-                                                            phi_1762_ = 0u;
+                                                            phi_1769_ = 0u;
                                                         }
-                                                        let _e1233 = phi_1762_;
-                                                        let _e1259 = (_e917 + 2u);
-                                                        let _e1260 = (_e1259 < _e109);
-                                                        if _e1260 {
-                                                            if _e1260 {
+                                                        let _e1709 = phi_1769_;
+                                                        let _e1735 = (_e1393 + 2u);
+                                                        let _e1736 = (_e1735 < _e109);
+                                                        if _e1736 {
+                                                            if _e1736 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1262 = global_10.member[_e1259];
-                                                            phi_1811_ = _e1262;
+                                                            let _e1738 = global_10.member[_e1735];
+                                                            phi_1818_ = _e1738;
                                                         } else {
-                                                            phi_1811_ = 0u;
+                                                            phi_1818_ = 0u;
                                                         }
-                                                        let _e1264 = phi_1811_;
-                                                        phi_2312_ = array<array<f32, 3>, 3>(array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | ((_e1196 >> bitcast<u32>(_e1198)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | ((_e1196 >> bitcast<u32>(_e1208)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | ((_e1196 >> bitcast<u32>(_e1218)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | ((_e1233 >> bitcast<u32>(_e1198)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | ((_e1233 >> bitcast<u32>(_e1208)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | ((_e1233 >> bitcast<u32>(_e1218)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | ((_e1264 >> bitcast<u32>(_e1198)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | ((_e1264 >> bitcast<u32>(_e1208)) & 1023u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | ((_e1264 >> bitcast<u32>(_e1218)) & 1023u))) - 8388608f) * _e165))));
+                                                        let _e1740 = phi_1818_;
+                                                        phi_2319_ = array<array<f32, 3>, 3>(array<f32, 3>((_e831.member.member.x + ((bitcast<f32>((1258291200u | ((_e1672 >> bitcast<u32>(_e1674)) & 1023u))) - 8388608f) * _e165)), (_e831.member.member.y + ((bitcast<f32>((1258291200u | ((_e1672 >> bitcast<u32>(_e1684)) & 1023u))) - 8388608f) * _e165)), (_e831.member.member.z + ((bitcast<f32>((1258291200u | ((_e1672 >> bitcast<u32>(_e1694)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e831.member.member.x + ((bitcast<f32>((1258291200u | ((_e1709 >> bitcast<u32>(_e1674)) & 1023u))) - 8388608f) * _e165)), (_e831.member.member.y + ((bitcast<f32>((1258291200u | ((_e1709 >> bitcast<u32>(_e1684)) & 1023u))) - 8388608f) * _e165)), (_e831.member.member.z + ((bitcast<f32>((1258291200u | ((_e1709 >> bitcast<u32>(_e1694)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e831.member.member.x + ((bitcast<f32>((1258291200u | ((_e1740 >> bitcast<u32>(_e1674)) & 1023u))) - 8388608f) * _e165)), (_e831.member.member.y + ((bitcast<f32>((1258291200u | ((_e1740 >> bitcast<u32>(_e1684)) & 1023u))) - 8388608f) * _e165)), (_e831.member.member.z + ((bitcast<f32>((1258291200u | ((_e1740 >> bitcast<u32>(_e1694)) & 1023u))) - 8388608f) * _e165))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1006 = (_e917 < _e109);
-                                                        if _e1006 {
-                                                            if _e1006 {
+                                                        let _e1482 = (_e1393 < _e109);
+                                                        if _e1482 {
+                                                            if _e1482 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1008 = global_10.member[_e917];
-                                                            phi_1860_ = _e1008;
+                                                            let _e1484 = global_10.member[_e1393];
+                                                            phi_1867_ = _e1484;
                                                         } else {
-                                                            phi_1860_ = 0u;
+                                                            phi_1867_ = 0u;
                                                         }
-                                                        let _e1010 = phi_1860_;
-                                                        let _e1011 = (_e917 + 1u);
-                                                        let _e1012 = (_e1011 < _e109);
-                                                        if _e1012 {
-                                                            if _e1012 {
+                                                        let _e1486 = phi_1867_;
+                                                        let _e1487 = (_e1393 + 1u);
+                                                        let _e1488 = (_e1487 < _e109);
+                                                        if _e1488 {
+                                                            if _e1488 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1014 = global_10.member[_e1011];
-                                                            phi_1875_ = _e1014;
+                                                            let _e1490 = global_10.member[_e1487];
+                                                            phi_1882_ = _e1490;
                                                         } else {
-                                                            phi_1875_ = 0u;
+                                                            phi_1882_ = 0u;
                                                         }
-                                                        let _e1016 = phi_1875_;
-                                                        let _e1017 = (_e428 == 1u);
-                                                        if _e1017 {
-                                                            phi_1885_ = ((_e1010 >> bitcast<u32>(21i)) | (_e1016 << bitcast<u32>(11i)));
+                                                        let _e1492 = phi_1882_;
+                                                        let _e1493 = (_e428 == 1u);
+                                                        if _e1493 {
+                                                            phi_1892_ = ((_e1486 >> bitcast<u32>(21i)) | (_e1492 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1885_ = (_e1016 >> bitcast<u32>(10i));
+                                                            phi_1892_ = (_e1492 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1026 = phi_1885_;
-                                                        let _e1034 = (_e427 == 1u);
-                                                        if _e1034 {
-                                                            phi_1906_ = ((_e1010 >> bitcast<u32>(21i)) | (_e1016 << bitcast<u32>(11i)));
+                                                        let _e1502 = phi_1892_;
+                                                        let _e1510 = (_e427 == 1u);
+                                                        if _e1510 {
+                                                            phi_1913_ = ((_e1486 >> bitcast<u32>(21i)) | (_e1492 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1906_ = (_e1016 >> bitcast<u32>(10i));
+                                                            phi_1913_ = (_e1492 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1043 = phi_1906_;
-                                                        let _e1051 = (_e429 == 1u);
-                                                        if _e1051 {
-                                                            phi_1927_ = ((_e1010 >> bitcast<u32>(21i)) | (_e1016 << bitcast<u32>(11i)));
+                                                        let _e1519 = phi_1913_;
+                                                        let _e1527 = (_e429 == 1u);
+                                                        if _e1527 {
+                                                            phi_1934_ = ((_e1486 >> bitcast<u32>(21i)) | (_e1492 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1927_ = (_e1016 >> bitcast<u32>(10i));
+                                                            phi_1934_ = (_e1492 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1060 = phi_1927_;
-                                                        let _e1069 = (_e917 + 2u);
-                                                        let _e1070 = (_e1069 < _e109);
-                                                        if _e1070 {
-                                                            if _e1070 {
+                                                        let _e1536 = phi_1934_;
+                                                        let _e1545 = (_e1393 + 2u);
+                                                        let _e1546 = (_e1545 < _e109);
+                                                        if _e1546 {
+                                                            if _e1546 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1072 = global_10.member[_e1069];
-                                                            phi_1957_ = _e1072;
+                                                            let _e1548 = global_10.member[_e1545];
+                                                            phi_1964_ = _e1548;
                                                         } else {
-                                                            phi_1957_ = 0u;
+                                                            phi_1964_ = 0u;
                                                         }
-                                                        let _e1074 = phi_1957_;
-                                                        let _e1075 = (_e917 + 3u);
-                                                        let _e1076 = (_e1075 < _e109);
-                                                        if _e1076 {
-                                                            if _e1076 {
+                                                        let _e1550 = phi_1964_;
+                                                        let _e1551 = (_e1393 + 3u);
+                                                        let _e1552 = (_e1551 < _e109);
+                                                        if _e1552 {
+                                                            if _e1552 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1078 = global_10.member[_e1075];
-                                                            phi_1972_ = _e1078;
+                                                            let _e1554 = global_10.member[_e1551];
+                                                            phi_1979_ = _e1554;
                                                         } else {
-                                                            phi_1972_ = 0u;
+                                                            phi_1979_ = 0u;
                                                         }
-                                                        let _e1080 = phi_1972_;
-                                                        if _e1017 {
-                                                            phi_1982_ = ((_e1074 >> bitcast<u32>(21i)) | (_e1080 << bitcast<u32>(11i)));
+                                                        let _e1556 = phi_1979_;
+                                                        if _e1493 {
+                                                            phi_1989_ = ((_e1550 >> bitcast<u32>(21i)) | (_e1556 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1982_ = (_e1080 >> bitcast<u32>(10i));
+                                                            phi_1989_ = (_e1556 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1089 = phi_1982_;
-                                                        if _e1034 {
-                                                            phi_2003_ = ((_e1074 >> bitcast<u32>(21i)) | (_e1080 << bitcast<u32>(11i)));
+                                                        let _e1565 = phi_1989_;
+                                                        if _e1510 {
+                                                            phi_2010_ = ((_e1550 >> bitcast<u32>(21i)) | (_e1556 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2003_ = (_e1080 >> bitcast<u32>(10i));
+                                                            phi_2010_ = (_e1556 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1105 = phi_2003_;
-                                                        if _e1051 {
-                                                            phi_2024_ = ((_e1074 >> bitcast<u32>(21i)) | (_e1080 << bitcast<u32>(11i)));
+                                                        let _e1581 = phi_2010_;
+                                                        if _e1527 {
+                                                            phi_2031_ = ((_e1550 >> bitcast<u32>(21i)) | (_e1556 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2024_ = (_e1080 >> bitcast<u32>(10i));
+                                                            phi_2031_ = (_e1556 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1121 = phi_2024_;
-                                                        let _e1130 = (_e917 + 4u);
-                                                        let _e1131 = (_e1130 < _e109);
-                                                        if _e1131 {
-                                                            if _e1131 {
+                                                        let _e1597 = phi_2031_;
+                                                        let _e1606 = (_e1393 + 4u);
+                                                        let _e1607 = (_e1606 < _e109);
+                                                        if _e1607 {
+                                                            if _e1607 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1133 = global_10.member[_e1130];
-                                                            phi_2054_ = _e1133;
+                                                            let _e1609 = global_10.member[_e1606];
+                                                            phi_2061_ = _e1609;
                                                         } else {
-                                                            phi_2054_ = 0u;
+                                                            phi_2061_ = 0u;
                                                         }
-                                                        let _e1135 = phi_2054_;
-                                                        let _e1136 = (_e917 + 5u);
-                                                        let _e1137 = (_e1136 < _e109);
-                                                        if _e1137 {
-                                                            if _e1137 {
+                                                        let _e1611 = phi_2061_;
+                                                        let _e1612 = (_e1393 + 5u);
+                                                        let _e1613 = (_e1612 < _e109);
+                                                        if _e1613 {
+                                                            if _e1613 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1139 = global_10.member[_e1136];
-                                                            phi_2069_ = _e1139;
+                                                            let _e1615 = global_10.member[_e1612];
+                                                            phi_2076_ = _e1615;
                                                         } else {
-                                                            phi_2069_ = 0u;
+                                                            phi_2076_ = 0u;
                                                         }
-                                                        let _e1141 = phi_2069_;
-                                                        if _e1017 {
-                                                            phi_2079_ = ((_e1135 >> bitcast<u32>(21i)) | (_e1141 << bitcast<u32>(11i)));
+                                                        let _e1617 = phi_2076_;
+                                                        if _e1493 {
+                                                            phi_2086_ = ((_e1611 >> bitcast<u32>(21i)) | (_e1617 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2079_ = (_e1141 >> bitcast<u32>(10i));
+                                                            phi_2086_ = (_e1617 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1150 = phi_2079_;
-                                                        if _e1034 {
-                                                            phi_2100_ = ((_e1135 >> bitcast<u32>(21i)) | (_e1141 << bitcast<u32>(11i)));
+                                                        let _e1626 = phi_2086_;
+                                                        if _e1510 {
+                                                            phi_2107_ = ((_e1611 >> bitcast<u32>(21i)) | (_e1617 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2100_ = (_e1141 >> bitcast<u32>(10i));
+                                                            phi_2107_ = (_e1617 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1166 = phi_2100_;
-                                                        if _e1051 {
-                                                            phi_2121_ = ((_e1135 >> bitcast<u32>(21i)) | (_e1141 << bitcast<u32>(11i)));
+                                                        let _e1642 = phi_2107_;
+                                                        if _e1527 {
+                                                            phi_2128_ = ((_e1611 >> bitcast<u32>(21i)) | (_e1617 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2121_ = (_e1141 >> bitcast<u32>(10i));
+                                                            phi_2128_ = (_e1617 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1182 = phi_2121_;
-                                                        phi_2312_ = array<array<f32, 3>, 3>(array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1026, _e1010, _e452) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1043, _e1010, _e517) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1060, _e1010, _e581) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1089, _e1074, _e452) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1105, _e1074, _e517) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1121, _e1074, _e581) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e833.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1150, _e1135, _e452) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1166, _e1135, _e517) & 2097151u))) - 8388608f) * _e165)), (_e833.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1182, _e1135, _e581) & 2097151u))) - 8388608f) * _e165))));
+                                                        let _e1658 = phi_2128_;
+                                                        phi_2319_ = array<array<f32, 3>, 3>(array<f32, 3>((_e831.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1502, _e1486, _e452) & 2097151u))) - 8388608f) * _e165)), (_e831.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1519, _e1486, _e517) & 2097151u))) - 8388608f) * _e165)), (_e831.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1536, _e1486, _e581) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e831.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1565, _e1550, _e452) & 2097151u))) - 8388608f) * _e165)), (_e831.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1581, _e1550, _e517) & 2097151u))) - 8388608f) * _e165)), (_e831.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1597, _e1550, _e581) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e831.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1626, _e1611, _e452) & 2097151u))) - 8388608f) * _e165)), (_e831.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1642, _e1611, _e517) & 2097151u))) - 8388608f) * _e165)), (_e831.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1658, _e1611, _e581) & 2097151u))) - 8388608f) * _e165))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e919 = (_e917 + _e428);
-                                                        let _e920 = (_e919 < _e109);
-                                                        if _e920 {
-                                                            if _e920 {
+                                                        let _e1395 = (_e1393 + _e428);
+                                                        let _e1396 = (_e1395 < _e109);
+                                                        if _e1396 {
+                                                            if _e1396 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e922 = global_10.member[_e919];
-                                                            phi_2152_ = _e922;
+                                                            let _e1398 = global_10.member[_e1395];
+                                                            phi_2159_ = _e1398;
                                                         } else {
-                                                            phi_2152_ = 0u;
+                                                            phi_2159_ = 0u;
                                                         }
-                                                        let _e924 = phi_2152_;
-                                                        let _e928 = (_e917 + _e427);
-                                                        let _e929 = (_e928 < _e109);
-                                                        if _e929 {
-                                                            if _e929 {
+                                                        let _e1400 = phi_2159_;
+                                                        let _e1404 = (_e1393 + _e427);
+                                                        let _e1405 = (_e1404 < _e109);
+                                                        if _e1405 {
+                                                            if _e1405 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e931 = global_10.member[_e928];
-                                                            phi_2170_ = _e931;
+                                                            let _e1407 = global_10.member[_e1404];
+                                                            phi_2177_ = _e1407;
                                                         } else {
-                                                            phi_2170_ = 0u;
+                                                            phi_2177_ = 0u;
                                                         }
-                                                        let _e933 = phi_2170_;
-                                                        let _e937 = (_e917 + _e429);
-                                                        let _e938 = (_e937 < _e109);
-                                                        if _e938 {
-                                                            if _e938 {
+                                                        let _e1409 = phi_2177_;
+                                                        let _e1413 = (_e1393 + _e429);
+                                                        let _e1414 = (_e1413 < _e109);
+                                                        if _e1414 {
+                                                            if _e1414 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e940 = global_10.member[_e937];
-                                                            phi_2188_ = _e940;
+                                                            let _e1416 = global_10.member[_e1413];
+                                                            phi_2195_ = _e1416;
                                                         } else {
-                                                            phi_2188_ = 0u;
+                                                            phi_2195_ = 0u;
                                                         }
-                                                        let _e942 = phi_2188_;
-                                                        let _e947 = (_e917 + 3u);
-                                                        let _e948 = (_e947 + _e428);
-                                                        let _e949 = (_e948 < _e109);
-                                                        if _e949 {
-                                                            if _e949 {
+                                                        let _e1418 = phi_2195_;
+                                                        let _e1423 = (_e1393 + 3u);
+                                                        let _e1424 = (_e1423 + _e428);
+                                                        let _e1425 = (_e1424 < _e109);
+                                                        if _e1425 {
+                                                            if _e1425 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e951 = global_10.member[_e948];
-                                                            phi_2211_ = _e951;
+                                                            let _e1427 = global_10.member[_e1424];
+                                                            phi_2218_ = _e1427;
                                                         } else {
-                                                            phi_2211_ = 0u;
+                                                            phi_2218_ = 0u;
                                                         }
-                                                        let _e953 = phi_2211_;
-                                                        let _e957 = (_e947 + _e427);
-                                                        let _e958 = (_e957 < _e109);
-                                                        if _e958 {
-                                                            if _e958 {
+                                                        let _e1429 = phi_2218_;
+                                                        let _e1433 = (_e1423 + _e427);
+                                                        let _e1434 = (_e1433 < _e109);
+                                                        if _e1434 {
+                                                            if _e1434 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e960 = global_10.member[_e957];
-                                                            phi_2229_ = _e960;
+                                                            let _e1436 = global_10.member[_e1433];
+                                                            phi_2236_ = _e1436;
                                                         } else {
-                                                            phi_2229_ = 0u;
+                                                            phi_2236_ = 0u;
                                                         }
-                                                        let _e962 = phi_2229_;
-                                                        let _e966 = (_e947 + _e429);
-                                                        let _e967 = (_e966 < _e109);
-                                                        if _e967 {
-                                                            if _e967 {
+                                                        let _e1438 = phi_2236_;
+                                                        let _e1442 = (_e1423 + _e429);
+                                                        let _e1443 = (_e1442 < _e109);
+                                                        if _e1443 {
+                                                            if _e1443 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e969 = global_10.member[_e966];
-                                                            phi_2247_ = _e969;
+                                                            let _e1445 = global_10.member[_e1442];
+                                                            phi_2254_ = _e1445;
                                                         } else {
-                                                            phi_2247_ = 0u;
+                                                            phi_2254_ = 0u;
                                                         }
-                                                        let _e971 = phi_2247_;
-                                                        let _e976 = (_e917 + 6u);
-                                                        let _e977 = (_e976 + _e428);
-                                                        let _e978 = (_e977 < _e109);
-                                                        if _e978 {
-                                                            if _e978 {
+                                                        let _e1447 = phi_2254_;
+                                                        let _e1452 = (_e1393 + 6u);
+                                                        let _e1453 = (_e1452 + _e428);
+                                                        let _e1454 = (_e1453 < _e109);
+                                                        if _e1454 {
+                                                            if _e1454 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e980 = global_10.member[_e977];
-                                                            phi_2270_ = _e980;
+                                                            let _e1456 = global_10.member[_e1453];
+                                                            phi_2277_ = _e1456;
                                                         } else {
-                                                            phi_2270_ = 0u;
+                                                            phi_2277_ = 0u;
                                                         }
-                                                        let _e982 = phi_2270_;
-                                                        let _e986 = (_e976 + _e427);
-                                                        let _e987 = (_e986 < _e109);
-                                                        if _e987 {
-                                                            if _e987 {
+                                                        let _e1458 = phi_2277_;
+                                                        let _e1462 = (_e1452 + _e427);
+                                                        let _e1463 = (_e1462 < _e109);
+                                                        if _e1463 {
+                                                            if _e1463 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e989 = global_10.member[_e986];
-                                                            phi_2288_ = _e989;
+                                                            let _e1465 = global_10.member[_e1462];
+                                                            phi_2295_ = _e1465;
                                                         } else {
-                                                            phi_2288_ = 0u;
+                                                            phi_2295_ = 0u;
                                                         }
-                                                        let _e991 = phi_2288_;
-                                                        let _e995 = (_e976 + _e429);
-                                                        let _e996 = (_e995 < _e109);
-                                                        if _e996 {
-                                                            if _e996 {
+                                                        let _e1467 = phi_2295_;
+                                                        let _e1471 = (_e1452 + _e429);
+                                                        let _e1472 = (_e1471 < _e109);
+                                                        if _e1472 {
+                                                            if _e1472 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e998 = global_10.member[_e995];
-                                                            phi_2306_ = _e998;
+                                                            let _e1474 = global_10.member[_e1471];
+                                                            phi_2313_ = _e1474;
                                                         } else {
-                                                            phi_2306_ = 0u;
+                                                            phi_2313_ = 0u;
                                                         }
-                                                        let _e1000 = phi_2306_;
-                                                        phi_2312_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e924)) * _e165), (f32(bitcast<i32>(_e933)) * _e165), (f32(bitcast<i32>(_e942)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e953)) * _e165), (f32(bitcast<i32>(_e962)) * _e165), (f32(bitcast<i32>(_e971)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e982)) * _e165), (f32(bitcast<i32>(_e991)) * _e165), (f32(bitcast<i32>(_e1000)) * _e165)));
+                                                        let _e1476 = phi_2313_;
+                                                        phi_2319_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1400)) * _e165), (f32(bitcast<i32>(_e1409)) * _e165), (f32(bitcast<i32>(_e1418)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1429)) * _e165), (f32(bitcast<i32>(_e1438)) * _e165), (f32(bitcast<i32>(_e1447)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1458)) * _e165), (f32(bitcast<i32>(_e1467)) * _e165), (f32(bitcast<i32>(_e1476)) * _e165)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2312_ = array<array<f32, 3>, 3>();
+                                                        phi_2319_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1292 = phi_2312_;
-                                                let _e1308 = (_e1292[0][2] - _e604);
-                                                let _e1311 = (((_e1292[0][0] - _e475) * _e640) - (_e1308 * _e512));
-                                                let _e1314 = (((_e1292[0][1] - _e540) * _e640) - (_e1308 * _e576));
-                                                let _e1317 = (_e1292[1][2] - _e604);
-                                                let _e1320 = (((_e1292[1][0] - _e475) * _e640) - (_e1317 * _e512));
-                                                let _e1323 = (((_e1292[1][1] - _e540) * _e640) - (_e1317 * _e576));
-                                                let _e1326 = (_e1292[2][2] - _e604);
-                                                let _e1329 = (((_e1292[2][0] - _e475) * _e640) - (_e1326 * _e512));
-                                                let _e1332 = (((_e1292[2][1] - _e540) * _e640) - (_e1326 * _e576));
-                                                let _e1333 = (_e1329 * _e1323);
-                                                let _e1334 = (_e1332 * _e1320);
-                                                let _e1335 = (_e1311 * _e1332);
-                                                let _e1336 = (_e1314 * _e1329);
-                                                let _e1337 = (_e1320 * _e1314);
-                                                let _e1338 = (_e1323 * _e1311);
-                                                let _e1343 = (((_e1333 >= _e1334) && (_e1335 >= _e1336)) && (_e1337 >= _e1338));
-                                                let _e1349 = (_e1343 || (((_e1333 <= _e1334) && (_e1335 <= _e1336)) && (_e1337 <= _e1338)));
-                                                if _e1349 {
-                                                    let _e1351 = select(-1f, 1f, _e1343);
-                                                    let _e1353 = ((_e1333 - _e1334) * _e1351);
-                                                    let _e1355 = select(0f, _e1353, (_e1353 > 0f));
-                                                    let _e1357 = ((_e1335 - _e1336) * _e1351);
-                                                    let _e1359 = select(0f, _e1357, (_e1357 > 0f));
-                                                    let _e1361 = ((_e1337 - _e1338) * _e1351);
-                                                    let _e1363 = select(0f, _e1361, (_e1361 > 0f));
-                                                    let _e1365 = ((_e1355 + _e1359) + _e1363);
-                                                    let _e1367 = select(_e1292[1][0], _e1292[0][0], (_e1292[0][0] < _e1292[1][0]));
-                                                    let _e1371 = select(_e1292[1][0], _e1292[0][0], (_e1292[0][0] > _e1292[1][0]));
-                                                    let _e1375 = select(_e1292[1][1], _e1292[0][1], (_e1292[0][1] < _e1292[1][1]));
-                                                    let _e1379 = select(_e1292[1][1], _e1292[0][1], (_e1292[0][1] > _e1292[1][1]));
-                                                    let _e1383 = select(_e1292[1][2], _e1292[0][2], (_e1292[0][2] < _e1292[1][2]));
-                                                    let _e1387 = select(_e1292[1][2], _e1292[0][2], (_e1292[0][2] > _e1292[1][2]));
-                                                    let _e1392 = ((select(_e1292[2][0], _e1367, (_e1367 < _e1292[2][0])) - _e513) * _e516);
-                                                    let _e1393 = ((select(_e1292[2][0], _e1371, (_e1371 > _e1292[2][0])) - _e514) * _e516);
-                                                    let _e1396 = ((select(_e1292[2][1], _e1375, (_e1375 < _e1292[2][1])) - _e577) * _e580);
-                                                    let _e1397 = ((select(_e1292[2][1], _e1379, (_e1379 > _e1292[2][1])) - _e578) * _e580);
-                                                    let _e1400 = ((select(_e1292[2][2], _e1383, (_e1383 < _e1292[2][2])) - _e641) * _e644);
-                                                    let _e1401 = ((select(_e1292[2][2], _e1387, (_e1387 > _e1292[2][2])) - _e642) * _e644);
-                                                    let _e1403 = select(_e1401, _e1400, (_e1400 < _e1401));
-                                                    let _e1405 = select(_e1401, _e1400, (_e1400 > _e1401));
-                                                    let _e1407 = select(_e1393, _e1392, (_e1392 < _e1393));
-                                                    let _e1409 = select(_e1397, _e1396, (_e1396 < _e1397));
-                                                    let _e1411 = select(_e1409, _e1407, (_e1407 > _e1409));
-                                                    let _e1413 = select(_e1403, _e1411, (_e1411 > _e1403));
-                                                    let _e1415 = select(_e1393, _e1392, (_e1392 > _e1393));
-                                                    let _e1417 = select(_e1397, _e1396, (_e1396 > _e1397));
-                                                    let _e1419 = select(_e1417, _e1415, (_e1415 < _e1417));
-                                                    let _e1421 = select(_e1405, _e1419, (_e1419 < _e1405));
-                                                    let _e1422 = -(_e1403);
-                                                    let _e1428 = select(_e746, _e1413, (_e1413 > _e746));
-                                                    let _e1432 = select(_e1320, _e1311, (_e1311 < _e1320));
-                                                    let _e1437 = select(_e1320, _e1311, (_e1311 > _e1320));
-                                                    let _e1444 = select(_e1323, _e1314, (_e1314 < _e1323));
-                                                    let _e1449 = select(_e1323, _e1314, (_e1314 > _e1323));
-                                                    let _e1458 = (((((_e1349 && (_e1365 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1329, _e1432, (_e1432 < _e1329)) <= 0f) && (select(_e1329, _e1437, (_e1437 > _e1329)) >= 0f))) && ((select(_e1332, _e1444, (_e1444 < _e1332)) <= 0f) && (select(_e1332, _e1449, (_e1449 > _e1332)) >= 0f))) && (_e1428 <= (_e1421 + (select(_e1422, _e1405, (_e1405 > _e1422)) * 0.0000019073523f)))) && (_e1428 <= _e845.member_1));
-                                                    if _e1458 {
-                                                        let _e1463 = (_e1292[1][0] - _e1292[0][0]);
-                                                        let _e1464 = (_e1292[1][1] - _e1292[0][1]);
-                                                        let _e1465 = (_e1292[1][2] - _e1292[0][2]);
-                                                        let _e1466 = vec3<f32>(_e1463, _e1464, _e1465);
-                                                        let _e1467 = (_e1292[2][0] - _e1292[1][0]);
-                                                        let _e1468 = (_e1292[2][1] - _e1292[1][1]);
-                                                        let _e1469 = (_e1292[2][2] - _e1292[1][2]);
-                                                        let _e1470 = vec3<f32>(_e1467, _e1468, _e1469);
-                                                        let _e1471 = (_e1292[0][0] - _e1292[2][0]);
-                                                        let _e1472 = (_e1292[0][1] - _e1292[2][1]);
-                                                        let _e1473 = (_e1292[0][2] - _e1292[2][2]);
-                                                        let _e1474 = vec3<f32>(_e1471, _e1472, _e1473);
-                                                        let _e1475 = abs(_e1463);
-                                                        let _e1476 = abs(_e1464);
-                                                        if (_e1475 != _e1475) {
-                                                            phi_4938_ = true;
+                                                let _e1768 = phi_2319_;
+                                                let _e1784 = (_e1768[0][2] - _e604);
+                                                let _e1787 = (((_e1768[0][0] - _e475) * _e640) - (_e1784 * _e512));
+                                                let _e1790 = (((_e1768[0][1] - _e540) * _e640) - (_e1784 * _e576));
+                                                let _e1793 = (_e1768[1][2] - _e604);
+                                                let _e1796 = (((_e1768[1][0] - _e475) * _e640) - (_e1793 * _e512));
+                                                let _e1799 = (((_e1768[1][1] - _e540) * _e640) - (_e1793 * _e576));
+                                                let _e1802 = (_e1768[2][2] - _e604);
+                                                let _e1805 = (((_e1768[2][0] - _e475) * _e640) - (_e1802 * _e512));
+                                                let _e1808 = (((_e1768[2][1] - _e540) * _e640) - (_e1802 * _e576));
+                                                let _e1809 = (_e1805 * _e1799);
+                                                let _e1810 = (_e1808 * _e1796);
+                                                let _e1811 = (_e1787 * _e1808);
+                                                let _e1812 = (_e1790 * _e1805);
+                                                let _e1813 = (_e1796 * _e1790);
+                                                let _e1814 = (_e1799 * _e1787);
+                                                let _e1819 = (((_e1809 >= _e1810) && (_e1811 >= _e1812)) && (_e1813 >= _e1814));
+                                                let _e1825 = (_e1819 || (((_e1809 <= _e1810) && (_e1811 <= _e1812)) && (_e1813 <= _e1814)));
+                                                if _e1825 {
+                                                    let _e1827 = select(-1f, 1f, _e1819);
+                                                    let _e1829 = ((_e1809 - _e1810) * _e1827);
+                                                    let _e1831 = select(0f, _e1829, (_e1829 > 0f));
+                                                    let _e1833 = ((_e1811 - _e1812) * _e1827);
+                                                    let _e1835 = select(0f, _e1833, (_e1833 > 0f));
+                                                    let _e1837 = ((_e1813 - _e1814) * _e1827);
+                                                    let _e1839 = select(0f, _e1837, (_e1837 > 0f));
+                                                    let _e1841 = ((_e1831 + _e1835) + _e1839);
+                                                    let _e1843 = select(_e1768[1][0], _e1768[0][0], (_e1768[0][0] < _e1768[1][0]));
+                                                    let _e1847 = select(_e1768[1][0], _e1768[0][0], (_e1768[0][0] > _e1768[1][0]));
+                                                    let _e1851 = select(_e1768[1][1], _e1768[0][1], (_e1768[0][1] < _e1768[1][1]));
+                                                    let _e1855 = select(_e1768[1][1], _e1768[0][1], (_e1768[0][1] > _e1768[1][1]));
+                                                    let _e1859 = select(_e1768[1][2], _e1768[0][2], (_e1768[0][2] < _e1768[1][2]));
+                                                    let _e1863 = select(_e1768[1][2], _e1768[0][2], (_e1768[0][2] > _e1768[1][2]));
+                                                    let _e1868 = ((select(_e1768[2][0], _e1843, (_e1843 < _e1768[2][0])) - _e513) * _e516);
+                                                    let _e1869 = ((select(_e1768[2][0], _e1847, (_e1847 > _e1768[2][0])) - _e514) * _e516);
+                                                    let _e1872 = ((select(_e1768[2][1], _e1851, (_e1851 < _e1768[2][1])) - _e577) * _e580);
+                                                    let _e1873 = ((select(_e1768[2][1], _e1855, (_e1855 > _e1768[2][1])) - _e578) * _e580);
+                                                    let _e1876 = ((select(_e1768[2][2], _e1859, (_e1859 < _e1768[2][2])) - _e641) * _e644);
+                                                    let _e1877 = ((select(_e1768[2][2], _e1863, (_e1863 > _e1768[2][2])) - _e642) * _e644);
+                                                    let _e1879 = select(_e1877, _e1876, (_e1876 < _e1877));
+                                                    let _e1881 = select(_e1877, _e1876, (_e1876 > _e1877));
+                                                    let _e1883 = select(_e1869, _e1868, (_e1868 < _e1869));
+                                                    let _e1885 = select(_e1873, _e1872, (_e1872 < _e1873));
+                                                    let _e1887 = select(_e1885, _e1883, (_e1883 > _e1885));
+                                                    let _e1889 = select(_e1879, _e1887, (_e1887 > _e1879));
+                                                    let _e1891 = select(_e1869, _e1868, (_e1868 > _e1869));
+                                                    let _e1893 = select(_e1873, _e1872, (_e1872 > _e1873));
+                                                    let _e1895 = select(_e1893, _e1891, (_e1891 < _e1893));
+                                                    let _e1897 = select(_e1881, _e1895, (_e1895 < _e1881));
+                                                    let _e1898 = -(_e1879);
+                                                    let _e1904 = select(_e746, _e1889, (_e1889 > _e746));
+                                                    let _e1908 = select(_e1796, _e1787, (_e1787 < _e1796));
+                                                    let _e1913 = select(_e1796, _e1787, (_e1787 > _e1796));
+                                                    let _e1920 = select(_e1799, _e1790, (_e1790 < _e1799));
+                                                    let _e1925 = select(_e1799, _e1790, (_e1790 > _e1799));
+                                                    let _e1934 = (((((_e1825 && (_e1841 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1805, _e1908, (_e1908 < _e1805)) <= 0f) && (select(_e1805, _e1913, (_e1913 > _e1805)) >= 0f))) && ((select(_e1808, _e1920, (_e1920 < _e1808)) <= 0f) && (select(_e1808, _e1925, (_e1925 > _e1808)) >= 0f))) && (_e1904 <= (_e1897 + (select(_e1898, _e1881, (_e1881 > _e1898)) * 0.0000019073523f)))) && (_e1904 <= _e1321.member_1));
+                                                    if _e1934 {
+                                                        let _e1939 = (_e1768[1][0] - _e1768[0][0]);
+                                                        let _e1940 = (_e1768[1][1] - _e1768[0][1]);
+                                                        let _e1941 = (_e1768[1][2] - _e1768[0][2]);
+                                                        let _e1942 = vec3<f32>(_e1939, _e1940, _e1941);
+                                                        let _e1943 = (_e1768[2][0] - _e1768[1][0]);
+                                                        let _e1944 = (_e1768[2][1] - _e1768[1][1]);
+                                                        let _e1945 = (_e1768[2][2] - _e1768[1][2]);
+                                                        let _e1946 = vec3<f32>(_e1943, _e1944, _e1945);
+                                                        let _e1947 = (_e1768[0][0] - _e1768[2][0]);
+                                                        let _e1948 = (_e1768[0][1] - _e1768[2][1]);
+                                                        let _e1949 = (_e1768[0][2] - _e1768[2][2]);
+                                                        let _e1950 = vec3<f32>(_e1947, _e1948, _e1949);
+                                                        let _e1953 = bitcast<f32>((bitcast<u32>(_e1939) & 2147483647u));
+                                                        let _e1956 = bitcast<f32>((bitcast<u32>(_e1940) & 2147483647u));
+                                                        let _e1958 = select(_e1956, _e1953, (_e1953 > _e1956));
+                                                        let _e1961 = bitcast<f32>((bitcast<u32>(_e1941) & 2147483647u));
+                                                        let _e1963 = select(_e1961, _e1958, (_e1958 > _e1961));
+                                                        let _e1966 = bitcast<f32>((bitcast<u32>(_e1943) & 2147483647u));
+                                                        let _e1969 = bitcast<f32>((bitcast<u32>(_e1944) & 2147483647u));
+                                                        let _e1971 = select(_e1969, _e1966, (_e1966 > _e1969));
+                                                        let _e1974 = bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u));
+                                                        let _e1976 = select(_e1974, _e1971, (_e1971 > _e1974));
+                                                        let _e1979 = bitcast<f32>((bitcast<u32>(_e1947) & 2147483647u));
+                                                        let _e1982 = bitcast<f32>((bitcast<u32>(_e1948) & 2147483647u));
+                                                        let _e1984 = select(_e1982, _e1979, (_e1979 > _e1982));
+                                                        let _e1987 = bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u));
+                                                        let _e1989 = select(_e1987, _e1984, (_e1984 > _e1987));
+                                                        let _e1991 = select(_e1976, _e1963, (_e1963 > _e1976));
+                                                        let _e1993 = select(_e1989, _e1991, (_e1991 > _e1989));
+                                                        if (_e1963 == _e1993) {
+                                                            phi_2849_ = _e1799;
+                                                            phi_2850_ = _e1796;
+                                                            phi_2851_ = _e1790;
+                                                            phi_2852_ = _e1787;
+                                                            phi_2853_ = vec3<f32>(_e1768[0][0], _e1768[0][1], _e1768[0][2]);
+                                                            phi_2854_ = _e1950;
+                                                            phi_2855_ = _e1946;
+                                                            phi_2856_ = _e1942;
                                                         } else {
-                                                            phi_4938_ = (_e1476 >= _e1475);
+                                                            let _e1995 = (_e1976 == _e1993);
+                                                            let _e2000 = vec3(_e1995);
+                                                            phi_2849_ = select(_e1790, _e1808, _e1995);
+                                                            phi_2850_ = select(_e1787, _e1805, _e1995);
+                                                            phi_2851_ = select(_e1808, _e1799, _e1995);
+                                                            phi_2852_ = select(_e1805, _e1796, _e1995);
+                                                            phi_2853_ = select(vec3<f32>(_e1768[2][0], _e1768[2][1], _e1768[2][2]), vec3<f32>(_e1768[1][0], _e1768[1][1], _e1768[1][2]), _e2000);
+                                                            phi_2854_ = select(_e1946, _e1942, _e2000);
+                                                            phi_2855_ = select(_e1942, _e1950, _e2000);
+                                                            phi_2856_ = select(_e1950, _e1946, _e2000);
                                                         }
-                                                        let _e1480 = phi_4938_;
-                                                        let _e1481 = select(_e1475, _e1476, _e1480);
-                                                        let _e1482 = abs(_e1465);
-                                                        if (_e1481 != _e1481) {
-                                                            phi_4953_ = true;
+                                                        let _e2006 = phi_2849_;
+                                                        let _e2008 = phi_2850_;
+                                                        let _e2010 = phi_2851_;
+                                                        let _e2012 = phi_2852_;
+                                                        let _e2014 = phi_2853_;
+                                                        let _e2016 = phi_2854_;
+                                                        let _e2018 = phi_2855_;
+                                                        let _e2020 = phi_2856_;
+                                                        let _e2027 = ((_e2018.y * _e2016.z) - (_e2016.y * _e2018.z));
+                                                        let _e2032 = ((_e2018.z * _e2016.x) - (_e2016.z * _e2018.x));
+                                                        let _e2035 = ((_e2018.x * _e2016.y) - (_e2016.x * _e2018.y));
+                                                        let _e2038 = ((_e1831 >= _e1835) && (_e1831 >= _e1839));
+                                                        let _e2039 = (_e1835 >= _e1839);
+                                                        let _e2053 = (((_e2027 * (select(select(_e1768[2][0], _e1768[1][0], _e2039), _e1768[0][0], _e2038) - _e475)) + (_e2032 * (select(select(_e1768[2][1], _e1768[1][1], _e2039), _e1768[0][1], _e2038) - _e540))) + (_e2035 * (select(select(_e1768[2][2], _e1768[1][2], _e2039), _e1768[0][2], _e2038) - _e604)));
+                                                        let _e2058 = (((_e2027 * _e512) + (_e2032 * _e576)) + (_e2035 * _e640));
+                                                        let _e2059 = (_e2008 - _e2012);
+                                                        let _e2060 = (_e2006 - _e2010);
+                                                        let _e2063 = ((_e2059 * _e2059) + (_e2060 * _e2060));
+                                                        let _e2070 = (-(((_e2012 * _e2059) + (_e2010 * _e2060))) / select(0.000000000000000000000000000000000000011754944f, _e2063, (_e2063 > 0.000000000000000000000000000000000000011754944f)));
+                                                        let _e2072 = select(1f, _e2070, (_e2070 < 1f));
+                                                        let _e2074 = select(0f, _e2072, (_e2072 > 0f));
+                                                        let _e2083 = ((_e2014.x + (_e2020.x * _e2074)) - _e475);
+                                                        let _e2086 = ((_e2014.y + (_e2020.y * _e2074)) - _e540);
+                                                        let _e2089 = ((_e2014.z + (_e2020.z * _e2074)) - _e604);
+                                                        let _e2092 = bitcast<f32>((bitcast<u32>(_e2083) & 2147483647u));
+                                                        let _e2095 = bitcast<f32>((bitcast<u32>(_e2086) & 2147483647u));
+                                                        let _e2097 = select(_e2095, _e2092, (_e2092 > _e2095));
+                                                        let _e2100 = bitcast<f32>((bitcast<u32>(_e2089) & 2147483647u));
+                                                        let _e2102 = select(_e2100, _e2097, (_e2097 > _e2100));
+                                                        let _e2108 = bitcast<f32>((bitcast<u32>(_e2027) & 2147483647u));
+                                                        let _e2111 = bitcast<f32>((bitcast<u32>(_e2032) & 2147483647u));
+                                                        let _e2113 = select(_e2111, _e2108, (_e2108 > _e2111));
+                                                        let _e2116 = bitcast<f32>((bitcast<u32>(_e2035) & 2147483647u));
+                                                        let _e2135 = bitcast<f32>((bitcast<u32>(_e2018.x) & 2147483647u));
+                                                        let _e2138 = bitcast<f32>((bitcast<u32>(_e2018.y) & 2147483647u));
+                                                        let _e2140 = select(_e2138, _e2135, (_e2135 > _e2138));
+                                                        let _e2143 = bitcast<f32>((bitcast<u32>(_e2018.z) & 2147483647u));
+                                                        let _e2149 = bitcast<f32>((bitcast<u32>(_e2016.x) & 2147483647u));
+                                                        let _e2152 = bitcast<f32>((bitcast<u32>(_e2016.y) & 2147483647u));
+                                                        let _e2154 = select(_e2152, _e2149, (_e2149 > _e2152));
+                                                        let _e2157 = bitcast<f32>((bitcast<u32>(_e2016.z) & 2147483647u));
+                                                        let _e2163 = ((bitcast<f32>((bitcast<u32>(((((_e2027 * _e2083) + (_e2032 * _e2086)) + (_e2035 * _e2089)) - _e2053)) & 2147483647u)) <= ((0.0000009536743f * select(_e1993, _e2102, (_e2102 > _e1993))) * select(_e2116, _e2113, (_e2113 > _e2116)))) && !((bitcast<f32>((bitcast<u32>(_e2058) & 2147483647u)) <= ((0.0000038146973f * select(_e2143, _e2140, (_e2140 > _e2143))) * select(_e2157, _e2154, (_e2154 > _e2157))))));
+                                                        let _e2164 = (_e2053 / _e2058);
+                                                        if (_e1934 && !(_e2163)) {
+                                                            let _e2167 = (_e2089 / _e640);
+                                                            let _e2175 = (((_e2027 * (_e2083 - (_e512 * _e2167))) + (_e2032 * (_e2086 - (_e576 * _e2167)))) / _e2058);
+                                                            phi_3047_ = select(select(_e2167, (_e2167 + _e2175), (bitcast<f32>((bitcast<u32>(_e2175) & 2147483647u)) <= _e1993)), _e2164, _e2163);
                                                         } else {
-                                                            phi_4953_ = (_e1482 >= _e1481);
+                                                            phi_3047_ = _e2164;
                                                         }
-                                                        let _e1486 = phi_4953_;
-                                                        let _e1487 = select(_e1481, _e1482, _e1486);
-                                                        let _e1488 = abs(_e1467);
-                                                        let _e1489 = abs(_e1468);
-                                                        if (_e1488 != _e1488) {
-                                                            phi_4968_ = true;
-                                                        } else {
-                                                            phi_4968_ = (_e1489 >= _e1488);
-                                                        }
-                                                        let _e1493 = phi_4968_;
-                                                        let _e1494 = select(_e1488, _e1489, _e1493);
-                                                        let _e1495 = abs(_e1469);
-                                                        if (_e1494 != _e1494) {
-                                                            phi_4983_ = true;
-                                                        } else {
-                                                            phi_4983_ = (_e1495 >= _e1494);
-                                                        }
-                                                        let _e1499 = phi_4983_;
-                                                        let _e1500 = select(_e1494, _e1495, _e1499);
-                                                        let _e1501 = abs(_e1471);
-                                                        let _e1502 = abs(_e1472);
-                                                        if (_e1501 != _e1501) {
-                                                            phi_4998_ = true;
-                                                        } else {
-                                                            phi_4998_ = (_e1502 >= _e1501);
-                                                        }
-                                                        let _e1506 = phi_4998_;
-                                                        let _e1507 = select(_e1501, _e1502, _e1506);
-                                                        let _e1508 = abs(_e1473);
-                                                        if (_e1507 != _e1507) {
-                                                            phi_5013_ = true;
-                                                        } else {
-                                                            phi_5013_ = (_e1508 >= _e1507);
-                                                        }
-                                                        let _e1512 = phi_5013_;
-                                                        let _e1513 = select(_e1507, _e1508, _e1512);
-                                                        let _e1515 = select(_e1500, _e1487, (_e1487 > _e1500));
-                                                        let _e1517 = select(_e1513, _e1515, (_e1515 > _e1513));
-                                                        if (_e1487 == _e1517) {
-                                                            phi_2854_ = _e1323;
-                                                            phi_2855_ = _e1320;
-                                                            phi_2856_ = _e1314;
-                                                            phi_2857_ = _e1311;
-                                                            phi_2858_ = vec3<f32>(_e1292[0][0], _e1292[0][1], _e1292[0][2]);
-                                                            phi_2859_ = _e1474;
-                                                            phi_2860_ = _e1470;
-                                                            phi_2861_ = _e1466;
-                                                        } else {
-                                                            let _e1519 = (_e1500 == _e1517);
-                                                            let _e1524 = vec3(_e1519);
-                                                            phi_2854_ = select(_e1314, _e1332, _e1519);
-                                                            phi_2855_ = select(_e1311, _e1329, _e1519);
-                                                            phi_2856_ = select(_e1332, _e1323, _e1519);
-                                                            phi_2857_ = select(_e1329, _e1320, _e1519);
-                                                            phi_2858_ = select(vec3<f32>(_e1292[2][0], _e1292[2][1], _e1292[2][2]), vec3<f32>(_e1292[1][0], _e1292[1][1], _e1292[1][2]), _e1524);
-                                                            phi_2859_ = select(_e1470, _e1466, _e1524);
-                                                            phi_2860_ = select(_e1466, _e1474, _e1524);
-                                                            phi_2861_ = select(_e1474, _e1470, _e1524);
-                                                        }
-                                                        let _e1530 = phi_2854_;
-                                                        let _e1532 = phi_2855_;
-                                                        let _e1534 = phi_2856_;
-                                                        let _e1536 = phi_2857_;
-                                                        let _e1538 = phi_2858_;
-                                                        let _e1540 = phi_2859_;
-                                                        let _e1542 = phi_2860_;
-                                                        let _e1544 = phi_2861_;
-                                                        let _e1551 = ((_e1542.y * _e1540.z) - (_e1540.y * _e1542.z));
-                                                        let _e1556 = ((_e1542.z * _e1540.x) - (_e1540.z * _e1542.x));
-                                                        let _e1559 = ((_e1542.x * _e1540.y) - (_e1540.x * _e1542.y));
-                                                        let _e1562 = ((_e1355 >= _e1359) && (_e1355 >= _e1363));
-                                                        let _e1563 = (_e1359 >= _e1363);
-                                                        let _e1577 = (((_e1551 * (select(select(_e1292[2][0], _e1292[1][0], _e1563), _e1292[0][0], _e1562) - _e475)) + (_e1556 * (select(select(_e1292[2][1], _e1292[1][1], _e1563), _e1292[0][1], _e1562) - _e540))) + (_e1559 * (select(select(_e1292[2][2], _e1292[1][2], _e1563), _e1292[0][2], _e1562) - _e604)));
-                                                        let _e1582 = (((_e1551 * _e512) + (_e1556 * _e576)) + (_e1559 * _e640));
-                                                        let _e1583 = (_e1532 - _e1536);
-                                                        let _e1584 = (_e1530 - _e1534);
-                                                        let _e1587 = ((_e1583 * _e1583) + (_e1584 * _e1584));
-                                                        let _e1594 = (-(((_e1536 * _e1583) + (_e1534 * _e1584))) / select(0.000000000000000000000000000000000000011754944f, _e1587, (_e1587 > 0.000000000000000000000000000000000000011754944f)));
-                                                        let _e1596 = select(1f, _e1594, (_e1594 < 1f));
-                                                        let _e1598 = select(0f, _e1596, (_e1596 > 0f));
-                                                        let _e1607 = ((_e1538.x + (_e1544.x * _e1598)) - _e475);
-                                                        let _e1610 = ((_e1538.y + (_e1544.y * _e1598)) - _e540);
-                                                        let _e1613 = ((_e1538.z + (_e1544.z * _e1598)) - _e604);
-                                                        let _e1616 = bitcast<f32>((bitcast<u32>(_e1607) & 2147483647u));
-                                                        let _e1619 = bitcast<f32>((bitcast<u32>(_e1610) & 2147483647u));
-                                                        let _e1621 = select(_e1619, _e1616, (_e1616 > _e1619));
-                                                        let _e1624 = bitcast<f32>((bitcast<u32>(_e1613) & 2147483647u));
-                                                        let _e1626 = select(_e1624, _e1621, (_e1621 > _e1624));
-                                                        let _e1630 = abs(_e1551);
-                                                        let _e1631 = abs(_e1556);
-                                                        if (_e1630 != _e1630) {
-                                                            phi_5028_ = true;
-                                                        } else {
-                                                            phi_5028_ = (_e1631 >= _e1630);
-                                                        }
-                                                        let _e1635 = phi_5028_;
-                                                        let _e1636 = select(_e1630, _e1631, _e1635);
-                                                        let _e1637 = abs(_e1559);
-                                                        if (_e1636 != _e1636) {
-                                                            phi_5043_ = true;
-                                                        } else {
-                                                            phi_5043_ = (_e1637 >= _e1636);
-                                                        }
-                                                        let _e1641 = phi_5043_;
-                                                        let _e1657 = abs(_e1542.x);
-                                                        let _e1658 = abs(_e1542.y);
-                                                        if (_e1657 != _e1657) {
-                                                            phi_5058_ = true;
-                                                        } else {
-                                                            phi_5058_ = (_e1658 >= _e1657);
-                                                        }
-                                                        let _e1662 = phi_5058_;
-                                                        let _e1663 = select(_e1657, _e1658, _e1662);
-                                                        let _e1664 = abs(_e1542.z);
-                                                        if (_e1663 != _e1663) {
-                                                            phi_5073_ = true;
-                                                        } else {
-                                                            phi_5073_ = (_e1664 >= _e1663);
-                                                        }
-                                                        let _e1668 = phi_5073_;
-                                                        let _e1671 = abs(_e1540.x);
-                                                        let _e1672 = abs(_e1540.y);
-                                                        if (_e1671 != _e1671) {
-                                                            phi_5088_ = true;
-                                                        } else {
-                                                            phi_5088_ = (_e1672 >= _e1671);
-                                                        }
-                                                        let _e1676 = phi_5088_;
-                                                        let _e1677 = select(_e1671, _e1672, _e1676);
-                                                        let _e1678 = abs(_e1540.z);
-                                                        if (_e1677 != _e1677) {
-                                                            phi_5103_ = true;
-                                                        } else {
-                                                            phi_5103_ = (_e1678 >= _e1677);
-                                                        }
-                                                        let _e1682 = phi_5103_;
-                                                        let _e1687 = ((bitcast<f32>((bitcast<u32>(((((_e1551 * _e1607) + (_e1556 * _e1610)) + (_e1559 * _e1613)) - _e1577)) & 2147483647u)) <= ((0.0000009536743f * select(_e1517, _e1626, (_e1626 > _e1517))) * select(_e1636, _e1637, _e1641))) && !((bitcast<f32>((bitcast<u32>(_e1582) & 2147483647u)) <= ((0.0000038146973f * select(_e1663, _e1664, _e1668)) * select(_e1677, _e1678, _e1682)))));
-                                                        let _e1688 = (_e1577 / _e1582);
-                                                        if (_e1458 && !(_e1687)) {
-                                                            let _e1691 = (_e1613 / _e640);
-                                                            let _e1699 = (((_e1551 * (_e1607 - (_e512 * _e1691))) + (_e1556 * (_e1610 - (_e576 * _e1691)))) / _e1582);
-                                                            phi_3069_ = select(select(_e1691, (_e1691 + _e1699), (bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u)) <= _e1517)), _e1688, _e1687);
-                                                        } else {
-                                                            phi_3069_ = _e1688;
-                                                        }
-                                                        let _e1708 = phi_3069_;
-                                                        let _e1710 = select(_e1421, _e1708, (_e1708 < _e1421));
-                                                        let _e1712 = select(_e1413, _e1710, (_e1710 > _e1413));
-                                                        let _e1713 = (1f / _e1365);
-                                                        phi_3089_ = type_42(_e1712, (_e1359 * _e1713), (_e1363 * _e1713), ((_e1458 && (_e1712 >= _e746)) && (_e1712 <= _e845.member_1)));
-                                                        phi_3090_ = type_42();
+                                                        let _e2184 = phi_3047_;
+                                                        let _e2186 = select(_e1897, _e2184, (_e2184 < _e1897));
+                                                        let _e2188 = select(_e1889, _e2186, (_e2186 > _e1889));
+                                                        let _e2189 = (1f / _e1841);
+                                                        phi_3067_ = type_42(_e2188, (_e1835 * _e2189), (_e1839 * _e2189), ((_e1934 && (_e2188 >= _e746)) && (_e2188 <= _e1321.member_1)));
+                                                        phi_3068_ = type_42();
                                                     } else {
-                                                        phi_3089_ = type_42();
-                                                        phi_3090_ = type_42(0f, 0f, 0f, _e1458);
+                                                        phi_3067_ = type_42();
+                                                        phi_3068_ = type_42(0f, 0f, 0f, _e1934);
                                                     }
-                                                    let _e1722 = phi_3089_;
-                                                    let _e1724 = phi_3090_;
-                                                    phi_3093_ = _e1722;
-                                                    phi_3094_ = _e1724;
-                                                    phi_3095_ = select(true, false, _e1458);
+                                                    let _e2198 = phi_3067_;
+                                                    let _e2200 = phi_3068_;
+                                                    phi_3071_ = _e2198;
+                                                    phi_3072_ = _e2200;
+                                                    phi_3073_ = select(true, false, _e1934);
                                                 } else {
-                                                    phi_3093_ = type_42();
-                                                    phi_3094_ = type_42(0f, 0f, 0f, _e1349);
-                                                    phi_3095_ = true;
+                                                    phi_3071_ = type_42();
+                                                    phi_3072_ = type_42(0f, 0f, 0f, _e1825);
+                                                    phi_3073_ = true;
                                                 }
-                                                let _e1727 = phi_3093_;
-                                                let _e1729 = phi_3094_;
-                                                let _e1731 = phi_3095_;
-                                                if _e1731 {
-                                                    phi_3099_ = _e1729;
+                                                let _e2203 = phi_3071_;
+                                                let _e2205 = phi_3072_;
+                                                let _e2207 = phi_3073_;
+                                                if _e2207 {
+                                                    phi_3077_ = _e2205;
                                                 } else {
-                                                    phi_3099_ = _e1727;
+                                                    phi_3077_ = _e2203;
                                                 }
-                                                let _e1733 = phi_3099_;
-                                                if _e1733.member_3 {
-                                                    phi_3108_ = type_21(_e1733.member, _e1733.member_1, _e1733.member_2, _e905);
+                                                let _e2209 = phi_3077_;
+                                                if _e2209.member_3 {
+                                                    phi_3086_ = type_21(_e2209.member, _e2209.member_1, _e2209.member_2, _e1381);
                                                 } else {
-                                                    phi_3108_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_3086_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 }
-                                                let _e1740 = phi_3108_;
-                                                if (_e1740.member_3 != 4294967295u) {
-                                                    if (_e905 == _e174) {
-                                                        phi_3443_ = false;
+                                                let _e2216 = phi_3086_;
+                                                if (_e2216.member_3 != 4294967295u) {
+                                                    if (_e1381 == _e174) {
+                                                        phi_3421_ = false;
                                                     } else {
-                                                        let _e1744 = (_e905 < arrayLength((&global_4.member)));
-                                                        if _e1744 {
-                                                            if _e1744 {
+                                                        let _e2220 = (_e1381 < arrayLength((&global_4.member)));
+                                                        if _e2220 {
+                                                            if _e2220 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1746 = global_4.member[_e905];
-                                                            phi_3131_ = _e1746;
+                                                            let _e2222 = global_4.member[_e1381];
+                                                            phi_3109_ = _e2222;
                                                         } else {
-                                                            phi_3131_ = 4294967295u;
+                                                            phi_3109_ = 4294967295u;
                                                         }
-                                                        let _e1748 = phi_3131_;
-                                                        let _e1749 = (_e1748 < arrayLength((&global_5.member)));
-                                                        if _e1749 {
-                                                            if _e1749 {
+                                                        let _e2224 = phi_3109_;
+                                                        let _e2225 = (_e2224 < arrayLength((&global_5.member)));
+                                                        if _e2225 {
+                                                            if _e2225 {
                                                             } else {
-                                                                phi_5371_ = true;
+                                                                phi_5300_ = true;
                                                                 break;
                                                             }
-                                                            let _e1751 = global_5.member[_e1748];
-                                                            phi_3145_ = _e1751;
+                                                            let _e2227 = global_5.member[_e2224];
+                                                            phi_3123_ = _e2227;
                                                         } else {
-                                                            phi_3145_ = 0i;
+                                                            phi_3123_ = 0i;
                                                         }
-                                                        let _e1753 = phi_3145_;
-                                                        let _e1754 = (_e1753 == 0i);
-                                                        if _e1754 {
-                                                            phi_3442_ = true;
+                                                        let _e2229 = phi_3123_;
+                                                        let _e2230 = (_e2229 == 0i);
+                                                        if _e2230 {
+                                                            phi_3420_ = true;
                                                         } else {
                                                             if _e452 {
-                                                                phi_3168_ = vec3<f32>(_e1292[0][0], _e1292[0][1], _e1292[0][2]);
+                                                                phi_3146_ = vec3<f32>(_e1768[0][0], _e1768[0][1], _e1768[0][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3167_ = vec3<f32>(_e1292[0][2], _e1292[0][0], _e1292[0][1]);
+                                                                    phi_3145_ = vec3<f32>(_e1768[0][2], _e1768[0][0], _e1768[0][1]);
                                                                 } else {
-                                                                    phi_3167_ = vec3<f32>(_e1292[0][1], _e1292[0][2], _e1292[0][0]);
+                                                                    phi_3145_ = vec3<f32>(_e1768[0][1], _e1768[0][2], _e1768[0][0]);
                                                                 }
-                                                                let _e1759 = phi_3167_;
-                                                                phi_3168_ = _e1759;
+                                                                let _e2235 = phi_3145_;
+                                                                phi_3146_ = _e2235;
                                                             }
-                                                            let _e1762 = phi_3168_;
+                                                            let _e2238 = phi_3146_;
                                                             if _e452 {
-                                                                phi_3187_ = vec3<f32>(_e1292[1][0], _e1292[1][1], _e1292[1][2]);
+                                                                phi_3165_ = vec3<f32>(_e1768[1][0], _e1768[1][1], _e1768[1][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3186_ = vec3<f32>(_e1292[1][2], _e1292[1][0], _e1292[1][1]);
+                                                                    phi_3164_ = vec3<f32>(_e1768[1][2], _e1768[1][0], _e1768[1][1]);
                                                                 } else {
-                                                                    phi_3186_ = vec3<f32>(_e1292[1][1], _e1292[1][2], _e1292[1][0]);
+                                                                    phi_3164_ = vec3<f32>(_e1768[1][1], _e1768[1][2], _e1768[1][0]);
                                                                 }
-                                                                let _e1767 = phi_3186_;
-                                                                phi_3187_ = _e1767;
+                                                                let _e2243 = phi_3164_;
+                                                                phi_3165_ = _e2243;
                                                             }
-                                                            let _e1770 = phi_3187_;
+                                                            let _e2246 = phi_3165_;
                                                             if _e452 {
-                                                                phi_3206_ = vec3<f32>(_e1292[2][0], _e1292[2][1], _e1292[2][2]);
+                                                                phi_3184_ = vec3<f32>(_e1768[2][0], _e1768[2][1], _e1768[2][2]);
                                                             } else {
                                                                 if (_e428 == 1u) {
-                                                                    phi_3205_ = vec3<f32>(_e1292[2][2], _e1292[2][0], _e1292[2][1]);
+                                                                    phi_3183_ = vec3<f32>(_e1768[2][2], _e1768[2][0], _e1768[2][1]);
                                                                 } else {
-                                                                    phi_3205_ = vec3<f32>(_e1292[2][1], _e1292[2][2], _e1292[2][0]);
+                                                                    phi_3183_ = vec3<f32>(_e1768[2][1], _e1768[2][2], _e1768[2][0]);
                                                                 }
-                                                                let _e1775 = phi_3205_;
-                                                                phi_3206_ = _e1775;
+                                                                let _e2251 = phi_3183_;
+                                                                phi_3184_ = _e2251;
                                                             }
-                                                            let _e1778 = phi_3206_;
-                                                            let _e1781 = (_e1770.x - _e1762.x);
-                                                            let _e1784 = (_e1770.y - _e1762.y);
-                                                            let _e1787 = (_e1770.z - _e1762.z);
-                                                            let _e1789 = (_e1778.x - _e1762.x);
-                                                            let _e1791 = (_e1778.y - _e1762.y);
-                                                            let _e1793 = (_e1778.z - _e1762.z);
+                                                            let _e2254 = phi_3184_;
+                                                            let _e2257 = (_e2246.x - _e2238.x);
+                                                            let _e2260 = (_e2246.y - _e2238.y);
+                                                            let _e2263 = (_e2246.z - _e2238.z);
+                                                            let _e2265 = (_e2254.x - _e2238.x);
+                                                            let _e2267 = (_e2254.y - _e2238.y);
+                                                            let _e2269 = (_e2254.z - _e2238.z);
                                                             if (_e306.member_1 == 1u) {
-                                                                phi_3242_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e1762);
+                                                                phi_3220_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e2238);
                                                             } else {
-                                                                phi_3242_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
+                                                                phi_3220_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
                                                             }
-                                                            let _e1808 = phi_3242_;
-                                                            let _e1814 = bitcast<f32>((bitcast<u32>((_e1781 * _e1791)) ^ _e306.member_3[0]));
-                                                            let _e1818 = bitcast<f32>((bitcast<u32>((_e1784 * _e1789)) ^ _e306.member_3[0]));
-                                                            let _e1822 = bitcast<f32>((bitcast<u32>((_e1784 * _e1793)) ^ _e306.member_3[0]));
-                                                            let _e1826 = bitcast<f32>((bitcast<u32>((_e1787 * _e1791)) ^ _e306.member_3[0]));
-                                                            let _e1830 = bitcast<f32>((bitcast<u32>((_e1787 * _e1789)) ^ _e306.member_3[0]));
-                                                            let _e1834 = bitcast<f32>((bitcast<u32>((_e1781 * _e1793)) ^ _e306.member_3[0]));
-                                                            let _e1835 = (_e1822 - _e1826);
-                                                            let _e1836 = (_e1830 - _e1834);
-                                                            let _e1837 = (_e1814 - _e1818);
-                                                            let _e1861 = (bitcast<f32>((bitcast<u32>(_e1822) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1826) & 2147483647u)));
-                                                            let _e1868 = (bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u)));
-                                                            let _e1875 = (bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u)));
+                                                            let _e2284 = phi_3220_;
+                                                            let _e2290 = bitcast<f32>((bitcast<u32>((_e2257 * _e2267)) ^ _e306.member_3[0]));
+                                                            let _e2294 = bitcast<f32>((bitcast<u32>((_e2260 * _e2265)) ^ _e306.member_3[0]));
+                                                            let _e2298 = bitcast<f32>((bitcast<u32>((_e2260 * _e2269)) ^ _e306.member_3[0]));
+                                                            let _e2302 = bitcast<f32>((bitcast<u32>((_e2263 * _e2267)) ^ _e306.member_3[0]));
+                                                            let _e2306 = bitcast<f32>((bitcast<u32>((_e2263 * _e2265)) ^ _e306.member_3[0]));
+                                                            let _e2310 = bitcast<f32>((bitcast<u32>((_e2257 * _e2269)) ^ _e306.member_3[0]));
+                                                            let _e2311 = (_e2298 - _e2302);
+                                                            let _e2312 = (_e2306 - _e2310);
+                                                            let _e2313 = (_e2290 - _e2294);
+                                                            let _e2337 = (bitcast<f32>((bitcast<u32>(_e2298) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2302) & 2147483647u)));
+                                                            let _e2344 = (bitcast<f32>((bitcast<u32>(_e2306) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2310) & 2147483647u)));
+                                                            let _e2351 = (bitcast<f32>((bitcast<u32>(_e2290) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2294) & 2147483647u)));
                                                             if (_e306.member_2 == 0f) {
-                                                                phi_3424_ = 0f;
+                                                                phi_3402_ = 0f;
                                                             } else {
-                                                                let _e1905 = bitcast<f32>((bitcast<u32>(_e1835) & 2147483647u));
-                                                                let _e1908 = bitcast<f32>((bitcast<u32>(_e1836) & 2147483647u));
-                                                                let _e1911 = bitcast<f32>((bitcast<u32>(_e1837) & 2147483647u));
-                                                                let _e1913 = select(_e1911, _e1908, (_e1908 > _e1911));
-                                                                let _e1917 = select(_e1911, _e1908, (_e1908 < _e1911));
-                                                                let _e1921 = select(_e1908, _e1905, (_e1905 < _e1908));
-                                                                let _e1923 = select(_e1908, _e1905, (_e1905 > _e1908));
-                                                                let _e1925 = select(_e1911, _e1923, (_e1923 < _e1911));
-                                                                phi_3424_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1913, _e1905, (_e1905 > _e1913)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1925, _e1921, (_e1921 > _e1925)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1917, _e1905, (_e1905 < _e1917)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1861 + _e1868) + _e1875))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
+                                                                let _e2381 = bitcast<f32>((bitcast<u32>(_e2311) & 2147483647u));
+                                                                let _e2384 = bitcast<f32>((bitcast<u32>(_e2312) & 2147483647u));
+                                                                let _e2387 = bitcast<f32>((bitcast<u32>(_e2313) & 2147483647u));
+                                                                let _e2389 = select(_e2387, _e2384, (_e2384 > _e2387));
+                                                                let _e2393 = select(_e2387, _e2384, (_e2384 < _e2387));
+                                                                let _e2397 = select(_e2384, _e2381, (_e2381 < _e2384));
+                                                                let _e2399 = select(_e2384, _e2381, (_e2381 > _e2384));
+                                                                let _e2401 = select(_e2387, _e2399, (_e2399 < _e2387));
+                                                                phi_3402_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2389, _e2381, (_e2381 > _e2389)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2401, _e2397, (_e2397 > _e2401)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2393, _e2381, (_e2381 < _e2393)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2337 + _e2344) + _e2351))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
                                                             }
-                                                            let _e1952 = phi_3424_;
-                                                            phi_3442_ = (_e1754 || !(((((bitcast<f32>((bitcast<u32>((_e1808.x * _e1835)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1808.y * _e1836)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1808.z * _e1837)) ^ _e306.member_3[0]))) * f32(-(_e1753))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1808.x) & 2147483647u)) * _e1861)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1808.y) & 2147483647u)) * _e1868)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1808.z) & 2147483647u)) * _e1875)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e1952) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2428 = phi_3402_;
+                                                            phi_3420_ = (_e2230 || !(((((bitcast<f32>((bitcast<u32>((_e2284.x * _e2311)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2284.y * _e2312)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2284.z * _e2313)) ^ _e306.member_3[0]))) * f32(-(_e2229))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2284.x) & 2147483647u)) * _e2337)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2284.y) & 2147483647u)) * _e2344)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2284.z) & 2147483647u)) * _e2351)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e2428) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1966 = phi_3442_;
-                                                        phi_3443_ = _e1966;
+                                                        let _e2442 = phi_3420_;
+                                                        phi_3421_ = _e2442;
                                                     }
-                                                    let _e1968 = phi_3443_;
-                                                    if _e1968 {
-                                                        if (_e1740.member < _e845.member.member) {
-                                                            phi_3463_ = true;
+                                                    let _e2444 = phi_3421_;
+                                                    if _e2444 {
+                                                        if (_e2216.member < _e1321.member.member) {
+                                                            phi_3441_ = true;
                                                         } else {
-                                                            if (_e1740.member == _e845.member.member) {
-                                                                phi_3462_ = (_e1740.member_3 < _e845.member.member_3);
+                                                            if (_e2216.member == _e1321.member.member) {
+                                                                phi_3440_ = (_e2216.member_3 < _e1321.member.member_3);
                                                             } else {
-                                                                phi_3462_ = false;
+                                                                phi_3440_ = false;
                                                             }
-                                                            let _e1978 = phi_3462_;
-                                                            phi_3463_ = _e1978;
+                                                            let _e2454 = phi_3440_;
+                                                            phi_3441_ = _e2454;
                                                         }
-                                                        let _e1980 = phi_3463_;
-                                                        if _e1980 {
-                                                            phi_3469_ = type_39(_e1740, _e1740.member);
+                                                        let _e2456 = phi_3441_;
+                                                        if _e2456 {
+                                                            phi_3447_ = type_39(_e2216, _e2216.member);
                                                         } else {
-                                                            phi_3469_ = _e845;
+                                                            phi_3447_ = _e1321;
                                                         }
-                                                        let _e1983 = phi_3469_;
-                                                        phi_3470_ = _e1983;
+                                                        let _e2459 = phi_3447_;
+                                                        phi_3448_ = _e2459;
                                                     } else {
-                                                        phi_3470_ = _e845;
+                                                        phi_3448_ = _e1321;
                                                     }
-                                                    let _e1985 = phi_3470_;
-                                                    phi_3471_ = _e1985;
+                                                    let _e2461 = phi_3448_;
+                                                    phi_3449_ = _e2461;
                                                 } else {
-                                                    phi_3471_ = _e845;
+                                                    phi_3449_ = _e1321;
                                                 }
-                                                let _e1987 = phi_3471_;
-                                                phi_1549_ = _e1987;
+                                                let _e2463 = phi_3449_;
+                                                phi_1556_ = _e2463;
                                             } else {
-                                                phi_1549_ = type_39();
+                                                phi_1556_ = type_39();
                                             }
-                                            let _e1989 = phi_1549_;
+                                            let _e2465 = phi_1556_;
                                             continue;
                                             continuing {
-                                                phi_1548_ = _e1989;
-                                                phi_1551_ = _e860;
-                                                phi_5371_ = _e788;
-                                                break if !(_e866);
+                                                phi_1555_ = _e2465;
+                                                phi_1558_ = _e1336;
+                                                phi_5300_ = _e788;
+                                                break if !(_e1342);
                                             }
                                         }
-                                        let _e1992 = phi_5371_;
-                                        phi_5615_ = _e1992;
-                                        if _e1992 {
+                                        let _e2468 = phi_5300_;
+                                        phi_5532_ = _e2468;
+                                        if _e2468 {
                                             break;
                                         }
-                                        phi_5706_ = _e1992;
-                                        let _e2806 = local_11;
-                                        phi_3472_ = _e2806;
+                                        let _e2470 = local_10;
+                                        phi_5536_ = _e2468;
+                                        let _e2816 = local_12;
+                                        phi_4711_ = _e2816;
+                                        phi_4712_ = false;
+                                        phi_4713_ = _e831;
+                                        phi_4714_ = select(_e833, 0u, (_e746 > _e2470.member_1));
                                     } else {
-                                        phi_5706_ = _e788;
-                                        phi_3472_ = _e790;
-                                    }
-                                    let _e1994 = phi_5706_;
-                                    let _e1996 = phi_3472_;
-                                    if _e837 {
-                                        phi_4737_ = bool();
-                                        phi_4738_ = u32();
-                                        phi_4739_ = type_58();
-                                    } else {
-                                        if (_e833.member_1 >= _e106) {
-                                            phi_4273_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e831.member_1 >= _e106) {
+                                            phi_4250_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e833.member_1 < _e106) {
+                                            if (_e831.member_1 < _e106) {
                                             } else {
-                                                phi_5615_ = true;
+                                                phi_5532_ = true;
                                                 break;
                                             }
-                                            let _e1999 = (_e428 * 2u);
-                                            let _e2001 = ((1u + _e1999) % 7u);
-                                            if (_e2001 < 7u) {
+                                            let _e845 = (_e428 * 2u);
+                                            let _e847 = ((1u + _e845) % 7u);
+                                            if (_e847 < 7u) {
                                             } else {
-                                                phi_5615_ = true;
+                                                phi_5532_ = true;
                                                 break;
                                             }
-                                            let _e2006 = global_9.member[_e833.member_1][_e2001];
-                                            let _e2008 = ((_e1999 + 2u) % 7u);
-                                            if (_e2008 < 7u) {
+                                            let _e852 = global_9.member[_e831.member_1][_e847];
+                                            let _e854 = ((_e845 + 2u) % 7u);
+                                            if (_e854 < 7u) {
                                             } else {
-                                                phi_5615_ = true;
+                                                phi_5532_ = true;
                                                 break;
                                             }
-                                            let _e2013 = global_9.member[_e833.member_1][_e2008];
-                                            let _e2014 = (_e427 * 2u);
-                                            let _e2016 = ((1u + _e2014) % 7u);
-                                            if (_e2016 < 7u) {
+                                            let _e859 = global_9.member[_e831.member_1][_e854];
+                                            let _e860 = (_e427 * 2u);
+                                            let _e862 = ((1u + _e860) % 7u);
+                                            if (_e862 < 7u) {
                                             } else {
-                                                phi_5615_ = true;
+                                                phi_5532_ = true;
                                                 break;
                                             }
-                                            let _e2021 = global_9.member[_e833.member_1][_e2016];
-                                            let _e2023 = ((_e2014 + 2u) % 7u);
-                                            if (_e2023 < 7u) {
+                                            let _e867 = global_9.member[_e831.member_1][_e862];
+                                            let _e869 = ((_e860 + 2u) % 7u);
+                                            if (_e869 < 7u) {
                                             } else {
-                                                phi_5615_ = true;
+                                                phi_5532_ = true;
                                                 break;
                                             }
-                                            let _e2028 = global_9.member[_e833.member_1][_e2023];
-                                            let _e2029 = (_e429 * 2u);
-                                            let _e2031 = ((1u + _e2029) % 7u);
-                                            if (_e2031 < 7u) {
+                                            let _e874 = global_9.member[_e831.member_1][_e869];
+                                            let _e875 = (_e429 * 2u);
+                                            let _e877 = ((1u + _e875) % 7u);
+                                            if (_e877 < 7u) {
                                             } else {
-                                                phi_5615_ = true;
+                                                phi_5532_ = true;
                                                 break;
                                             }
-                                            let _e2036 = global_9.member[_e833.member_1][_e2031];
-                                            let _e2038 = ((_e2029 + 2u) % 7u);
-                                            if (_e2038 < 7u) {
+                                            let _e882 = global_9.member[_e831.member_1][_e877];
+                                            let _e884 = ((_e875 + 2u) % 7u);
+                                            if (_e884 < 7u) {
                                             } else {
-                                                phi_5615_ = true;
+                                                phi_5532_ = true;
                                                 break;
                                             }
-                                            let _e2043 = global_9.member[_e833.member_1][_e2038];
-                                            let _e2066 = (bitcast<f32>((bitcast<u32>((_e833.member.member_1.x - _e833.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e2067 = (bitcast<f32>((bitcast<u32>((_e833.member.member_1.y - _e833.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e2068 = (bitcast<f32>((bitcast<u32>((_e833.member.member_1.z - _e833.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e2070 = select(_e165, _e2066, (_e2066 > _e165));
-                                            let _e2072 = select(_e165, _e2067, (_e2067 > _e165));
-                                            let _e2074 = select(_e165, _e2068, (_e2068 > _e165));
-                                            let _e2105 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2006 & 2097151u))) - 8388608f) * _e2070));
-                                            let _e2110 = (bitcast<i32>((_e2006 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2113 = bitcast<f32>((_e2105 & bitcast<u32>(_e2110)));
-                                            let _e2114 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2021 & 2097151u))) - 8388608f) * _e2072));
-                                            let _e2119 = (bitcast<i32>((_e2021 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2122 = bitcast<f32>((_e2114 & bitcast<u32>(_e2119)));
-                                            let _e2123 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2036 & 2097151u))) - 8388608f) * _e2074));
-                                            let _e2128 = (bitcast<i32>((_e2036 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2131 = bitcast<f32>((_e2123 & bitcast<u32>(_e2128)));
-                                            let _e2135 = bitcast<f32>((_e2105 & bitcast<u32>(~(_e2110))));
-                                            let _e2139 = bitcast<f32>((_e2114 & bitcast<u32>(~(_e2119))));
-                                            let _e2143 = bitcast<f32>((_e2123 & bitcast<u32>(~(_e2128))));
-                                            let _e2144 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2013 & 2097151u))) - 8388608f) * _e2070));
-                                            let _e2149 = (bitcast<i32>((_e2013 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2152 = bitcast<f32>((_e2144 & bitcast<u32>(_e2149)));
-                                            let _e2153 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2028 & 2097151u))) - 8388608f) * _e2072));
-                                            let _e2158 = (bitcast<i32>((_e2028 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2161 = bitcast<f32>((_e2153 & bitcast<u32>(_e2158)));
-                                            let _e2162 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2043 & 2097151u))) - 8388608f) * _e2074));
-                                            let _e2167 = (bitcast<i32>((_e2043 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e2170 = bitcast<f32>((_e2162 & bitcast<u32>(_e2167)));
-                                            let _e2174 = bitcast<f32>((_e2144 & bitcast<u32>(~(_e2149))));
-                                            let _e2178 = bitcast<f32>((_e2153 & bitcast<u32>(~(_e2158))));
-                                            let _e2182 = bitcast<f32>((_e2162 & bitcast<u32>(~(_e2167))));
-                                            let _e2183 = (_e833.member.member.x + _e2113);
-                                            let _e2184 = (_e833.member.member.y + _e2122);
-                                            let _e2185 = (_e833.member.member.z + _e2131);
-                                            let _e2188 = (_e833.member.member_1.x - _e2152);
-                                            let _e2189 = (_e833.member.member_1.y - _e2161);
-                                            let _e2190 = (_e833.member.member_1.z - _e2170);
-                                            let _e2209 = (_e2188 - _e2183);
-                                            let _e2210 = (_e2189 - _e2184);
-                                            let _e2211 = (_e2190 - _e2185);
-                                            let _e2213 = select(_e2210, _e2209, (_e2209 > _e2210));
-                                            let _e2215 = select(_e2211, _e2213, (_e2213 > _e2211));
-                                            if (_e2215 < (1024f * _e165)) {
-                                                phi_3974_ = 0u;
+                                            let _e889 = global_9.member[_e831.member_1][_e884];
+                                            let _e912 = (bitcast<f32>((bitcast<u32>((_e831.member.member_1.x - _e831.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e913 = (bitcast<f32>((bitcast<u32>((_e831.member.member_1.y - _e831.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e914 = (bitcast<f32>((bitcast<u32>((_e831.member.member_1.z - _e831.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e916 = select(_e165, _e912, (_e912 > _e165));
+                                            let _e918 = select(_e165, _e913, (_e913 > _e165));
+                                            let _e920 = select(_e165, _e914, (_e914 > _e165));
+                                            let _e951 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e852 & 2097151u))) - 8388608f) * _e916));
+                                            let _e956 = (bitcast<i32>((_e852 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e959 = bitcast<f32>((_e951 & bitcast<u32>(_e956)));
+                                            let _e960 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e867 & 2097151u))) - 8388608f) * _e918));
+                                            let _e965 = (bitcast<i32>((_e867 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e968 = bitcast<f32>((_e960 & bitcast<u32>(_e965)));
+                                            let _e969 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e882 & 2097151u))) - 8388608f) * _e920));
+                                            let _e974 = (bitcast<i32>((_e882 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e977 = bitcast<f32>((_e969 & bitcast<u32>(_e974)));
+                                            let _e981 = bitcast<f32>((_e951 & bitcast<u32>(~(_e956))));
+                                            let _e985 = bitcast<f32>((_e960 & bitcast<u32>(~(_e965))));
+                                            let _e989 = bitcast<f32>((_e969 & bitcast<u32>(~(_e974))));
+                                            let _e990 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e859 & 2097151u))) - 8388608f) * _e916));
+                                            let _e995 = (bitcast<i32>((_e859 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e998 = bitcast<f32>((_e990 & bitcast<u32>(_e995)));
+                                            let _e999 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e874 & 2097151u))) - 8388608f) * _e918));
+                                            let _e1004 = (bitcast<i32>((_e874 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1007 = bitcast<f32>((_e999 & bitcast<u32>(_e1004)));
+                                            let _e1008 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e889 & 2097151u))) - 8388608f) * _e920));
+                                            let _e1013 = (bitcast<i32>((_e889 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e1016 = bitcast<f32>((_e1008 & bitcast<u32>(_e1013)));
+                                            let _e1020 = bitcast<f32>((_e990 & bitcast<u32>(~(_e995))));
+                                            let _e1024 = bitcast<f32>((_e999 & bitcast<u32>(~(_e1004))));
+                                            let _e1028 = bitcast<f32>((_e1008 & bitcast<u32>(~(_e1013))));
+                                            let _e1029 = (_e831.member.member.x + _e959);
+                                            let _e1030 = (_e831.member.member.y + _e968);
+                                            let _e1031 = (_e831.member.member.z + _e977);
+                                            let _e1034 = (_e831.member.member_1.x - _e998);
+                                            let _e1035 = (_e831.member.member_1.y - _e1007);
+                                            let _e1036 = (_e831.member.member_1.z - _e1016);
+                                            let _e1055 = (_e1034 - _e1029);
+                                            let _e1056 = (_e1035 - _e1030);
+                                            let _e1057 = (_e1036 - _e1031);
+                                            let _e1059 = select(_e1056, _e1055, (_e1055 > _e1056));
+                                            let _e1061 = select(_e1057, _e1059, (_e1059 > _e1057));
+                                            if (_e1061 < (1024f * _e165)) {
+                                                phi_3951_ = 0u;
                                             } else {
-                                                phi_3974_ = select(2u, 1u, (_e2215 < (2097152f * _e165)));
+                                                phi_3951_ = select(2u, 1u, (_e1061 < (2097152f * _e165)));
                                             }
-                                            let _e2222 = phi_3974_;
-                                            switch bitcast<i32>(_e2222) {
+                                            let _e1068 = phi_3951_;
+                                            switch bitcast<i32>(_e1068) {
                                                 case 0: {
-                                                    phi_3980_ = 1u;
+                                                    phi_3957_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3980_ = 2u;
+                                                    phi_3957_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3980_ = 3u;
+                                                    phi_3957_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3980_ = u32();
+                                                    phi_3957_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e2225 = phi_3980_;
-                                            let _e2231 = global_9.member[_e833.member_1][0u];
-                                            let _e2235 = global_9.member[_e833.member_1][2u];
-                                            let _e2239 = global_9.member[_e833.member_1][4u];
-                                            let _e2243 = global_9.member[_e833.member_1][6u];
-                                            let _e2255 = (((_e2235 >> bitcast<u32>(22i)) | ((_e2239 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2243 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e2256 = (_e2231 & 268435455u);
-                                            let _e2257 = (_e2255 & 268435455u);
-                                            let _e2260 = ((_e2231 >> bitcast<u32>(28u)) & 7u);
-                                            let _e2268 = ((_e2231 >> bitcast<u32>(31i)) | (((_e2255 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e2269 = (_e2260 != 0u);
-                                            if (_e2260 == 0u) {
-                                                phi_4235_ = _e2256;
+                                            let _e1071 = phi_3957_;
+                                            let _e1077 = global_9.member[_e831.member_1][0u];
+                                            let _e1081 = global_9.member[_e831.member_1][2u];
+                                            let _e1085 = global_9.member[_e831.member_1][4u];
+                                            let _e1089 = global_9.member[_e831.member_1][6u];
+                                            let _e1101 = (((_e1081 >> bitcast<u32>(22i)) | ((_e1085 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1089 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e1102 = (_e1077 & 268435455u);
+                                            let _e1103 = (_e1101 & 268435455u);
+                                            let _e1106 = ((_e1077 >> bitcast<u32>(28u)) & 7u);
+                                            let _e1114 = ((_e1077 >> bitcast<u32>(31i)) | (((_e1101 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e1115 = (_e1106 != 0u);
+                                            if (_e1106 == 0u) {
+                                                phi_4212_ = _e1102;
                                             } else {
-                                                if (_e2260 == 7u) {
-                                                    phi_4234_ = 2147483648u;
+                                                if (_e1106 == 7u) {
+                                                    phi_4211_ = 2147483648u;
                                                 } else {
-                                                    phi_4234_ = ((2147483648u | (_e2260 << bitcast<u32>(28u))) | (_e2257 & 268435455u));
+                                                    phi_4211_ = ((2147483648u | (_e1106 << bitcast<u32>(28u))) | (_e1103 & 268435455u));
                                                 }
-                                                let _e2278 = phi_4234_;
-                                                phi_4235_ = _e2278;
+                                                let _e1124 = phi_4211_;
+                                                phi_4212_ = _e1124;
                                             }
-                                            let _e2280 = phi_4235_;
-                                            if _e2269 {
-                                                let _e2281 = (_e2260 != 7u);
-                                                if _e2281 {
-                                                    phi_4245_ = (_e2257 + (_e2260 * ((3u * _e2225) + 1u)));
+                                            let _e1126 = phi_4212_;
+                                            if _e1115 {
+                                                let _e1127 = (_e1106 != 7u);
+                                                if _e1127 {
+                                                    phi_4222_ = (_e1103 + (_e1106 * ((3u * _e1071) + 1u)));
                                                 } else {
-                                                    phi_4245_ = u32();
+                                                    phi_4222_ = u32();
                                                 }
-                                                let _e2285 = phi_4245_;
-                                                phi_4247_ = _e2285;
-                                                phi_4248_ = select(true, false, _e2281);
+                                                let _e1131 = phi_4222_;
+                                                phi_4224_ = _e1131;
+                                                phi_4225_ = select(true, false, _e1127);
                                             } else {
-                                                phi_4247_ = u32();
-                                                phi_4248_ = true;
+                                                phi_4224_ = u32();
+                                                phi_4225_ = true;
                                             }
-                                            let _e2288 = phi_4247_;
-                                            let _e2290 = phi_4248_;
-                                            if (_e2268 == 0u) {
-                                                phi_4269_ = (_e2256 + select(0u, 1u, !(_e2269)));
+                                            let _e1134 = phi_4224_;
+                                            let _e1136 = phi_4225_;
+                                            if (_e1114 == 0u) {
+                                                phi_4246_ = (_e1102 + select(0u, 1u, !(_e1115)));
                                             } else {
-                                                if (_e2268 == 7u) {
-                                                    phi_4268_ = 2147483648u;
+                                                if (_e1114 == 7u) {
+                                                    phi_4245_ = 2147483648u;
                                                 } else {
-                                                    phi_4268_ = ((2147483648u | (_e2268 << bitcast<u32>(28u))) | (select(_e2288, _e2257, _e2290) & 268435455u));
+                                                    phi_4245_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (select(_e1134, _e1103, _e1136) & 268435455u));
                                                 }
-                                                let _e2303 = phi_4268_;
-                                                phi_4269_ = _e2303;
+                                                let _e1149 = phi_4245_;
+                                                phi_4246_ = _e1149;
                                             }
-                                            let _e2305 = phi_4269_;
-                                            phi_4273_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e2183, (_e833.member.member.x + _e2135), _e2188, (_e833.member.member_1.x - _e2174)), vec4<f32>(_e2184, (_e833.member.member.y + _e2139), _e2189, (_e833.member.member_1.y - _e2178)), vec4<f32>(_e2185, (_e833.member.member.z + _e2143), _e2190, (_e833.member.member_1.z - _e2182))), type_58(type_33((_e833.member.member + vec4<f32>(_e2113, _e2122, _e2131, 0f)), (_e833.member.member_1 - vec4<f32>(_e2152, _e2161, _e2170, 0f))), _e2280), type_58(type_33((_e833.member.member + vec4<f32>(_e2135, _e2139, _e2143, 0f)), (_e833.member.member_1 - vec4<f32>(_e2174, _e2178, _e2182, 0f))), _e2305));
+                                            let _e1151 = phi_4246_;
+                                            phi_4250_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e1029, (_e831.member.member.x + _e981), _e1034, (_e831.member.member_1.x - _e1020)), vec4<f32>(_e1030, (_e831.member.member.y + _e985), _e1035, (_e831.member.member_1.y - _e1024)), vec4<f32>(_e1031, (_e831.member.member.z + _e989), _e1036, (_e831.member.member_1.z - _e1028))), type_58(type_33((_e831.member.member + vec4<f32>(_e959, _e968, _e977, 0f)), (_e831.member.member_1 - vec4<f32>(_e998, _e1007, _e1016, 0f))), _e1126), type_58(type_33((_e831.member.member + vec4<f32>(_e981, _e985, _e989, 0f)), (_e831.member.member_1 - vec4<f32>(_e1020, _e1024, _e1028, 0f))), _e1151));
                                         }
-                                        let _e2310 = phi_4273_;
-                                        let _e2322 = ((_e2310.member[0].x - _e513) * _e516);
-                                        let _e2323 = ((_e2310.member[0].y - _e513) * _e516);
-                                        let _e2324 = ((_e2310.member[0].z - _e514) * _e516);
-                                        let _e2325 = ((_e2310.member[0].w - _e514) * _e516);
-                                        let _e2335 = ((_e2310.member[1].x - _e577) * _e580);
-                                        let _e2336 = ((_e2310.member[1].y - _e577) * _e580);
-                                        let _e2337 = ((_e2310.member[1].z - _e578) * _e580);
-                                        let _e2338 = ((_e2310.member[1].w - _e578) * _e580);
-                                        let _e2348 = ((_e2310.member[2].x - _e641) * _e644);
-                                        let _e2349 = ((_e2310.member[2].y - _e641) * _e644);
-                                        let _e2350 = ((_e2310.member[2].z - _e642) * _e644);
-                                        let _e2351 = ((_e2310.member[2].w - _e642) * _e644);
-                                        let _e2353 = select(_e2350, _e2348, (_e2348 < _e2350));
-                                        let _e2355 = select(_e2351, _e2349, (_e2349 < _e2351));
-                                        let _e2357 = select(_e2350, _e2348, (_e2348 > _e2350));
-                                        let _e2359 = select(_e2351, _e2349, (_e2349 > _e2351));
-                                        let _e2361 = select(_e2324, _e2322, (_e2322 < _e2324));
-                                        let _e2363 = select(_e2325, _e2323, (_e2323 < _e2325));
-                                        let _e2365 = select(_e2337, _e2335, (_e2335 < _e2337));
-                                        let _e2367 = select(_e2338, _e2336, (_e2336 < _e2338));
-                                        let _e2369 = select(_e2365, _e2361, (_e2361 > _e2365));
-                                        let _e2371 = select(_e2367, _e2363, (_e2363 > _e2367));
-                                        let _e2373 = select(_e2353, _e2369, (_e2369 > _e2353));
-                                        let _e2375 = select(_e2355, _e2371, (_e2371 > _e2355));
-                                        let _e2377 = select(_e2324, _e2322, (_e2322 > _e2324));
-                                        let _e2379 = select(_e2325, _e2323, (_e2323 > _e2325));
-                                        let _e2381 = select(_e2337, _e2335, (_e2335 > _e2337));
-                                        let _e2383 = select(_e2338, _e2336, (_e2336 > _e2338));
-                                        let _e2385 = select(_e2381, _e2377, (_e2377 < _e2381));
-                                        let _e2387 = select(_e2383, _e2379, (_e2379 < _e2383));
-                                        let _e2392 = -(_e2353);
-                                        let _e2393 = -(_e2355);
-                                        let _e2400 = (select(_e2357, _e2385, (_e2385 < _e2357)) + (select(_e2392, _e2357, (_e2357 > _e2392)) * 0.0000019073523f));
-                                        let _e2401 = (select(_e2359, _e2387, (_e2387 < _e2359)) + (select(_e2393, _e2359, (_e2359 > _e2393)) * 0.0000019073523f));
-                                        let _e2403 = select(_e746, _e2373, (_e2373 > _e746));
-                                        let _e2405 = select(_e746, _e2375, (_e2375 > _e746));
-                                        let _e2410 = (_e2403 <= select(_e1996.member_1, _e2400, (_e2400 < _e1996.member_1)));
-                                        let _e2411 = (_e2405 <= select(_e1996.member_1, _e2401, (_e2401 < _e1996.member_1)));
-                                        let _e2412 = (_e2403 <= _e2405);
-                                        if _e2410 {
-                                            if _e2411 {
-                                                if _e2412 {
-                                                    phi_4635_ = _e2310.member_2;
+                                        let _e1156 = phi_4250_;
+                                        let _e1168 = ((_e1156.member[0].x - _e513) * _e516);
+                                        let _e1169 = ((_e1156.member[0].y - _e513) * _e516);
+                                        let _e1170 = ((_e1156.member[0].z - _e514) * _e516);
+                                        let _e1171 = ((_e1156.member[0].w - _e514) * _e516);
+                                        let _e1181 = ((_e1156.member[1].x - _e577) * _e580);
+                                        let _e1182 = ((_e1156.member[1].y - _e577) * _e580);
+                                        let _e1183 = ((_e1156.member[1].z - _e578) * _e580);
+                                        let _e1184 = ((_e1156.member[1].w - _e578) * _e580);
+                                        let _e1194 = ((_e1156.member[2].x - _e641) * _e644);
+                                        let _e1195 = ((_e1156.member[2].y - _e641) * _e644);
+                                        let _e1196 = ((_e1156.member[2].z - _e642) * _e644);
+                                        let _e1197 = ((_e1156.member[2].w - _e642) * _e644);
+                                        let _e1199 = select(_e1196, _e1194, (_e1194 < _e1196));
+                                        let _e1201 = select(_e1197, _e1195, (_e1195 < _e1197));
+                                        let _e1203 = select(_e1196, _e1194, (_e1194 > _e1196));
+                                        let _e1205 = select(_e1197, _e1195, (_e1195 > _e1197));
+                                        let _e1207 = select(_e1170, _e1168, (_e1168 < _e1170));
+                                        let _e1209 = select(_e1171, _e1169, (_e1169 < _e1171));
+                                        let _e1211 = select(_e1183, _e1181, (_e1181 < _e1183));
+                                        let _e1213 = select(_e1184, _e1182, (_e1182 < _e1184));
+                                        let _e1215 = select(_e1211, _e1207, (_e1207 > _e1211));
+                                        let _e1217 = select(_e1213, _e1209, (_e1209 > _e1213));
+                                        let _e1219 = select(_e1199, _e1215, (_e1215 > _e1199));
+                                        let _e1221 = select(_e1201, _e1217, (_e1217 > _e1201));
+                                        let _e1223 = select(_e1170, _e1168, (_e1168 > _e1170));
+                                        let _e1225 = select(_e1171, _e1169, (_e1169 > _e1171));
+                                        let _e1227 = select(_e1183, _e1181, (_e1181 > _e1183));
+                                        let _e1229 = select(_e1184, _e1182, (_e1182 > _e1184));
+                                        let _e1231 = select(_e1227, _e1223, (_e1223 < _e1227));
+                                        let _e1233 = select(_e1229, _e1225, (_e1225 < _e1229));
+                                        let _e1238 = -(_e1199);
+                                        let _e1239 = -(_e1201);
+                                        let _e1246 = (select(_e1203, _e1231, (_e1231 < _e1203)) + (select(_e1238, _e1203, (_e1203 > _e1238)) * 0.0000019073523f));
+                                        let _e1247 = (select(_e1205, _e1233, (_e1233 < _e1205)) + (select(_e1239, _e1205, (_e1205 > _e1239)) * 0.0000019073523f));
+                                        let _e1249 = select(_e746, _e1219, (_e1219 > _e746));
+                                        let _e1251 = select(_e746, _e1221, (_e1221 > _e746));
+                                        let _e1256 = (_e1249 <= select(_e790.member_1, _e1246, (_e1246 < _e790.member_1)));
+                                        let _e1257 = (_e1251 <= select(_e790.member_1, _e1247, (_e1247 < _e790.member_1)));
+                                        let _e1258 = (_e1249 <= _e1251);
+                                        if _e1256 {
+                                            if _e1257 {
+                                                if _e1258 {
+                                                    phi_4612_ = _e1156.member_2;
                                                 } else {
-                                                    phi_4635_ = _e2310.member_1;
+                                                    phi_4612_ = _e1156.member_1;
                                                 }
-                                                let _e2416 = phi_4635_;
-                                                let _e2437 = (_e831 % 128u);
-                                                let _e2438 = (_e2437 < 128u);
-                                                if _e2438 {
+                                                let _e1262 = phi_4612_;
+                                                let _e1283 = (_e833 % 128u);
+                                                let _e1284 = (_e1283 < 128u);
+                                                if _e1284 {
                                                 } else {
-                                                    phi_5615_ = true;
+                                                    phi_5532_ = true;
                                                     break;
                                                 }
-                                                local_8[_e2437] = _e2416.member_1;
-                                                if _e2438 {
+                                                local_8[_e1283] = _e1262.member_1;
+                                                if _e1284 {
                                                 } else {
-                                                    phi_5615_ = true;
+                                                    phi_5532_ = true;
                                                     break;
                                                 }
-                                                local_7[_e2437] = _e2416.member.member.x;
-                                                if _e2438 {
+                                                local_7[_e1283] = _e1262.member.member.x;
+                                                if _e1284 {
                                                 } else {
-                                                    phi_5615_ = true;
+                                                    phi_5532_ = true;
                                                     break;
                                                 }
-                                                local_6[_e2437] = _e2416.member.member.y;
-                                                if _e2438 {
+                                                local_6[_e1283] = _e1262.member.member.y;
+                                                if _e1284 {
                                                 } else {
-                                                    phi_5615_ = true;
+                                                    phi_5532_ = true;
                                                     break;
                                                 }
-                                                local_5[_e2437] = _e2416.member.member.z;
-                                                if _e2438 {
+                                                local_5[_e1283] = _e1262.member.member.z;
+                                                if _e1284 {
                                                 } else {
-                                                    phi_5615_ = true;
+                                                    phi_5532_ = true;
                                                     break;
                                                 }
-                                                local_4[_e2437] = _e2416.member.member_1.x;
-                                                if _e2438 {
+                                                local_4[_e1283] = _e1262.member.member_1.x;
+                                                if _e1284 {
                                                 } else {
-                                                    phi_5615_ = true;
+                                                    phi_5532_ = true;
                                                     break;
                                                 }
-                                                local_3[_e2437] = _e2416.member.member_1.y;
-                                                if _e2438 {
+                                                local_3[_e1283] = _e1262.member.member_1.y;
+                                                if _e1284 {
                                                 } else {
-                                                    phi_5615_ = true;
+                                                    phi_5532_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2437] = _e2416.member.member_1.z;
-                                                if _e2438 {
+                                                local_2[_e1283] = _e1262.member.member_1.z;
+                                                if _e1284 {
                                                 } else {
-                                                    phi_5615_ = true;
+                                                    phi_5532_ = true;
                                                     break;
                                                 }
-                                                local_9[_e2437] = select(_e2403, _e2405, _e2412);
-                                                if _e2412 {
-                                                    phi_4711_ = _e2310.member_1;
+                                                local_9[_e1283] = select(_e1249, _e1251, _e1258);
+                                                if _e1258 {
+                                                    phi_4688_ = _e1156.member_1;
                                                 } else {
-                                                    phi_4711_ = _e2310.member_2;
+                                                    phi_4688_ = _e1156.member_2;
                                                 }
-                                                let _e2451 = phi_4711_;
-                                                phi_4712_ = (_e831 + 1u);
-                                                phi_4713_ = _e2451;
+                                                let _e1297 = phi_4688_;
+                                                phi_4689_ = _e1297;
+                                                phi_4690_ = (_e833 + 1u);
                                             } else {
-                                                phi_4712_ = u32();
-                                                phi_4713_ = type_58();
+                                                phi_4689_ = type_58();
+                                                phi_4690_ = u32();
                                             }
-                                            let _e2453 = phi_4712_;
-                                            let _e2455 = phi_4713_;
-                                            phi_4715_ = _e2453;
-                                            phi_4716_ = _e2455;
-                                            phi_4717_ = select(true, false, _e2411);
+                                            let _e1299 = phi_4689_;
+                                            let _e1301 = phi_4690_;
+                                            phi_4692_ = _e1299;
+                                            phi_4693_ = _e1301;
+                                            phi_4694_ = select(true, false, _e1257);
                                         } else {
-                                            phi_4715_ = u32();
-                                            phi_4716_ = type_58();
-                                            phi_4717_ = true;
+                                            phi_4692_ = type_58();
+                                            phi_4693_ = u32();
+                                            phi_4694_ = true;
                                         }
-                                        let _e2458 = phi_4715_;
-                                        let _e2460 = phi_4716_;
-                                        let _e2462 = phi_4717_;
-                                        if _e2462 {
-                                            if _e2410 {
-                                                phi_4726_ = _e2310.member_1;
+                                        let _e1304 = phi_4692_;
+                                        let _e1306 = phi_4693_;
+                                        let _e1308 = phi_4694_;
+                                        if _e1308 {
+                                            if _e1256 {
+                                                phi_4703_ = _e1156.member_1;
                                             } else {
-                                                phi_4726_ = _e2310.member_2;
+                                                phi_4703_ = _e1156.member_2;
                                             }
-                                            let _e2466 = phi_4726_;
-                                            phi_4731_ = select(_e2411, true, _e2410);
-                                            phi_4733_ = _e2466;
+                                            let _e1312 = phi_4703_;
+                                            phi_4708_ = select(_e1257, true, _e1256);
+                                            phi_4709_ = _e1312;
                                         } else {
-                                            phi_4731_ = _e829;
-                                            phi_4733_ = _e2460;
+                                            phi_4708_ = _e829;
+                                            phi_4709_ = _e1304;
                                         }
-                                        let _e2469 = phi_4731_;
-                                        let _e2471 = phi_4733_;
-                                        phi_4737_ = _e2469;
-                                        phi_4738_ = select(_e2458, _e831, _e2462);
-                                        phi_4739_ = _e2471;
+                                        let _e1315 = phi_4708_;
+                                        let _e1317 = phi_4709_;
+                                        phi_5536_ = _e788;
+                                        phi_4711_ = _e790;
+                                        phi_4712_ = _e1315;
+                                        phi_4713_ = _e1317;
+                                        phi_4714_ = select(_e1306, _e833, _e1308);
                                     }
-                                    let _e2474 = phi_4737_;
-                                    let _e2476 = phi_4738_;
-                                    let _e2478 = phi_4739_;
-                                    if _e837 {
-                                        phi_4749_ = _e833;
-                                    } else {
-                                        phi_4749_ = _e2478;
-                                    }
-                                    let _e2480 = phi_4749_;
-                                    phi_5618_ = _e1994;
-                                    phi_4750_ = _e1996;
-                                    phi_4751_ = (_e792 - 1u);
-                                    phi_4752_ = select(_e2474, false, _e837);
-                                    phi_4753_ = select(_e2476, _e831, _e837);
-                                    phi_4754_ = _e2480;
+                                    let _e2475 = phi_5536_;
+                                    let _e2477 = phi_4711_;
+                                    let _e2479 = phi_4712_;
+                                    let _e2481 = phi_4713_;
+                                    let _e2483 = phi_4714_;
+                                    phi_5535_ = _e2475;
+                                    phi_4715_ = _e2477;
+                                    phi_4716_ = _e2479;
+                                    phi_4717_ = _e2481;
+                                    phi_4718_ = _e2483;
+                                    phi_4719_ = (_e798 - 1u);
                                 } else {
-                                    phi_5618_ = _e788;
-                                    phi_4750_ = _e790;
-                                    phi_4751_ = _e792;
-                                    phi_4752_ = _e829;
-                                    phi_4753_ = _e831;
-                                    phi_4754_ = _e833;
+                                    phi_5535_ = _e788;
+                                    phi_4715_ = _e790;
+                                    phi_4716_ = _e829;
+                                    phi_4717_ = _e831;
+                                    phi_4718_ = _e833;
+                                    phi_4719_ = _e798;
                                 }
-                                let _e2484 = phi_5618_;
-                                let _e2486 = phi_4750_;
-                                let _e2488 = phi_4751_;
-                                let _e2490 = phi_4752_;
-                                let _e2492 = phi_4753_;
-                                let _e2494 = phi_4754_;
-                                phi_5617_ = _e2484;
-                                phi_4755_ = _e2486;
-                                phi_4756_ = _e2488;
-                                phi_4757_ = _e2490;
-                                phi_4758_ = _e2492;
-                                phi_4759_ = _e2494;
+                                let _e2485 = phi_5535_;
+                                let _e2487 = phi_4715_;
+                                let _e2489 = phi_4716_;
+                                let _e2491 = phi_4717_;
+                                let _e2493 = phi_4718_;
+                                let _e2495 = phi_4719_;
+                                phi_5534_ = _e2485;
+                                phi_4720_ = _e2487;
+                                phi_4721_ = _e2489;
+                                phi_4722_ = _e2491;
+                                phi_4723_ = _e2493;
+                                phi_4724_ = _e2495;
                             } else {
-                                phi_5617_ = _e788;
-                                phi_4755_ = type_39();
-                                phi_4756_ = u32();
-                                phi_4757_ = bool();
-                                phi_4758_ = u32();
-                                phi_4759_ = type_58();
+                                phi_5534_ = _e788;
+                                phi_4720_ = type_39();
+                                phi_4721_ = bool();
+                                phi_4722_ = type_58();
+                                phi_4723_ = u32();
+                                phi_4724_ = u32();
                             }
-                            let _e2496 = phi_5617_;
-                            let _e2498 = phi_4755_;
-                            let _e2500 = phi_4756_;
-                            let _e2502 = phi_4757_;
-                            let _e2504 = phi_4758_;
-                            let _e2506 = phi_4759_;
-                            phi_5616_ = _e2496;
-                            phi_1422_ = _e2498;
-                            phi_1425_ = _e2500;
-                            phi_1427_ = _e2502;
-                            phi_1429_ = _e2504;
-                            phi_1431_ = _e2506;
-                            phi_4760_ = _e802;
+                            let _e2497 = phi_5534_;
+                            let _e2499 = phi_4720_;
+                            let _e2501 = phi_4721_;
+                            let _e2503 = phi_4722_;
+                            let _e2505 = phi_4723_;
+                            let _e2507 = phi_4724_;
+                            phi_5533_ = _e2497;
+                            phi_1429_ = _e2499;
+                            phi_1432_ = _e2501;
+                            phi_1434_ = _e2503;
+                            phi_1436_ = _e2505;
+                            phi_1438_ = _e2507;
+                            phi_4725_ = _e802;
                         } else {
-                            phi_5616_ = _e788;
-                            phi_1422_ = type_39();
-                            phi_1425_ = u32();
-                            phi_1427_ = bool();
-                            phi_1429_ = u32();
-                            phi_1431_ = type_58();
-                            phi_4760_ = false;
+                            phi_5533_ = _e788;
+                            phi_1429_ = type_39();
+                            phi_1432_ = bool();
+                            phi_1434_ = type_58();
+                            phi_1436_ = u32();
+                            phi_1438_ = u32();
+                            phi_4725_ = false;
                         }
-                        let _e2508 = phi_5616_;
-                        let _e2510 = phi_1422_;
-                        let _e2512 = phi_1425_;
-                        let _e2514 = phi_1427_;
-                        let _e2516 = phi_1429_;
-                        let _e2518 = phi_1431_;
-                        let _e2520 = phi_4760_;
+                        let _e2509 = phi_5533_;
+                        let _e2511 = phi_1429_;
+                        let _e2513 = phi_1432_;
+                        let _e2515 = phi_1434_;
+                        let _e2517 = phi_1436_;
+                        let _e2519 = phi_1438_;
+                        let _e2521 = phi_4725_;
                         continue;
                         continuing {
-                            phi_5377_ = _e2508;
-                            phi_1421_ = _e2510;
-                            phi_1424_ = _e2512;
-                            phi_1426_ = _e2514;
-                            phi_1428_ = _e2516;
-                            phi_1430_ = _e2518;
-                            phi_5615_ = _e2508;
-                            break if !(_e2520);
+                            phi_5306_ = _e2509;
+                            phi_1428_ = _e2511;
+                            phi_1431_ = _e2513;
+                            phi_1433_ = _e2515;
+                            phi_1435_ = _e2517;
+                            phi_1437_ = _e2519;
+                            phi_5532_ = _e2509;
+                            break if !(_e2521);
                         }
                     }
-                    let _e2523 = phi_5615_;
-                    if _e2523 {
+                    let _e2524 = phi_5532_;
+                    if _e2524 {
                         break;
                     }
-                    let _e2525 = local_10;
-                    if (_e2525.member.member_3 != 4294967295u) {
-                        let _e2530 = bitcast<u32>(_e2525.member.member);
-                        let _e2534 = (bitcast<i32>((_e2530 >> bitcast<u32>(23i))) & 255i);
-                        let _e2535 = (_e2534 + _e430);
-                        if (_e2534 == 255i) {
-                            phi_4819_ = _e2525.member.member;
+                    let _e2526 = local_11;
+                    if (_e2526.member.member_3 != 4294967295u) {
+                        let _e2531 = bitcast<u32>(_e2526.member.member);
+                        let _e2535 = (bitcast<i32>((_e2531 >> bitcast<u32>(23i))) & 255i);
+                        let _e2536 = (_e2535 + _e430);
+                        if (_e2535 == 255i) {
+                            phi_4784_ = _e2526.member.member;
                         } else {
-                            if (_e2534 > 0i) {
-                                if (_e2535 > 0i) {
-                                    let _e2539 = (_e2535 < 255i);
-                                    if _e2539 {
-                                        phi_4798_ = bitcast<f32>((_e2530 + bitcast<u32>((_e430 << bitcast<u32>(23i)))));
+                            if (_e2535 > 0i) {
+                                if (_e2536 > 0i) {
+                                    let _e2540 = (_e2536 < 255i);
+                                    if _e2540 {
+                                        phi_4763_ = bitcast<f32>((_e2531 + bitcast<u32>((_e430 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4798_ = f32();
+                                        phi_4763_ = f32();
                                     }
-                                    let _e2546 = phi_4798_;
-                                    phi_4800_ = _e2546;
-                                    phi_4801_ = select(true, false, _e2539);
+                                    let _e2547 = phi_4763_;
+                                    phi_4765_ = _e2547;
+                                    phi_4766_ = select(true, false, _e2540);
                                 } else {
-                                    phi_4800_ = f32();
-                                    phi_4801_ = true;
+                                    phi_4765_ = f32();
+                                    phi_4766_ = true;
                                 }
-                                let _e2549 = phi_4800_;
-                                let _e2551 = phi_4801_;
-                                phi_4802_ = _e2549;
-                                phi_4803_ = _e2551;
+                                let _e2550 = phi_4765_;
+                                let _e2552 = phi_4766_;
+                                phi_4767_ = _e2550;
+                                phi_4768_ = _e2552;
                             } else {
-                                phi_4802_ = f32();
-                                phi_4803_ = true;
+                                phi_4767_ = f32();
+                                phi_4768_ = true;
                             }
-                            let _e2553 = phi_4802_;
-                            let _e2555 = phi_4803_;
-                            if _e2555 {
-                                let _e2556 = (_e2530 & 2147483648u);
-                                let _e2563 = ((_e2530 & 8388607u) | (select(0u, 1u, ((_e2530 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                                let _e2567 = (_e2563 == 0u);
-                                if _e2567 {
-                                    phi_5329_ = bitcast<f32>(_e2556);
+                            let _e2554 = phi_4767_;
+                            let _e2556 = phi_4768_;
+                            if _e2556 {
+                                let _e2557 = (_e2531 & 2147483648u);
+                                let _e2564 = ((_e2531 & 8388607u) | (select(0u, 1u, ((_e2531 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                                let _e2568 = (_e2564 == 0u);
+                                if _e2568 {
+                                    phi_5258_ = bitcast<f32>(_e2557);
                                 } else {
-                                    let _e2572 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2563)), 32u, _e2567) - 8u);
-                                    let _e2575 = (_e2563 << bitcast<u32>((_e2572 & 31u)));
-                                    let _e2577 = ((_e2535 + select(0i, 1i, (_e2534 == 0i))) - bitcast<i32>(_e2572));
-                                    if (_e2577 >= 255i) {
-                                        phi_5319_ = bitcast<f32>((_e2556 | 2139095040u));
-                                        phi_5320_ = f32();
-                                        phi_5321_ = true;
+                                    let _e2573 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2564)), 32u, _e2568) - 8u);
+                                    let _e2576 = (_e2564 << bitcast<u32>((_e2573 & 31u)));
+                                    let _e2578 = ((_e2536 + select(0i, 1i, (_e2535 == 0i))) - bitcast<i32>(_e2573));
+                                    if (_e2578 >= 255i) {
+                                        phi_5248_ = bitcast<f32>((_e2557 | 2139095040u));
+                                        phi_5249_ = f32();
+                                        phi_5250_ = true;
                                     } else {
-                                        let _e2579 = (_e2577 > 0i);
-                                        if _e2579 {
-                                            phi_5313_ = bitcast<f32>(((_e2556 | (bitcast<u32>(_e2577) << bitcast<u32>(23i))) | (_e2575 & 8388607u)));
-                                            phi_5314_ = f32();
+                                        let _e2580 = (_e2578 > 0i);
+                                        if _e2580 {
+                                            phi_5242_ = bitcast<f32>(((_e2557 | (bitcast<u32>(_e2578) << bitcast<u32>(23i))) | (_e2576 & 8388607u)));
+                                            phi_5243_ = f32();
                                         } else {
-                                            if (_e2577 < -24i) {
-                                                phi_5279_ = 26u;
+                                            if (_e2578 < -24i) {
+                                                phi_5208_ = 26u;
                                             } else {
-                                                phi_5279_ = bitcast<u32>((1i - _e2577));
+                                                phi_5208_ = bitcast<u32>((1i - _e2578));
                                             }
-                                            let _e2584 = phi_5279_;
-                                            let _e2585 = (_e2584 & 31u);
-                                            let _e2587 = (_e2575 >> bitcast<u32>(_e2585));
-                                            let _e2591 = (_e2575 & ((1u << bitcast<u32>(_e2585)) - 1u));
-                                            let _e2595 = (1u << bitcast<u32>(((_e2584 - 1u) & 31u)));
-                                            if (_e2591 > _e2595) {
-                                                phi_5300_ = true;
+                                            let _e2585 = phi_5208_;
+                                            let _e2586 = (_e2585 & 31u);
+                                            let _e2588 = (_e2576 >> bitcast<u32>(_e2586));
+                                            let _e2592 = (_e2576 & ((1u << bitcast<u32>(_e2586)) - 1u));
+                                            let _e2596 = (1u << bitcast<u32>(((_e2585 - 1u) & 31u)));
+                                            if (_e2592 > _e2596) {
+                                                phi_5229_ = true;
                                             } else {
-                                                if (_e2591 == _e2595) {
-                                                    phi_5297_ = ((_e2587 & 1u) == 1u);
+                                                if (_e2592 == _e2596) {
+                                                    phi_5226_ = ((_e2588 & 1u) == 1u);
                                                 } else {
-                                                    phi_5297_ = false;
+                                                    phi_5226_ = false;
                                                 }
-                                                let _e2601 = phi_5297_;
-                                                phi_5300_ = _e2601;
+                                                let _e2602 = phi_5226_;
+                                                phi_5229_ = _e2602;
                                             }
-                                            let _e2603 = phi_5300_;
-                                            phi_5313_ = f32();
-                                            phi_5314_ = bitcast<f32>((_e2556 | (_e2587 + select(0u, 1u, _e2603))));
+                                            let _e2604 = phi_5229_;
+                                            phi_5242_ = f32();
+                                            phi_5243_ = bitcast<f32>((_e2557 | (_e2588 + select(0u, 1u, _e2604))));
                                         }
-                                        let _e2616 = phi_5313_;
-                                        let _e2618 = phi_5314_;
-                                        phi_5319_ = _e2616;
-                                        phi_5320_ = _e2618;
-                                        phi_5321_ = _e2579;
+                                        let _e2617 = phi_5242_;
+                                        let _e2619 = phi_5243_;
+                                        phi_5248_ = _e2617;
+                                        phi_5249_ = _e2619;
+                                        phi_5250_ = _e2580;
                                     }
-                                    let _e2622 = phi_5319_;
-                                    let _e2624 = phi_5320_;
-                                    let _e2626 = phi_5321_;
-                                    phi_5329_ = select(_e2624, _e2622, _e2626);
+                                    let _e2623 = phi_5248_;
+                                    let _e2625 = phi_5249_;
+                                    let _e2627 = phi_5250_;
+                                    phi_5258_ = select(_e2625, _e2623, _e2627);
                                 }
-                                let _e2630 = phi_5329_;
-                                phi_4818_ = _e2630;
+                                let _e2631 = phi_5258_;
+                                phi_4783_ = _e2631;
                             } else {
-                                phi_4818_ = _e2553;
+                                phi_4783_ = _e2554;
                             }
-                            let _e2632 = phi_4818_;
-                            phi_4819_ = _e2632;
+                            let _e2633 = phi_4783_;
+                            phi_4784_ = _e2633;
                         }
-                        let _e2634 = phi_4819_;
-                        let _e2635 = bitcast<u32>(_e2634);
-                        if ((_e2635 & 2147483647u) >= 2139095040u) {
-                            phi_4831_ = bitcast<f32>(((_e2635 & 2147483648u) | 2139095039u));
+                        let _e2635 = phi_4784_;
+                        let _e2636 = bitcast<u32>(_e2635);
+                        if ((_e2636 & 2147483647u) >= 2139095040u) {
+                            phi_4796_ = bitcast<f32>(((_e2636 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4831_ = _e2634;
+                            phi_4796_ = _e2635;
                         }
-                        let _e2642 = phi_4831_;
-                        phi_4836_ = type_21(_e2642, _e2525.member.member_1, _e2525.member.member_2, _e2525.member.member_3);
+                        let _e2643 = phi_4796_;
+                        phi_4801_ = type_21(_e2643, _e2526.member.member_1, _e2526.member.member_2, _e2526.member.member_3);
                     } else {
-                        phi_4836_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4801_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2647 = phi_4836_;
+                    let _e2648 = phi_4801_;
                     if _e307 {
                     } else {
                         break;
                     }
-                    global_7.member[_e153] = _e2647;
+                    global_7.member[_e153] = _e2648;
                     if _e168 {
                     } else {
                         break;
                     }
-                    let _e2651 = select(0u, 1u, (_e374 <= _e384));
-                    if (_e2651 > 0u) {
-                        let _e2653 = (1u < _e121);
-                        if _e2653 {
+                    let _e2652 = select(0u, 1u, (_e374 <= _e384));
+                    if (_e2652 > 0u) {
+                        let _e2654 = (1u < _e121);
+                        if _e2654 {
                             if (0u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e2657 = atomicAdd((&global_8.member[0u]), _e2651);
-                            if ((_e2657 + _e2651) < _e2657) {
-                                if _e2653 {
+                            let _e2658 = atomicAdd((&global_8.member[0u]), _e2652);
+                            if ((_e2658 + _e2652) < _e2658) {
+                                if _e2654 {
                                 } else {
                                     break;
                                 }
-                                let _e2662 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e2663 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2665 = select(0u, 1u, (_e2647.member_3 != 4294967295u));
-                    if (_e2665 > 0u) {
-                        let _e2667 = (3u < _e121);
-                        if _e2667 {
+                    let _e2666 = select(0u, 1u, (_e2648.member_3 != 4294967295u));
+                    if (_e2666 > 0u) {
+                        let _e2668 = (3u < _e121);
+                        if _e2668 {
                             if (2u < _e121) {
                             } else {
                                 break;
                             }
-                            let _e2671 = atomicAdd((&global_8.member[2u]), _e2665);
-                            if ((_e2671 + _e2665) < _e2671) {
-                                if _e2667 {
+                            let _e2672 = atomicAdd((&global_8.member[2u]), _e2666);
+                            if ((_e2672 + _e2666) < _e2672) {
+                                if _e2668 {
                                 } else {
                                     break;
                                 }
-                                let _e2676 = atomicAdd((&global_8.member[3u]), 1u);
+                                let _e2677 = atomicAdd((&global_8.member[3u]), 1u);
                             }
                         }
                     }

@@ -141,137 +141,124 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_308_: u32;
-    var phi_352_: i32;
-    var phi_492_: type_36;
-    var phi_642_: i32;
-    var phi_643_: i32;
-    var phi_653_: bool;
-    var phi_663_: u32;
-    var phi_664_: u32;
-    var phi_666_: bool;
+    var phi_315_: u32;
+    var phi_359_: i32;
+    var phi_499_: type_36;
+    var phi_649_: i32;
+    var phi_650_: i32;
+    var phi_660_: bool;
+    var phi_670_: u32;
     var phi_671_: u32;
-    var phi_704_: i32;
-    var phi_722_: f32;
-    var phi_728_: f32;
-    var phi_768_: f32;
-    var phi_774_: f32;
-    var phi_847_: f32;
-    var phi_853_: f32;
-    var phi_893_: f32;
-    var phi_899_: f32;
-    var phi_972_: f32;
-    var phi_978_: f32;
-    var phi_1018_: f32;
-    var phi_1024_: f32;
-    var phi_1143_: i32;
-    var phi_1165_: u32;
-    var phi_1166_: u32;
-    var phi_1203_: i32;
-    var phi_1225_: u32;
-    var phi_1226_: u32;
-    var phi_1234_: f32;
-    var phi_1235_: f32;
-    var phi_4212_: bool;
-    var phi_1318_: type_41;
-    var phi_1321_: u32;
-    var phi_1323_: bool;
-    var phi_1325_: u32;
-    var phi_1327_: type_63;
-    var phi_1338_: bool;
-    var phi_1424_: bool;
-    var phi_1425_: u32;
-    var phi_1426_: type_63;
-    var phi_1445_: type_41;
-    var phi_1448_: type_8;
-    var phi_1449_: type_8;
-    var phi_1471_: type_8;
-    var phi_1496_: u32;
-    var phi_1512_: type_57;
-    var phi_4007_: bool;
-    var phi_4022_: bool;
-    var phi_4037_: bool;
-    var phi_4052_: bool;
-    var phi_4067_: bool;
-    var phi_4082_: bool;
-    var phi_2319_: f32;
-    var phi_2320_: f32;
-    var phi_2321_: f32;
-    var phi_2322_: f32;
-    var phi_2323_: vec3<f32>;
-    var phi_2324_: vec3<f32>;
-    var phi_2325_: vec3<f32>;
-    var phi_2326_: vec3<f32>;
-    var phi_4097_: bool;
-    var phi_4112_: bool;
-    var phi_4127_: bool;
-    var phi_4142_: bool;
-    var phi_4157_: bool;
-    var phi_4172_: bool;
-    var phi_2534_: f32;
-    var phi_2554_: type_40;
-    var phi_2555_: type_40;
-    var phi_2558_: type_40;
-    var phi_2559_: type_40;
-    var phi_2560_: bool;
-    var phi_2564_: type_40;
-    var phi_2573_: type_22;
-    var phi_2596_: u32;
-    var phi_2610_: i32;
-    var phi_2628_: vec3<f32>;
-    var phi_2629_: vec3<f32>;
-    var phi_2643_: vec3<f32>;
-    var phi_2644_: vec3<f32>;
-    var phi_2658_: vec3<f32>;
-    var phi_2659_: vec3<f32>;
-    var phi_2695_: vec3<f32>;
-    var phi_2877_: f32;
-    var phi_2895_: bool;
-    var phi_2896_: bool;
-    var phi_2901_: type_41;
-    var phi_2902_: type_41;
-    var phi_1446_: type_41;
-    var phi_4206_: bool;
-    var phi_4480_: bool;
-    var phi_2903_: type_41;
-    var phi_2924_: type_50;
-    var phi_3810_: type_63;
+    var phi_673_: bool;
+    var phi_678_: u32;
+    var phi_711_: i32;
+    var phi_729_: f32;
+    var phi_735_: f32;
+    var phi_775_: f32;
+    var phi_781_: f32;
+    var phi_854_: f32;
+    var phi_860_: f32;
+    var phi_900_: f32;
+    var phi_906_: f32;
+    var phi_979_: f32;
+    var phi_985_: f32;
+    var phi_1025_: f32;
+    var phi_1031_: f32;
+    var phi_1150_: i32;
+    var phi_1172_: u32;
+    var phi_1173_: u32;
+    var phi_1210_: i32;
+    var phi_1232_: u32;
+    var phi_1233_: u32;
+    var phi_1241_: f32;
+    var phi_1242_: f32;
+    var phi_4140_: bool;
+    var phi_1325_: type_41;
+    var phi_1328_: bool;
+    var phi_1330_: type_63;
+    var phi_1332_: u32;
+    var phi_1334_: u32;
+    var phi_1345_: bool;
+    var phi_1431_: bool;
+    var phi_1432_: type_63;
+    var phi_1433_: u32;
+    var phi_2901_: type_50;
+    var phi_3787_: type_63;
+    var phi_3863_: type_63;
+    var phi_3864_: type_63;
+    var phi_3865_: u32;
+    var phi_3867_: type_63;
+    var phi_3868_: u32;
+    var phi_3869_: bool;
+    var phi_3876_: type_63;
+    var phi_3881_: bool;
+    var phi_3882_: type_63;
+    var phi_1452_: type_41;
+    var phi_1455_: type_8;
+    var phi_1456_: type_8;
+    var phi_1478_: type_8;
+    var phi_1503_: u32;
+    var phi_1519_: type_57;
+    var phi_2314_: f32;
+    var phi_2315_: f32;
+    var phi_2316_: f32;
+    var phi_2317_: f32;
+    var phi_2318_: vec3<f32>;
+    var phi_2319_: vec3<f32>;
+    var phi_2320_: vec3<f32>;
+    var phi_2321_: vec3<f32>;
+    var phi_2512_: f32;
+    var phi_2532_: type_40;
+    var phi_2533_: type_40;
+    var phi_2536_: type_40;
+    var phi_2537_: type_40;
+    var phi_2538_: bool;
+    var phi_2542_: type_40;
+    var phi_2551_: type_22;
+    var phi_2574_: u32;
+    var phi_2588_: i32;
+    var phi_2606_: vec3<f32>;
+    var phi_2607_: vec3<f32>;
+    var phi_2621_: vec3<f32>;
+    var phi_2622_: vec3<f32>;
+    var phi_2636_: vec3<f32>;
+    var phi_2637_: vec3<f32>;
+    var phi_2673_: vec3<f32>;
+    var phi_2855_: f32;
+    var phi_2873_: bool;
+    var phi_2874_: bool;
+    var phi_2879_: type_41;
+    var phi_2880_: type_41;
+    var phi_1453_: type_41;
+    var phi_4134_: bool;
+    var local_10: type_41;
+    var phi_4341_: bool;
+    var phi_3884_: type_41;
+    var phi_3885_: bool;
     var phi_3886_: type_63;
     var phi_3887_: u32;
-    var phi_3888_: type_63;
-    var phi_3890_: u32;
-    var phi_3891_: type_63;
-    var phi_3892_: bool;
-    var phi_3899_: type_63;
-    var phi_3904_: bool;
-    var phi_3906_: type_63;
-    var phi_3910_: bool;
-    var phi_3911_: u32;
-    var phi_3912_: type_63;
-    var phi_3922_: u32;
-    var phi_3923_: type_63;
-    var phi_4424_: bool;
-    var phi_3924_: type_41;
-    var phi_3925_: u32;
-    var phi_3926_: bool;
-    var phi_3927_: u32;
-    var phi_3928_: type_63;
-    var phi_4423_: bool;
-    var phi_3929_: type_41;
-    var phi_3930_: u32;
-    var phi_3931_: bool;
-    var phi_3932_: u32;
-    var phi_3933_: type_63;
-    var phi_4422_: bool;
-    var phi_1319_: type_41;
-    var phi_1322_: u32;
-    var phi_1324_: bool;
-    var phi_1326_: u32;
-    var phi_1328_: type_63;
-    var phi_3934_: bool;
-    var phi_4421_: bool;
-    var local_10: type_41;
+    var phi_4340_: bool;
+    var phi_3888_: type_41;
+    var phi_3889_: bool;
+    var phi_3890_: type_63;
+    var phi_3891_: u32;
+    var phi_3892_: u32;
+    var phi_4339_: bool;
+    var phi_3893_: type_41;
+    var phi_3894_: bool;
+    var phi_3895_: type_63;
+    var phi_3896_: u32;
+    var phi_3897_: u32;
+    var phi_4338_: bool;
+    var phi_1326_: type_41;
+    var phi_1329_: bool;
+    var phi_1331_: type_63;
+    var phi_1333_: u32;
+    var phi_1335_: u32;
+    var phi_3898_: bool;
+    var phi_4337_: bool;
     var local_11: type_41;
+    var local_12: type_41;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -293,11 +280,11 @@ fn function_() {
                     break;
                 }
                 let _e152 = global_8.member[_e141].member_2;
-                phi_308_ = _e152;
+                phi_315_ = _e152;
             } else {
-                phi_308_ = 4294967295u;
+                phi_315_ = 4294967295u;
             }
-            let _e154 = phi_308_;
+            let _e154 = phi_315_;
             let _e157 = global_1.member[0u];
             let _e161 = global_3.member[0u][0u];
             let _e165 = global_3.member[0u][1u];
@@ -314,15 +301,15 @@ fn function_() {
             let _e195 = array<u32, 3>(_e181, _e185, _e189);
             let _e197 = bitcast<i32>(_e157);
             if (_e197 < -126i) {
-                phi_352_ = -126i;
+                phi_359_ = -126i;
             } else {
-                phi_352_ = select(_e197, 127i, (_e197 > 127i));
+                phi_359_ = select(_e197, 127i, (_e197 > 127i));
             }
-            let _e202 = phi_352_;
+            let _e202 = phi_359_;
             let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
             let _e213 = bitcast<f32>((bitcast<u32>(((_e197 - _e202) + 127i)) << bitcast<u32>(23i)));
             if (_e173 == 0u) {
-                phi_492_ = type_36(array<f32, 3>(_e190, _e191, _e192), _e173, _e194, _e195);
+                phi_499_ = type_36(array<f32, 3>(_e190, _e191, _e192), _e173, _e194, _e195);
             } else {
                 let _e215 = bitcast<u32>(_e190);
                 let _e217 = ((_e215 & 2139095040u) != 0u);
@@ -332,9 +319,9 @@ fn function_() {
                 let _e251 = ((_e249 & 2139095040u) != 0u);
                 let _e267 = bitcast<u32>(_e194);
                 let _e269 = ((_e267 & 2139095040u) != 0u);
-                phi_492_ = type_36(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e215 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e215 & 2147483648u))), _e190, _e217) * _e207) * select(0.00000011920929f, 1f, _e217)) * _e213), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e232 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e232 & 2147483648u))), _e191, _e234) * _e207) * select(0.00000011920929f, 1f, _e234)) * _e213), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e249 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e249 & 2147483648u))), _e192, _e251) * _e207) * select(0.00000011920929f, 1f, _e251)) * _e213)), _e173, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e194, _e269) * _e207) * select(0.00000011920929f, 1f, _e269)) * _e213), _e195);
+                phi_499_ = type_36(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e215 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e215 & 2147483648u))), _e190, _e217) * _e207) * select(0.00000011920929f, 1f, _e217)) * _e213), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e232 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e232 & 2147483648u))), _e191, _e234) * _e207) * select(0.00000011920929f, 1f, _e234)) * _e213), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e249 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e249 & 2147483648u))), _e192, _e251) * _e207) * select(0.00000011920929f, 1f, _e251)) * _e213)), _e173, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e194, _e269) * _e207) * select(0.00000011920929f, 1f, _e269)) * _e213), _e195);
             }
-            let _e286 = phi_492_;
+            let _e286 = phi_499_;
             if _e148 {
                 let _e287 = (_e141 < arrayLength((&global_2.member)));
                 if _e287 {
@@ -389,85 +376,85 @@ fn function_() {
                         if _e381 {
                             let _e384 = (bitcast<u32>(bitcast<f32>(_e364)) & 2147483647u);
                             if (_e384 >= 8388608u) {
-                                phi_642_ = (bitcast<i32>((_e384 >> bitcast<u32>(23i))) - 127i);
+                                phi_649_ = (bitcast<i32>((_e384 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_642_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e384)), 32u, (_e384 == 0u))));
+                                phi_649_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e384)), 32u, (_e384 == 0u))));
                             }
-                            let _e398 = phi_642_;
-                            phi_643_ = _e398;
+                            let _e398 = phi_649_;
+                            phi_650_ = _e398;
                         } else {
-                            phi_643_ = 0i;
+                            phi_650_ = 0i;
                         }
-                        let _e400 = phi_643_;
+                        let _e400 = phi_650_;
                         let _e401 = (_e320 == _e364);
                         if _e401 {
-                            phi_653_ = true;
+                            phi_660_ = true;
                         } else {
-                            phi_653_ = (_e328 == _e364);
+                            phi_660_ = (_e328 == _e364);
                         }
-                        let _e404 = phi_653_;
+                        let _e404 = phi_660_;
                         let _e405 = select(1u, 0u, _e401);
                         if _e404 {
                             let _e406 = (_e405 + 1u);
-                            phi_663_ = _e406;
-                            phi_664_ = _e406;
-                            phi_666_ = select(true, false, (_e406 == 2u));
+                            phi_670_ = _e406;
+                            phi_671_ = _e406;
+                            phi_673_ = select(true, false, (_e406 == 2u));
                         } else {
-                            phi_663_ = u32();
-                            phi_664_ = 0u;
-                            phi_666_ = true;
-                        }
-                        let _e410 = phi_663_;
-                        let _e412 = phi_664_;
-                        let _e414 = phi_666_;
-                        if _e414 {
-                            phi_671_ = (_e412 + 1u);
-                        } else {
+                            phi_670_ = u32();
                             phi_671_ = 0u;
+                            phi_673_ = true;
                         }
-                        let _e418 = phi_671_;
+                        let _e410 = phi_670_;
+                        let _e412 = phi_671_;
+                        let _e414 = phi_673_;
+                        if _e414 {
+                            phi_678_ = (_e412 + 1u);
+                        } else {
+                            phi_678_ = 0u;
+                        }
+                        let _e418 = phi_678_;
                         let _e419 = select(_e410, _e412, _e414);
                         let _e420 = select(_e405, select(2u, _e405, _e404), _e414);
                         let _e421 = -(_e400);
                         if (_e421 < -126i) {
-                            phi_704_ = -126i;
+                            phi_711_ = -126i;
                         } else {
-                            phi_704_ = select(_e421, 127i, (_e421 > 127i));
+                            phi_711_ = select(_e421, 127i, (_e421 > 127i));
                         }
-                        let _e426 = phi_704_;
+                        let _e426 = phi_711_;
                         let _e431 = bitcast<f32>((bitcast<u32>((_e426 + 127i)) << bitcast<u32>(23i)));
                         let _e437 = bitcast<f32>((bitcast<u32>(((_e421 - _e426) + 127i)) << bitcast<u32>(23i)));
                         let _e442 = global_8.member[_e141].member.member;
                         let _e443 = (_e419 == 0u);
                         if _e443 {
-                            phi_722_ = _e442[0];
+                            phi_729_ = _e442[0];
                         } else {
-                            phi_722_ = _e442[1];
+                            phi_729_ = _e442[1];
                         }
-                        let _e447 = phi_722_;
+                        let _e447 = phi_729_;
                         let _e448 = (_e419 == 2u);
                         if _e448 {
-                            phi_728_ = _e442[2];
+                            phi_735_ = _e442[2];
                         } else {
-                            phi_728_ = _e447;
+                            phi_735_ = _e447;
                         }
-                        let _e451 = phi_728_;
+                        let _e451 = phi_735_;
                         let _e452 = bitcast<u32>(_e451);
                         let _e454 = ((_e452 & 2139095040u) != 0u);
                         let _e466 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e452 & 2147483648u))), _e451, _e454) * select(0.00000011920929f, 1f, _e454));
                         let _e467 = global_8.member[_e141].member.member_2;
                         if _e443 {
-                            phi_768_ = _e467[0];
+                            phi_775_ = _e467[0];
                         } else {
-                            phi_768_ = _e467[1];
+                            phi_775_ = _e467[1];
                         }
-                        let _e471 = phi_768_;
+                        let _e471 = phi_775_;
                         if _e448 {
-                            phi_774_ = _e467[2];
+                            phi_781_ = _e467[2];
                         } else {
-                            phi_774_ = _e471;
+                            phi_781_ = _e471;
                         }
-                        let _e474 = phi_774_;
+                        let _e474 = phi_781_;
                         let _e475 = bitcast<u32>(_e474);
                         let _e477 = ((_e475 & 2139095040u) != 0u);
                         let _e491 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e475 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e475 & 2147483648u))), _e474, _e477) * _e431) * select(0.00000011920929f, 1f, _e477)) * _e437);
@@ -481,33 +468,33 @@ fn function_() {
                         let _e507 = select(38685626000000000000000000f, (1f / _e491), _e495);
                         let _e508 = (_e418 == 0u);
                         if _e508 {
-                            phi_847_ = _e442[0];
+                            phi_854_ = _e442[0];
                         } else {
-                            phi_847_ = _e442[1];
+                            phi_854_ = _e442[1];
                         }
-                        let _e512 = phi_847_;
+                        let _e512 = phi_854_;
                         let _e513 = (_e418 == 2u);
                         if _e513 {
-                            phi_853_ = _e442[2];
+                            phi_860_ = _e442[2];
                         } else {
-                            phi_853_ = _e512;
+                            phi_860_ = _e512;
                         }
-                        let _e516 = phi_853_;
+                        let _e516 = phi_860_;
                         let _e517 = bitcast<u32>(_e516);
                         let _e519 = ((_e517 & 2139095040u) != 0u);
                         let _e531 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e517 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e517 & 2147483648u))), _e516, _e519) * select(0.00000011920929f, 1f, _e519));
                         if _e508 {
-                            phi_893_ = _e467[0];
+                            phi_900_ = _e467[0];
                         } else {
-                            phi_893_ = _e467[1];
+                            phi_900_ = _e467[1];
                         }
-                        let _e535 = phi_893_;
+                        let _e535 = phi_900_;
                         if _e513 {
-                            phi_899_ = _e467[2];
+                            phi_906_ = _e467[2];
                         } else {
-                            phi_899_ = _e535;
+                            phi_906_ = _e535;
                         }
-                        let _e538 = phi_899_;
+                        let _e538 = phi_906_;
                         let _e539 = bitcast<u32>(_e538);
                         let _e541 = ((_e539 & 2139095040u) != 0u);
                         let _e555 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e539 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e539 & 2147483648u))), _e538, _e541) * _e431) * select(0.00000011920929f, 1f, _e541)) * _e437);
@@ -521,33 +508,33 @@ fn function_() {
                         let _e571 = select(38685626000000000000000000f, (1f / _e555), _e559);
                         let _e572 = (_e420 == 0u);
                         if _e572 {
-                            phi_972_ = _e442[0];
+                            phi_979_ = _e442[0];
                         } else {
-                            phi_972_ = _e442[1];
+                            phi_979_ = _e442[1];
                         }
-                        let _e576 = phi_972_;
+                        let _e576 = phi_979_;
                         let _e577 = (_e420 == 2u);
                         if _e577 {
-                            phi_978_ = _e442[2];
+                            phi_985_ = _e442[2];
                         } else {
-                            phi_978_ = _e576;
+                            phi_985_ = _e576;
                         }
-                        let _e580 = phi_978_;
+                        let _e580 = phi_985_;
                         let _e581 = bitcast<u32>(_e580);
                         let _e583 = ((_e581 & 2139095040u) != 0u);
                         let _e595 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e581 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e581 & 2147483648u))), _e580, _e583) * select(0.00000011920929f, 1f, _e583));
                         if _e572 {
-                            phi_1018_ = _e467[0];
+                            phi_1025_ = _e467[0];
                         } else {
-                            phi_1018_ = _e467[1];
+                            phi_1025_ = _e467[1];
                         }
-                        let _e599 = phi_1018_;
+                        let _e599 = phi_1025_;
                         if _e577 {
-                            phi_1024_ = _e467[2];
+                            phi_1031_ = _e467[2];
                         } else {
-                            phi_1024_ = _e599;
+                            phi_1031_ = _e599;
                         }
-                        let _e602 = phi_1024_;
+                        let _e602 = phi_1031_;
                         let _e603 = bitcast<u32>(_e602);
                         let _e605 = ((_e603 & 2139095040u) != 0u);
                         let _e619 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e603 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e603 & 2147483648u))), _e602, _e605) * _e431) * select(0.00000011920929f, 1f, _e605)) * _e437);
@@ -566,55 +553,55 @@ fn function_() {
                             let _e656 = (_e649 == 0u);
                             let _e659 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e649)), 32u, _e656)) - 8i);
                             if (_e652 == 255i) {
-                                phi_1143_ = 255i;
+                                phi_1150_ = 255i;
                             } else {
-                                phi_1143_ = (((_e652 + select(0i, 1i, (_e652 == 0i))) - _e659) + _e400);
+                                phi_1150_ = (((_e652 + select(0i, 1i, (_e652 == 0i))) - _e659) + _e400);
                             }
-                            let _e667 = phi_1143_;
+                            let _e667 = phi_1150_;
                             let _e677 = (_e667 <= 0i);
                             if _e677 {
-                                phi_1166_ = u32();
+                                phi_1173_ = u32();
                             } else {
                                 if _e656 {
-                                    phi_1165_ = u32();
+                                    phi_1172_ = u32();
                                 } else {
-                                    phi_1165_ = select(((bitcast<u32>(_e667) << bitcast<u32>(23i)) | ((_e649 << bitcast<u32>(((_e659 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e667 >= 255i));
+                                    phi_1172_ = select(((bitcast<u32>(_e667) << bitcast<u32>(23i)) | ((_e649 << bitcast<u32>(((_e659 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e667 >= 255i));
                                 }
-                                let _e681 = phi_1165_;
-                                phi_1166_ = _e681;
+                                let _e681 = phi_1172_;
+                                phi_1173_ = _e681;
                             }
-                            let _e683 = phi_1166_;
+                            let _e683 = phi_1173_;
                             let _e695 = ((_e377 & 8388607u) | (select(0u, 1u, ((_e377 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e698 = bitcast<i32>((_e377 >> bitcast<u32>(23i)));
                             let _e702 = (_e695 == 0u);
                             let _e705 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e695)), 32u, _e702)) - 8i);
                             if (_e698 == 255i) {
-                                phi_1203_ = 255i;
+                                phi_1210_ = 255i;
                             } else {
-                                phi_1203_ = (((_e698 + select(0i, 1i, (_e698 == 0i))) - _e705) + _e400);
+                                phi_1210_ = (((_e698 + select(0i, 1i, (_e698 == 0i))) - _e705) + _e400);
                             }
-                            let _e713 = phi_1203_;
+                            let _e713 = phi_1210_;
                             let _e723 = (_e713 <= 0i);
                             if _e723 {
-                                phi_1226_ = u32();
+                                phi_1233_ = u32();
                             } else {
                                 if _e702 {
-                                    phi_1225_ = u32();
+                                    phi_1232_ = u32();
                                 } else {
-                                    phi_1225_ = select(((bitcast<u32>(_e713) << bitcast<u32>(23i)) | ((_e695 << bitcast<u32>(((_e705 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e713 >= 255i));
+                                    phi_1232_ = select(((bitcast<u32>(_e713) << bitcast<u32>(23i)) | ((_e695 << bitcast<u32>(((_e705 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e713 >= 255i));
                                 }
-                                let _e727 = phi_1225_;
-                                phi_1226_ = _e727;
+                                let _e727 = phi_1232_;
+                                phi_1233_ = _e727;
                             }
-                            let _e729 = phi_1226_;
-                            phi_1234_ = bitcast<f32>(((_e376 & 2147483648u) | select(_e729, 0u, select(_e702, true, _e723))));
-                            phi_1235_ = bitcast<f32>(((_e371 & 2147483648u) | select(_e683, 0u, select(_e656, true, _e677))));
+                            let _e729 = phi_1233_;
+                            phi_1241_ = bitcast<f32>(((_e376 & 2147483648u) | select(_e729, 0u, select(_e702, true, _e723))));
+                            phi_1242_ = bitcast<f32>(((_e371 & 2147483648u) | select(_e683, 0u, select(_e656, true, _e677))));
                         } else {
-                            phi_1234_ = 0f;
-                            phi_1235_ = 1f;
+                            phi_1241_ = 0f;
+                            phi_1242_ = 1f;
                         }
-                        let _e735 = phi_1234_;
-                        let _e737 = phi_1235_;
+                        let _e735 = phi_1241_;
+                        let _e737 = phi_1242_;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -624,935 +611,852 @@ fn function_() {
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
-                        let _e742 = (_e419 % 3u);
-                        let _e743 = (_e742 < 3u);
-                        if _e743 {
+                        let _e744 = (_e419 % 3u);
+                        let _e745 = (_e744 < 3u);
+                        if _e745 {
                         } else {
                             break;
                         }
-                        let _e745 = local_9[_e742];
-                        let _e746 = (_e418 % 3u);
-                        let _e747 = (_e746 < 3u);
-                        if _e747 {
+                        let _e747 = local_9[_e744];
+                        let _e748 = (_e418 % 3u);
+                        let _e749 = (_e748 < 3u);
+                        if _e749 {
                         } else {
                             break;
                         }
-                        let _e749 = local_9[_e746];
-                        let _e750 = (_e420 % 3u);
-                        let _e751 = (_e750 < 3u);
-                        if _e751 {
+                        let _e751 = local_9[_e748];
+                        let _e752 = (_e420 % 3u);
+                        let _e753 = (_e752 < 3u);
+                        if _e753 {
                         } else {
                             break;
                         }
-                        let _e753 = local_9[_e750];
+                        let _e755 = local_9[_e752];
                         local_8 = array<f32, 3>(bitcast<f32>(_e125), bitcast<f32>(_e129), bitcast<f32>(_e133));
-                        if _e743 {
+                        if _e745 {
                         } else {
                             break;
                         }
-                        let _e757 = local_8[_e742];
-                        if _e747 {
+                        let _e759 = local_8[_e744];
+                        if _e749 {
                         } else {
                             break;
                         }
-                        let _e759 = local_8[_e746];
-                        if _e751 {
+                        let _e761 = local_8[_e748];
+                        if _e753 {
                         } else {
                             break;
                         }
-                        let _e761 = local_8[_e750];
-                        phi_4212_ = false;
-                        phi_1318_ = type_41(_e735, false);
-                        phi_1321_ = ((3u * _e94) + 1u);
-                        phi_1323_ = (_e737 <= _e735);
-                        phi_1325_ = 0u;
-                        phi_1327_ = type_63(type_55(array<f32, 3>(_e745, _e749, _e753), array<f32, 3>(_e757, _e759, _e761)), select(0u, 2147483648u, (_e94 == 0u)));
+                        let _e763 = local_8[_e752];
+                        phi_4140_ = false;
+                        phi_1325_ = type_41(_e735, false);
+                        phi_1328_ = (_e737 <= _e735);
+                        phi_1330_ = type_63(type_55(array<f32, 3>(_e747, _e751, _e755), array<f32, 3>(_e759, _e761, _e763)), select(0u, 2147483648u, (_e94 == 0u)));
+                        phi_1332_ = 0u;
+                        phi_1334_ = ((3u * _e94) + 1u);
                         loop {
-                            let _e769 = phi_4212_;
-                            let _e771 = phi_1318_;
-                            let _e773 = phi_1321_;
-                            let _e775 = phi_1323_;
-                            let _e777 = phi_1325_;
-                            let _e779 = phi_1327_;
-                            local_10 = _e771;
-                            if _e775 {
-                                phi_1338_ = true;
+                            let _e769 = phi_4140_;
+                            let _e771 = phi_1325_;
+                            let _e773 = phi_1328_;
+                            let _e775 = phi_1330_;
+                            let _e777 = phi_1332_;
+                            let _e779 = phi_1334_;
+                            local_11 = _e771;
+                            if _e773 {
+                                phi_1345_ = true;
                             } else {
-                                phi_1338_ = (_e777 > 0u);
+                                phi_1345_ = (_e777 > 0u);
                             }
-                            let _e782 = phi_1338_;
+                            let _e782 = phi_1345_;
                             if _e782 {
-                                let _e783 = (_e773 > 0u);
+                                let _e783 = (_e779 > 0u);
                                 if _e783 {
-                                    if _e775 {
-                                        phi_1424_ = _e775;
-                                        phi_1425_ = _e777;
-                                        phi_1426_ = _e779;
+                                    if _e773 {
+                                        phi_1431_ = _e773;
+                                        phi_1432_ = _e775;
+                                        phi_1433_ = _e777;
                                     } else {
                                         let _e784 = (_e777 - 1u);
                                         let _e785 = (_e784 % 128u);
                                         let _e786 = (_e785 < 128u);
                                         if _e786 {
                                         } else {
-                                            phi_4421_ = true;
+                                            phi_4337_ = true;
                                             break;
                                         }
                                         let _e788 = local_6[_e785];
                                         if _e786 {
                                         } else {
-                                            phi_4421_ = true;
+                                            phi_4337_ = true;
                                             break;
                                         }
                                         let _e790 = local_5[_e785];
                                         if _e786 {
                                         } else {
-                                            phi_4421_ = true;
+                                            phi_4337_ = true;
                                             break;
                                         }
                                         let _e792 = local_4[_e785];
                                         if _e786 {
                                         } else {
-                                            phi_4421_ = true;
+                                            phi_4337_ = true;
                                             break;
                                         }
                                         let _e794 = local_3[_e785];
                                         if _e786 {
                                         } else {
-                                            phi_4421_ = true;
+                                            phi_4337_ = true;
                                             break;
                                         }
                                         let _e797 = local_2[_e785];
                                         if _e786 {
                                         } else {
-                                            phi_4421_ = true;
+                                            phi_4337_ = true;
                                             break;
                                         }
                                         let _e799 = local_1[_e785];
                                         if _e786 {
                                         } else {
-                                            phi_4421_ = true;
+                                            phi_4337_ = true;
                                             break;
                                         }
                                         let _e801 = local[_e785];
                                         if _e786 {
                                         } else {
-                                            phi_4421_ = true;
+                                            phi_4337_ = true;
                                             break;
                                         }
                                         let _e806 = local_7[_e785];
-                                        phi_1424_ = (_e806 <= _e771.member);
-                                        phi_1425_ = _e784;
-                                        phi_1426_ = type_63(type_55(array<f32, 3>(_e790, _e792, _e794), array<f32, 3>(_e797, _e799, _e801)), _e788);
+                                        phi_1431_ = (_e806 <= _e771.member);
+                                        phi_1432_ = type_63(type_55(array<f32, 3>(_e790, _e792, _e794), array<f32, 3>(_e797, _e799, _e801)), _e788);
+                                        phi_1433_ = _e784;
                                     }
-                                    let _e810 = phi_1424_;
-                                    let _e812 = phi_1425_;
-                                    let _e814 = phi_1426_;
+                                    let _e810 = phi_1431_;
+                                    let _e812 = phi_1432_;
+                                    let _e814 = phi_1433_;
                                     if _e810 {
-                                        let _e818 = ((_e814.member_1 & 2147483648u) != 0u);
-                                        if _e818 {
-                                            phi_1445_ = _e771;
-                                            phi_1448_ = type_8(0u, ((_e814.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        if ((_e812.member_1 & 2147483648u) != 0u) {
+                                            phi_1452_ = _e771;
+                                            phi_1455_ = type_8(0u, ((_e812.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e826 = phi_1445_;
-                                                let _e828 = phi_1448_;
-                                                local_11 = _e826;
-                                                if (_e828.member < _e828.member_1) {
-                                                    phi_1449_ = type_8((_e828.member + 1u), _e828.member_1);
-                                                    phi_1471_ = type_8(1u, _e828.member);
+                                                let _e1190 = phi_1452_;
+                                                let _e1192 = phi_1455_;
+                                                local_10 = _e1190;
+                                                local_12 = _e1190;
+                                                if (_e1192.member < _e1192.member_1) {
+                                                    phi_1456_ = type_8((_e1192.member + 1u), _e1192.member_1);
+                                                    phi_1478_ = type_8(1u, _e1192.member);
                                                 } else {
-                                                    phi_1449_ = _e828;
-                                                    phi_1471_ = type_8(0u, type_8().member_1);
+                                                    phi_1456_ = _e1192;
+                                                    phi_1478_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e841 = phi_1449_;
-                                                let _e843 = phi_1471_;
-                                                let _e847 = (bitcast<i32>(_e843.member) != 0i);
-                                                if _e847 {
-                                                    let _e848 = ((_e814.member_1 & 268435455u) + _e843.member_1);
-                                                    let _e849 = (_e848 < arrayLength((&global_10.member)));
-                                                    if _e849 {
-                                                        if _e849 {
+                                                let _e1205 = phi_1456_;
+                                                let _e1207 = phi_1478_;
+                                                let _e1211 = (bitcast<i32>(_e1207.member) != 0i);
+                                                if _e1211 {
+                                                    let _e1212 = ((_e812.member_1 & 268435455u) + _e1207.member_1);
+                                                    let _e1213 = (_e1212 < arrayLength((&global_10.member)));
+                                                    if _e1213 {
+                                                        if _e1213 {
                                                         } else {
-                                                            phi_4206_ = true;
+                                                            phi_4134_ = true;
                                                             break;
                                                         }
-                                                        let _e852 = global_10.member[_e848].member_1;
-                                                        phi_1496_ = _e852;
+                                                        let _e1216 = global_10.member[_e1212].member_1;
+                                                        phi_1503_ = _e1216;
                                                     } else {
-                                                        phi_1496_ = 4294967295u;
+                                                        phi_1503_ = 4294967295u;
                                                     }
-                                                    let _e854 = phi_1496_;
-                                                    if _e849 {
-                                                        if _e849 {
+                                                    let _e1218 = phi_1503_;
+                                                    if _e1213 {
+                                                        if _e1213 {
                                                         } else {
-                                                            phi_4206_ = true;
+                                                            phi_4134_ = true;
                                                             break;
                                                         }
-                                                        let _e856 = global_10.member[_e848];
-                                                        phi_1512_ = _e856;
+                                                        let _e1220 = global_10.member[_e1212];
+                                                        phi_1519_ = _e1220;
                                                     } else {
-                                                        phi_1512_ = type_57(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_1519_ = type_57(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e858 = phi_1512_;
-                                                    let _e870 = ((10u * _e419) & 31u);
-                                                    let _e873 = ((_e858.member[0] >> bitcast<u32>(_e870)) & 1023u);
-                                                    let _e881 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[0] - _e814.member.member[0]) * 0.0009775171f)) ^ _e137));
-                                                    let _e886 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e873)) - 8388608f) * _e881)) ^ _e137)));
-                                                    let _e890 = select(select(_e814.member.member_1[0], _e886, (_e886 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e873 == 1023u));
-                                                    let _e892 = ((10u * _e418) & 31u);
-                                                    let _e895 = ((_e858.member[0] >> bitcast<u32>(_e892)) & 1023u);
-                                                    let _e903 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[1] - _e814.member.member[1]) * 0.0009775171f)) ^ _e137));
-                                                    let _e908 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e895)) - 8388608f) * _e903)) ^ _e137)));
-                                                    let _e912 = select(select(_e814.member.member_1[1], _e908, (_e908 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e895 == 1023u));
-                                                    let _e914 = ((10u * _e420) & 31u);
-                                                    let _e917 = ((_e858.member[0] >> bitcast<u32>(_e914)) & 1023u);
-                                                    let _e925 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[2] - _e814.member.member[2]) * 0.0009775171f)) ^ _e137));
-                                                    let _e930 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e917)) - 8388608f) * _e925)) ^ _e137)));
-                                                    let _e934 = select(select(_e814.member.member_1[2], _e930, (_e930 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e917 == 1023u));
-                                                    let _e938 = ((_e858.member[1] >> bitcast<u32>(_e870)) & 1023u);
-                                                    let _e946 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e938)) - 8388608f) * _e881)) ^ _e137)));
-                                                    let _e950 = select(select(_e814.member.member_1[0], _e946, (_e946 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e938 == 1023u));
-                                                    let _e953 = ((_e858.member[1] >> bitcast<u32>(_e892)) & 1023u);
-                                                    let _e961 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e953)) - 8388608f) * _e903)) ^ _e137)));
-                                                    let _e965 = select(select(_e814.member.member_1[1], _e961, (_e961 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e953 == 1023u));
-                                                    let _e968 = ((_e858.member[1] >> bitcast<u32>(_e914)) & 1023u);
-                                                    let _e976 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e968)) - 8388608f) * _e925)) ^ _e137)));
-                                                    let _e980 = select(select(_e814.member.member_1[2], _e976, (_e976 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e968 == 1023u));
-                                                    let _e984 = ((_e858.member[2] >> bitcast<u32>(_e870)) & 1023u);
-                                                    let _e992 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e984)) - 8388608f) * _e881)) ^ _e137)));
-                                                    let _e996 = select(select(_e814.member.member_1[0], _e992, (_e992 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e984 == 1023u));
-                                                    let _e999 = ((_e858.member[2] >> bitcast<u32>(_e892)) & 1023u);
-                                                    let _e1007 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e999)) - 8388608f) * _e903)) ^ _e137)));
-                                                    let _e1011 = select(select(_e814.member.member_1[1], _e1007, (_e1007 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e999 == 1023u));
-                                                    let _e1014 = ((_e858.member[2] >> bitcast<u32>(_e914)) & 1023u);
-                                                    let _e1022 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1014)) - 8388608f) * _e925)) ^ _e137)));
-                                                    let _e1026 = select(select(_e814.member.member_1[2], _e1022, (_e1022 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1014 == 1023u));
-                                                    let _e1030 = (_e934 - _e595);
-                                                    let _e1033 = (((_e890 - _e466) * _e631) - (_e1030 * _e503));
-                                                    let _e1036 = (((_e912 - _e531) * _e631) - (_e1030 * _e567));
-                                                    let _e1039 = (_e980 - _e595);
-                                                    let _e1042 = (((_e950 - _e466) * _e631) - (_e1039 * _e503));
-                                                    let _e1045 = (((_e965 - _e531) * _e631) - (_e1039 * _e567));
-                                                    let _e1048 = (_e1026 - _e595);
-                                                    let _e1051 = (((_e996 - _e466) * _e631) - (_e1048 * _e503));
-                                                    let _e1054 = (((_e1011 - _e531) * _e631) - (_e1048 * _e567));
-                                                    let _e1055 = (_e1051 * _e1045);
-                                                    let _e1056 = (_e1054 * _e1042);
-                                                    let _e1057 = (_e1033 * _e1054);
-                                                    let _e1058 = (_e1036 * _e1051);
-                                                    let _e1059 = (_e1042 * _e1036);
-                                                    let _e1060 = (_e1045 * _e1033);
-                                                    let _e1065 = (((_e1055 >= _e1056) && (_e1057 >= _e1058)) && (_e1059 >= _e1060));
-                                                    let _e1071 = (_e1065 || (((_e1055 <= _e1056) && (_e1057 <= _e1058)) && (_e1059 <= _e1060)));
-                                                    if _e1071 {
-                                                        let _e1073 = select(-1f, 1f, _e1065);
-                                                        let _e1075 = ((_e1055 - _e1056) * _e1073);
-                                                        let _e1077 = select(0f, _e1075, (_e1075 > 0f));
-                                                        let _e1079 = ((_e1057 - _e1058) * _e1073);
-                                                        let _e1081 = select(0f, _e1079, (_e1079 > 0f));
-                                                        let _e1083 = ((_e1059 - _e1060) * _e1073);
-                                                        let _e1085 = select(0f, _e1083, (_e1083 > 0f));
-                                                        let _e1087 = ((_e1077 + _e1081) + _e1085);
-                                                        let _e1089 = select(_e950, _e890, (_e890 < _e950));
-                                                        let _e1093 = select(_e950, _e890, (_e890 > _e950));
-                                                        let _e1097 = select(_e965, _e912, (_e912 < _e965));
-                                                        let _e1101 = select(_e965, _e912, (_e912 > _e965));
-                                                        let _e1105 = select(_e980, _e934, (_e934 < _e980));
-                                                        let _e1109 = select(_e980, _e934, (_e934 > _e980));
-                                                        let _e1114 = ((select(_e996, _e1089, (_e1089 < _e996)) - _e504) * _e507);
-                                                        let _e1115 = ((select(_e996, _e1093, (_e1093 > _e996)) - _e505) * _e507);
-                                                        let _e1118 = ((select(_e1011, _e1097, (_e1097 < _e1011)) - _e568) * _e571);
-                                                        let _e1119 = ((select(_e1011, _e1101, (_e1101 > _e1011)) - _e569) * _e571);
-                                                        let _e1122 = ((select(_e1026, _e1105, (_e1105 < _e1026)) - _e632) * _e635);
-                                                        let _e1123 = ((select(_e1026, _e1109, (_e1109 > _e1026)) - _e633) * _e635);
-                                                        let _e1125 = select(_e1123, _e1122, (_e1122 < _e1123));
-                                                        let _e1127 = select(_e1123, _e1122, (_e1122 > _e1123));
-                                                        let _e1129 = select(_e1115, _e1114, (_e1114 < _e1115));
-                                                        let _e1131 = select(_e1119, _e1118, (_e1118 < _e1119));
-                                                        let _e1133 = select(_e1131, _e1129, (_e1129 > _e1131));
-                                                        let _e1135 = select(_e1125, _e1133, (_e1133 > _e1125));
-                                                        let _e1137 = select(_e1115, _e1114, (_e1114 > _e1115));
-                                                        let _e1139 = select(_e1119, _e1118, (_e1118 > _e1119));
-                                                        let _e1141 = select(_e1139, _e1137, (_e1137 < _e1139));
-                                                        let _e1143 = select(_e1127, _e1141, (_e1141 < _e1127));
-                                                        let _e1144 = -(_e1125);
-                                                        let _e1150 = select(_e737, _e1135, (_e1135 > _e737));
-                                                        let _e1154 = select(_e1042, _e1033, (_e1033 < _e1042));
-                                                        let _e1159 = select(_e1042, _e1033, (_e1033 > _e1042));
-                                                        let _e1166 = select(_e1045, _e1036, (_e1036 < _e1045));
-                                                        let _e1171 = select(_e1045, _e1036, (_e1036 > _e1045));
-                                                        let _e1180 = (((((_e1071 && (_e1087 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1051, _e1154, (_e1154 < _e1051)) <= 0f) && (select(_e1051, _e1159, (_e1159 > _e1051)) >= 0f))) && ((select(_e1054, _e1166, (_e1166 < _e1054)) <= 0f) && (select(_e1054, _e1171, (_e1171 > _e1054)) >= 0f))) && (_e1150 <= (_e1143 + (select(_e1144, _e1127, (_e1127 > _e1144)) * 0.0000019073523f)))) && (_e1150 <= _e826.member));
-                                                        if _e1180 {
-                                                            let _e1185 = (_e950 - _e890);
-                                                            let _e1186 = (_e965 - _e912);
-                                                            let _e1187 = (_e980 - _e934);
-                                                            let _e1188 = vec3<f32>(_e1185, _e1186, _e1187);
-                                                            let _e1189 = (_e996 - _e950);
-                                                            let _e1190 = (_e1011 - _e965);
-                                                            let _e1191 = (_e1026 - _e980);
-                                                            let _e1192 = vec3<f32>(_e1189, _e1190, _e1191);
-                                                            let _e1193 = (_e890 - _e996);
-                                                            let _e1194 = (_e912 - _e1011);
-                                                            let _e1195 = (_e934 - _e1026);
-                                                            let _e1196 = vec3<f32>(_e1193, _e1194, _e1195);
-                                                            let _e1197 = abs(_e1185);
-                                                            let _e1198 = abs(_e1186);
-                                                            if (_e1197 != _e1197) {
-                                                                phi_4007_ = true;
+                                                    let _e1222 = phi_1519_;
+                                                    let _e1234 = ((10u * _e419) & 31u);
+                                                    let _e1237 = ((_e1222.member[0] >> bitcast<u32>(_e1234)) & 1023u);
+                                                    let _e1245 = bitcast<f32>((bitcast<u32>(((_e812.member.member_1[0] - _e812.member.member[0]) * 0.0009775171f)) ^ _e137));
+                                                    let _e1250 = (_e812.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1237)) - 8388608f) * _e1245)) ^ _e137)));
+                                                    let _e1254 = select(select(_e812.member.member_1[0], _e1250, (_e1250 < _e812.member.member_1[0])), _e812.member.member_1[0], (_e1237 == 1023u));
+                                                    let _e1256 = ((10u * _e418) & 31u);
+                                                    let _e1259 = ((_e1222.member[0] >> bitcast<u32>(_e1256)) & 1023u);
+                                                    let _e1267 = bitcast<f32>((bitcast<u32>(((_e812.member.member_1[1] - _e812.member.member[1]) * 0.0009775171f)) ^ _e137));
+                                                    let _e1272 = (_e812.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1259)) - 8388608f) * _e1267)) ^ _e137)));
+                                                    let _e1276 = select(select(_e812.member.member_1[1], _e1272, (_e1272 < _e812.member.member_1[1])), _e812.member.member_1[1], (_e1259 == 1023u));
+                                                    let _e1278 = ((10u * _e420) & 31u);
+                                                    let _e1281 = ((_e1222.member[0] >> bitcast<u32>(_e1278)) & 1023u);
+                                                    let _e1289 = bitcast<f32>((bitcast<u32>(((_e812.member.member_1[2] - _e812.member.member[2]) * 0.0009775171f)) ^ _e137));
+                                                    let _e1294 = (_e812.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1281)) - 8388608f) * _e1289)) ^ _e137)));
+                                                    let _e1298 = select(select(_e812.member.member_1[2], _e1294, (_e1294 < _e812.member.member_1[2])), _e812.member.member_1[2], (_e1281 == 1023u));
+                                                    let _e1302 = ((_e1222.member[1] >> bitcast<u32>(_e1234)) & 1023u);
+                                                    let _e1310 = (_e812.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1302)) - 8388608f) * _e1245)) ^ _e137)));
+                                                    let _e1314 = select(select(_e812.member.member_1[0], _e1310, (_e1310 < _e812.member.member_1[0])), _e812.member.member_1[0], (_e1302 == 1023u));
+                                                    let _e1317 = ((_e1222.member[1] >> bitcast<u32>(_e1256)) & 1023u);
+                                                    let _e1325 = (_e812.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1317)) - 8388608f) * _e1267)) ^ _e137)));
+                                                    let _e1329 = select(select(_e812.member.member_1[1], _e1325, (_e1325 < _e812.member.member_1[1])), _e812.member.member_1[1], (_e1317 == 1023u));
+                                                    let _e1332 = ((_e1222.member[1] >> bitcast<u32>(_e1278)) & 1023u);
+                                                    let _e1340 = (_e812.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1332)) - 8388608f) * _e1289)) ^ _e137)));
+                                                    let _e1344 = select(select(_e812.member.member_1[2], _e1340, (_e1340 < _e812.member.member_1[2])), _e812.member.member_1[2], (_e1332 == 1023u));
+                                                    let _e1348 = ((_e1222.member[2] >> bitcast<u32>(_e1234)) & 1023u);
+                                                    let _e1356 = (_e812.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1348)) - 8388608f) * _e1245)) ^ _e137)));
+                                                    let _e1360 = select(select(_e812.member.member_1[0], _e1356, (_e1356 < _e812.member.member_1[0])), _e812.member.member_1[0], (_e1348 == 1023u));
+                                                    let _e1363 = ((_e1222.member[2] >> bitcast<u32>(_e1256)) & 1023u);
+                                                    let _e1371 = (_e812.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1363)) - 8388608f) * _e1267)) ^ _e137)));
+                                                    let _e1375 = select(select(_e812.member.member_1[1], _e1371, (_e1371 < _e812.member.member_1[1])), _e812.member.member_1[1], (_e1363 == 1023u));
+                                                    let _e1378 = ((_e1222.member[2] >> bitcast<u32>(_e1278)) & 1023u);
+                                                    let _e1386 = (_e812.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1378)) - 8388608f) * _e1289)) ^ _e137)));
+                                                    let _e1390 = select(select(_e812.member.member_1[2], _e1386, (_e1386 < _e812.member.member_1[2])), _e812.member.member_1[2], (_e1378 == 1023u));
+                                                    let _e1394 = (_e1298 - _e595);
+                                                    let _e1397 = (((_e1254 - _e466) * _e631) - (_e1394 * _e503));
+                                                    let _e1400 = (((_e1276 - _e531) * _e631) - (_e1394 * _e567));
+                                                    let _e1403 = (_e1344 - _e595);
+                                                    let _e1406 = (((_e1314 - _e466) * _e631) - (_e1403 * _e503));
+                                                    let _e1409 = (((_e1329 - _e531) * _e631) - (_e1403 * _e567));
+                                                    let _e1412 = (_e1390 - _e595);
+                                                    let _e1415 = (((_e1360 - _e466) * _e631) - (_e1412 * _e503));
+                                                    let _e1418 = (((_e1375 - _e531) * _e631) - (_e1412 * _e567));
+                                                    let _e1419 = (_e1415 * _e1409);
+                                                    let _e1420 = (_e1418 * _e1406);
+                                                    let _e1421 = (_e1397 * _e1418);
+                                                    let _e1422 = (_e1400 * _e1415);
+                                                    let _e1423 = (_e1406 * _e1400);
+                                                    let _e1424 = (_e1409 * _e1397);
+                                                    let _e1429 = (((_e1419 >= _e1420) && (_e1421 >= _e1422)) && (_e1423 >= _e1424));
+                                                    let _e1435 = (_e1429 || (((_e1419 <= _e1420) && (_e1421 <= _e1422)) && (_e1423 <= _e1424)));
+                                                    if _e1435 {
+                                                        let _e1437 = select(-1f, 1f, _e1429);
+                                                        let _e1439 = ((_e1419 - _e1420) * _e1437);
+                                                        let _e1441 = select(0f, _e1439, (_e1439 > 0f));
+                                                        let _e1443 = ((_e1421 - _e1422) * _e1437);
+                                                        let _e1445 = select(0f, _e1443, (_e1443 > 0f));
+                                                        let _e1447 = ((_e1423 - _e1424) * _e1437);
+                                                        let _e1449 = select(0f, _e1447, (_e1447 > 0f));
+                                                        let _e1451 = ((_e1441 + _e1445) + _e1449);
+                                                        let _e1453 = select(_e1314, _e1254, (_e1254 < _e1314));
+                                                        let _e1457 = select(_e1314, _e1254, (_e1254 > _e1314));
+                                                        let _e1461 = select(_e1329, _e1276, (_e1276 < _e1329));
+                                                        let _e1465 = select(_e1329, _e1276, (_e1276 > _e1329));
+                                                        let _e1469 = select(_e1344, _e1298, (_e1298 < _e1344));
+                                                        let _e1473 = select(_e1344, _e1298, (_e1298 > _e1344));
+                                                        let _e1478 = ((select(_e1360, _e1453, (_e1453 < _e1360)) - _e504) * _e507);
+                                                        let _e1479 = ((select(_e1360, _e1457, (_e1457 > _e1360)) - _e505) * _e507);
+                                                        let _e1482 = ((select(_e1375, _e1461, (_e1461 < _e1375)) - _e568) * _e571);
+                                                        let _e1483 = ((select(_e1375, _e1465, (_e1465 > _e1375)) - _e569) * _e571);
+                                                        let _e1486 = ((select(_e1390, _e1469, (_e1469 < _e1390)) - _e632) * _e635);
+                                                        let _e1487 = ((select(_e1390, _e1473, (_e1473 > _e1390)) - _e633) * _e635);
+                                                        let _e1489 = select(_e1487, _e1486, (_e1486 < _e1487));
+                                                        let _e1491 = select(_e1487, _e1486, (_e1486 > _e1487));
+                                                        let _e1493 = select(_e1479, _e1478, (_e1478 < _e1479));
+                                                        let _e1495 = select(_e1483, _e1482, (_e1482 < _e1483));
+                                                        let _e1497 = select(_e1495, _e1493, (_e1493 > _e1495));
+                                                        let _e1499 = select(_e1489, _e1497, (_e1497 > _e1489));
+                                                        let _e1501 = select(_e1479, _e1478, (_e1478 > _e1479));
+                                                        let _e1503 = select(_e1483, _e1482, (_e1482 > _e1483));
+                                                        let _e1505 = select(_e1503, _e1501, (_e1501 < _e1503));
+                                                        let _e1507 = select(_e1491, _e1505, (_e1505 < _e1491));
+                                                        let _e1508 = -(_e1489);
+                                                        let _e1514 = select(_e737, _e1499, (_e1499 > _e737));
+                                                        let _e1518 = select(_e1406, _e1397, (_e1397 < _e1406));
+                                                        let _e1523 = select(_e1406, _e1397, (_e1397 > _e1406));
+                                                        let _e1530 = select(_e1409, _e1400, (_e1400 < _e1409));
+                                                        let _e1535 = select(_e1409, _e1400, (_e1400 > _e1409));
+                                                        let _e1544 = (((((_e1435 && (_e1451 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1415, _e1518, (_e1518 < _e1415)) <= 0f) && (select(_e1415, _e1523, (_e1523 > _e1415)) >= 0f))) && ((select(_e1418, _e1530, (_e1530 < _e1418)) <= 0f) && (select(_e1418, _e1535, (_e1535 > _e1418)) >= 0f))) && (_e1514 <= (_e1507 + (select(_e1508, _e1491, (_e1491 > _e1508)) * 0.0000019073523f)))) && (_e1514 <= _e1190.member));
+                                                        if _e1544 {
+                                                            let _e1549 = (_e1314 - _e1254);
+                                                            let _e1550 = (_e1329 - _e1276);
+                                                            let _e1551 = (_e1344 - _e1298);
+                                                            let _e1552 = vec3<f32>(_e1549, _e1550, _e1551);
+                                                            let _e1553 = (_e1360 - _e1314);
+                                                            let _e1554 = (_e1375 - _e1329);
+                                                            let _e1555 = (_e1390 - _e1344);
+                                                            let _e1556 = vec3<f32>(_e1553, _e1554, _e1555);
+                                                            let _e1557 = (_e1254 - _e1360);
+                                                            let _e1558 = (_e1276 - _e1375);
+                                                            let _e1559 = (_e1298 - _e1390);
+                                                            let _e1560 = vec3<f32>(_e1557, _e1558, _e1559);
+                                                            let _e1563 = bitcast<f32>((bitcast<u32>(_e1549) & 2147483647u));
+                                                            let _e1566 = bitcast<f32>((bitcast<u32>(_e1550) & 2147483647u));
+                                                            let _e1568 = select(_e1566, _e1563, (_e1563 > _e1566));
+                                                            let _e1571 = bitcast<f32>((bitcast<u32>(_e1551) & 2147483647u));
+                                                            let _e1573 = select(_e1571, _e1568, (_e1568 > _e1571));
+                                                            let _e1576 = bitcast<f32>((bitcast<u32>(_e1553) & 2147483647u));
+                                                            let _e1579 = bitcast<f32>((bitcast<u32>(_e1554) & 2147483647u));
+                                                            let _e1581 = select(_e1579, _e1576, (_e1576 > _e1579));
+                                                            let _e1584 = bitcast<f32>((bitcast<u32>(_e1555) & 2147483647u));
+                                                            let _e1586 = select(_e1584, _e1581, (_e1581 > _e1584));
+                                                            let _e1589 = bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u));
+                                                            let _e1592 = bitcast<f32>((bitcast<u32>(_e1558) & 2147483647u));
+                                                            let _e1594 = select(_e1592, _e1589, (_e1589 > _e1592));
+                                                            let _e1597 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
+                                                            let _e1599 = select(_e1597, _e1594, (_e1594 > _e1597));
+                                                            let _e1601 = select(_e1586, _e1573, (_e1573 > _e1586));
+                                                            let _e1603 = select(_e1599, _e1601, (_e1601 > _e1599));
+                                                            if (_e1573 == _e1603) {
+                                                                phi_2314_ = _e1409;
+                                                                phi_2315_ = _e1406;
+                                                                phi_2316_ = _e1400;
+                                                                phi_2317_ = _e1397;
+                                                                phi_2318_ = vec3<f32>(_e1254, _e1276, _e1298);
+                                                                phi_2319_ = _e1560;
+                                                                phi_2320_ = _e1556;
+                                                                phi_2321_ = _e1552;
                                                             } else {
-                                                                phi_4007_ = (_e1198 >= _e1197);
+                                                                let _e1605 = (_e1586 == _e1603);
+                                                                let _e1610 = vec3(_e1605);
+                                                                phi_2314_ = select(_e1400, _e1418, _e1605);
+                                                                phi_2315_ = select(_e1397, _e1415, _e1605);
+                                                                phi_2316_ = select(_e1418, _e1409, _e1605);
+                                                                phi_2317_ = select(_e1415, _e1406, _e1605);
+                                                                phi_2318_ = select(vec3<f32>(_e1360, _e1375, _e1390), vec3<f32>(_e1314, _e1329, _e1344), _e1610);
+                                                                phi_2319_ = select(_e1556, _e1552, _e1610);
+                                                                phi_2320_ = select(_e1552, _e1560, _e1610);
+                                                                phi_2321_ = select(_e1560, _e1556, _e1610);
                                                             }
-                                                            let _e1202 = phi_4007_;
-                                                            let _e1203 = select(_e1197, _e1198, _e1202);
-                                                            let _e1204 = abs(_e1187);
-                                                            if (_e1203 != _e1203) {
-                                                                phi_4022_ = true;
+                                                            let _e1616 = phi_2314_;
+                                                            let _e1618 = phi_2315_;
+                                                            let _e1620 = phi_2316_;
+                                                            let _e1622 = phi_2317_;
+                                                            let _e1624 = phi_2318_;
+                                                            let _e1626 = phi_2319_;
+                                                            let _e1628 = phi_2320_;
+                                                            let _e1630 = phi_2321_;
+                                                            let _e1637 = ((_e1628.y * _e1626.z) - (_e1626.y * _e1628.z));
+                                                            let _e1642 = ((_e1628.z * _e1626.x) - (_e1626.z * _e1628.x));
+                                                            let _e1645 = ((_e1628.x * _e1626.y) - (_e1626.x * _e1628.y));
+                                                            let _e1648 = ((_e1441 >= _e1445) && (_e1441 >= _e1449));
+                                                            let _e1649 = (_e1445 >= _e1449);
+                                                            let _e1663 = (((_e1637 * (select(select(_e1360, _e1314, _e1649), _e1254, _e1648) - _e466)) + (_e1642 * (select(select(_e1375, _e1329, _e1649), _e1276, _e1648) - _e531))) + (_e1645 * (select(select(_e1390, _e1344, _e1649), _e1298, _e1648) - _e595)));
+                                                            let _e1668 = (((_e1637 * _e503) + (_e1642 * _e567)) + (_e1645 * _e631));
+                                                            let _e1669 = (_e1618 - _e1622);
+                                                            let _e1670 = (_e1616 - _e1620);
+                                                            let _e1673 = ((_e1669 * _e1669) + (_e1670 * _e1670));
+                                                            let _e1680 = (-(((_e1622 * _e1669) + (_e1620 * _e1670))) / select(0.000000000000000000000000000000000000011754944f, _e1673, (_e1673 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e1682 = select(1f, _e1680, (_e1680 < 1f));
+                                                            let _e1684 = select(0f, _e1682, (_e1682 > 0f));
+                                                            let _e1693 = ((_e1624.x + (_e1630.x * _e1684)) - _e466);
+                                                            let _e1696 = ((_e1624.y + (_e1630.y * _e1684)) - _e531);
+                                                            let _e1699 = ((_e1624.z + (_e1630.z * _e1684)) - _e595);
+                                                            let _e1702 = bitcast<f32>((bitcast<u32>(_e1693) & 2147483647u));
+                                                            let _e1705 = bitcast<f32>((bitcast<u32>(_e1696) & 2147483647u));
+                                                            let _e1707 = select(_e1705, _e1702, (_e1702 > _e1705));
+                                                            let _e1710 = bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u));
+                                                            let _e1712 = select(_e1710, _e1707, (_e1707 > _e1710));
+                                                            let _e1718 = bitcast<f32>((bitcast<u32>(_e1637) & 2147483647u));
+                                                            let _e1721 = bitcast<f32>((bitcast<u32>(_e1642) & 2147483647u));
+                                                            let _e1723 = select(_e1721, _e1718, (_e1718 > _e1721));
+                                                            let _e1726 = bitcast<f32>((bitcast<u32>(_e1645) & 2147483647u));
+                                                            let _e1745 = bitcast<f32>((bitcast<u32>(_e1628.x) & 2147483647u));
+                                                            let _e1748 = bitcast<f32>((bitcast<u32>(_e1628.y) & 2147483647u));
+                                                            let _e1750 = select(_e1748, _e1745, (_e1745 > _e1748));
+                                                            let _e1753 = bitcast<f32>((bitcast<u32>(_e1628.z) & 2147483647u));
+                                                            let _e1759 = bitcast<f32>((bitcast<u32>(_e1626.x) & 2147483647u));
+                                                            let _e1762 = bitcast<f32>((bitcast<u32>(_e1626.y) & 2147483647u));
+                                                            let _e1764 = select(_e1762, _e1759, (_e1759 > _e1762));
+                                                            let _e1767 = bitcast<f32>((bitcast<u32>(_e1626.z) & 2147483647u));
+                                                            let _e1773 = ((bitcast<f32>((bitcast<u32>(((((_e1637 * _e1693) + (_e1642 * _e1696)) + (_e1645 * _e1699)) - _e1663)) & 2147483647u)) <= ((0.0000009536743f * select(_e1603, _e1712, (_e1712 > _e1603))) * select(_e1726, _e1723, (_e1723 > _e1726)))) && !((bitcast<f32>((bitcast<u32>(_e1668) & 2147483647u)) <= ((0.0000038146973f * select(_e1753, _e1750, (_e1750 > _e1753))) * select(_e1767, _e1764, (_e1764 > _e1767))))));
+                                                            let _e1774 = (_e1663 / _e1668);
+                                                            if (_e1544 && !(_e1773)) {
+                                                                let _e1777 = (_e1699 / _e631);
+                                                                let _e1785 = (((_e1637 * (_e1693 - (_e503 * _e1777))) + (_e1642 * (_e1696 - (_e567 * _e1777)))) / _e1668);
+                                                                phi_2512_ = select(select(_e1777, (_e1777 + _e1785), (bitcast<f32>((bitcast<u32>(_e1785) & 2147483647u)) <= _e1603)), _e1774, _e1773);
                                                             } else {
-                                                                phi_4022_ = (_e1204 >= _e1203);
+                                                                phi_2512_ = _e1774;
                                                             }
-                                                            let _e1208 = phi_4022_;
-                                                            let _e1209 = select(_e1203, _e1204, _e1208);
-                                                            let _e1210 = abs(_e1189);
-                                                            let _e1211 = abs(_e1190);
-                                                            if (_e1210 != _e1210) {
-                                                                phi_4037_ = true;
-                                                            } else {
-                                                                phi_4037_ = (_e1211 >= _e1210);
-                                                            }
-                                                            let _e1215 = phi_4037_;
-                                                            let _e1216 = select(_e1210, _e1211, _e1215);
-                                                            let _e1217 = abs(_e1191);
-                                                            if (_e1216 != _e1216) {
-                                                                phi_4052_ = true;
-                                                            } else {
-                                                                phi_4052_ = (_e1217 >= _e1216);
-                                                            }
-                                                            let _e1221 = phi_4052_;
-                                                            let _e1222 = select(_e1216, _e1217, _e1221);
-                                                            let _e1223 = abs(_e1193);
-                                                            let _e1224 = abs(_e1194);
-                                                            if (_e1223 != _e1223) {
-                                                                phi_4067_ = true;
-                                                            } else {
-                                                                phi_4067_ = (_e1224 >= _e1223);
-                                                            }
-                                                            let _e1228 = phi_4067_;
-                                                            let _e1229 = select(_e1223, _e1224, _e1228);
-                                                            let _e1230 = abs(_e1195);
-                                                            if (_e1229 != _e1229) {
-                                                                phi_4082_ = true;
-                                                            } else {
-                                                                phi_4082_ = (_e1230 >= _e1229);
-                                                            }
-                                                            let _e1234 = phi_4082_;
-                                                            let _e1235 = select(_e1229, _e1230, _e1234);
-                                                            let _e1237 = select(_e1222, _e1209, (_e1209 > _e1222));
-                                                            let _e1239 = select(_e1235, _e1237, (_e1237 > _e1235));
-                                                            if (_e1209 == _e1239) {
-                                                                phi_2319_ = _e1045;
-                                                                phi_2320_ = _e1042;
-                                                                phi_2321_ = _e1036;
-                                                                phi_2322_ = _e1033;
-                                                                phi_2323_ = vec3<f32>(_e890, _e912, _e934);
-                                                                phi_2324_ = _e1196;
-                                                                phi_2325_ = _e1192;
-                                                                phi_2326_ = _e1188;
-                                                            } else {
-                                                                let _e1241 = (_e1222 == _e1239);
-                                                                let _e1246 = vec3(_e1241);
-                                                                phi_2319_ = select(_e1036, _e1054, _e1241);
-                                                                phi_2320_ = select(_e1033, _e1051, _e1241);
-                                                                phi_2321_ = select(_e1054, _e1045, _e1241);
-                                                                phi_2322_ = select(_e1051, _e1042, _e1241);
-                                                                phi_2323_ = select(vec3<f32>(_e996, _e1011, _e1026), vec3<f32>(_e950, _e965, _e980), _e1246);
-                                                                phi_2324_ = select(_e1192, _e1188, _e1246);
-                                                                phi_2325_ = select(_e1188, _e1196, _e1246);
-                                                                phi_2326_ = select(_e1196, _e1192, _e1246);
-                                                            }
-                                                            let _e1252 = phi_2319_;
-                                                            let _e1254 = phi_2320_;
-                                                            let _e1256 = phi_2321_;
-                                                            let _e1258 = phi_2322_;
-                                                            let _e1260 = phi_2323_;
-                                                            let _e1262 = phi_2324_;
-                                                            let _e1264 = phi_2325_;
-                                                            let _e1266 = phi_2326_;
-                                                            let _e1273 = ((_e1264.y * _e1262.z) - (_e1262.y * _e1264.z));
-                                                            let _e1278 = ((_e1264.z * _e1262.x) - (_e1262.z * _e1264.x));
-                                                            let _e1281 = ((_e1264.x * _e1262.y) - (_e1262.x * _e1264.y));
-                                                            let _e1284 = ((_e1077 >= _e1081) && (_e1077 >= _e1085));
-                                                            let _e1285 = (_e1081 >= _e1085);
-                                                            let _e1299 = (((_e1273 * (select(select(_e996, _e950, _e1285), _e890, _e1284) - _e466)) + (_e1278 * (select(select(_e1011, _e965, _e1285), _e912, _e1284) - _e531))) + (_e1281 * (select(select(_e1026, _e980, _e1285), _e934, _e1284) - _e595)));
-                                                            let _e1304 = (((_e1273 * _e503) + (_e1278 * _e567)) + (_e1281 * _e631));
-                                                            let _e1305 = (_e1254 - _e1258);
-                                                            let _e1306 = (_e1252 - _e1256);
-                                                            let _e1309 = ((_e1305 * _e1305) + (_e1306 * _e1306));
-                                                            let _e1316 = (-(((_e1258 * _e1305) + (_e1256 * _e1306))) / select(0.000000000000000000000000000000000000011754944f, _e1309, (_e1309 > 0.000000000000000000000000000000000000011754944f)));
-                                                            let _e1318 = select(1f, _e1316, (_e1316 < 1f));
-                                                            let _e1320 = select(0f, _e1318, (_e1318 > 0f));
-                                                            let _e1329 = ((_e1260.x + (_e1266.x * _e1320)) - _e466);
-                                                            let _e1332 = ((_e1260.y + (_e1266.y * _e1320)) - _e531);
-                                                            let _e1335 = ((_e1260.z + (_e1266.z * _e1320)) - _e595);
-                                                            let _e1338 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
-                                                            let _e1341 = bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u));
-                                                            let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
-                                                            let _e1346 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
-                                                            let _e1348 = select(_e1346, _e1343, (_e1343 > _e1346));
-                                                            let _e1352 = abs(_e1273);
-                                                            let _e1353 = abs(_e1278);
-                                                            if (_e1352 != _e1352) {
-                                                                phi_4097_ = true;
-                                                            } else {
-                                                                phi_4097_ = (_e1353 >= _e1352);
-                                                            }
-                                                            let _e1357 = phi_4097_;
-                                                            let _e1358 = select(_e1352, _e1353, _e1357);
-                                                            let _e1359 = abs(_e1281);
-                                                            if (_e1358 != _e1358) {
-                                                                phi_4112_ = true;
-                                                            } else {
-                                                                phi_4112_ = (_e1359 >= _e1358);
-                                                            }
-                                                            let _e1363 = phi_4112_;
-                                                            let _e1379 = abs(_e1264.x);
-                                                            let _e1380 = abs(_e1264.y);
-                                                            if (_e1379 != _e1379) {
-                                                                phi_4127_ = true;
-                                                            } else {
-                                                                phi_4127_ = (_e1380 >= _e1379);
-                                                            }
-                                                            let _e1384 = phi_4127_;
-                                                            let _e1385 = select(_e1379, _e1380, _e1384);
-                                                            let _e1386 = abs(_e1264.z);
-                                                            if (_e1385 != _e1385) {
-                                                                phi_4142_ = true;
-                                                            } else {
-                                                                phi_4142_ = (_e1386 >= _e1385);
-                                                            }
-                                                            let _e1390 = phi_4142_;
-                                                            let _e1393 = abs(_e1262.x);
-                                                            let _e1394 = abs(_e1262.y);
-                                                            if (_e1393 != _e1393) {
-                                                                phi_4157_ = true;
-                                                            } else {
-                                                                phi_4157_ = (_e1394 >= _e1393);
-                                                            }
-                                                            let _e1398 = phi_4157_;
-                                                            let _e1399 = select(_e1393, _e1394, _e1398);
-                                                            let _e1400 = abs(_e1262.z);
-                                                            if (_e1399 != _e1399) {
-                                                                phi_4172_ = true;
-                                                            } else {
-                                                                phi_4172_ = (_e1400 >= _e1399);
-                                                            }
-                                                            let _e1404 = phi_4172_;
-                                                            let _e1409 = ((bitcast<f32>((bitcast<u32>(((((_e1273 * _e1329) + (_e1278 * _e1332)) + (_e1281 * _e1335)) - _e1299)) & 2147483647u)) <= ((0.0000009536743f * select(_e1239, _e1348, (_e1348 > _e1239))) * select(_e1358, _e1359, _e1363))) && !((bitcast<f32>((bitcast<u32>(_e1304) & 2147483647u)) <= ((0.0000038146973f * select(_e1385, _e1386, _e1390)) * select(_e1399, _e1400, _e1404)))));
-                                                            let _e1410 = (_e1299 / _e1304);
-                                                            if (_e1180 && !(_e1409)) {
-                                                                let _e1413 = (_e1335 / _e631);
-                                                                let _e1421 = (((_e1273 * (_e1329 - (_e503 * _e1413))) + (_e1278 * (_e1332 - (_e567 * _e1413)))) / _e1304);
-                                                                phi_2534_ = select(select(_e1413, (_e1413 + _e1421), (bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u)) <= _e1239)), _e1410, _e1409);
-                                                            } else {
-                                                                phi_2534_ = _e1410;
-                                                            }
-                                                            let _e1430 = phi_2534_;
-                                                            let _e1432 = select(_e1143, _e1430, (_e1430 < _e1143));
-                                                            let _e1434 = select(_e1135, _e1432, (_e1432 > _e1135));
-                                                            let _e1435 = (1f / _e1087);
-                                                            phi_2554_ = type_40(_e1434, (_e1081 * _e1435), (_e1085 * _e1435), ((_e1180 && (_e1434 >= _e737)) && (_e1434 <= _e826.member)));
-                                                            phi_2555_ = type_40();
+                                                            let _e1794 = phi_2512_;
+                                                            let _e1796 = select(_e1507, _e1794, (_e1794 < _e1507));
+                                                            let _e1798 = select(_e1499, _e1796, (_e1796 > _e1499));
+                                                            let _e1799 = (1f / _e1451);
+                                                            phi_2532_ = type_40(_e1798, (_e1445 * _e1799), (_e1449 * _e1799), ((_e1544 && (_e1798 >= _e737)) && (_e1798 <= _e1190.member)));
+                                                            phi_2533_ = type_40();
                                                         } else {
-                                                            phi_2554_ = type_40();
-                                                            phi_2555_ = type_40(0f, 0f, 0f, _e1180);
+                                                            phi_2532_ = type_40();
+                                                            phi_2533_ = type_40(0f, 0f, 0f, _e1544);
                                                         }
-                                                        let _e1444 = phi_2554_;
-                                                        let _e1446 = phi_2555_;
-                                                        phi_2558_ = _e1444;
-                                                        phi_2559_ = _e1446;
-                                                        phi_2560_ = select(true, false, _e1180);
+                                                        let _e1808 = phi_2532_;
+                                                        let _e1810 = phi_2533_;
+                                                        phi_2536_ = _e1808;
+                                                        phi_2537_ = _e1810;
+                                                        phi_2538_ = select(true, false, _e1544);
                                                     } else {
-                                                        phi_2558_ = type_40();
-                                                        phi_2559_ = type_40(0f, 0f, 0f, _e1071);
-                                                        phi_2560_ = true;
+                                                        phi_2536_ = type_40();
+                                                        phi_2537_ = type_40(0f, 0f, 0f, _e1435);
+                                                        phi_2538_ = true;
                                                     }
-                                                    let _e1449 = phi_2558_;
-                                                    let _e1451 = phi_2559_;
-                                                    let _e1453 = phi_2560_;
-                                                    if _e1453 {
-                                                        phi_2564_ = _e1451;
+                                                    let _e1813 = phi_2536_;
+                                                    let _e1815 = phi_2537_;
+                                                    let _e1817 = phi_2538_;
+                                                    if _e1817 {
+                                                        phi_2542_ = _e1815;
                                                     } else {
-                                                        phi_2564_ = _e1449;
+                                                        phi_2542_ = _e1813;
                                                     }
-                                                    let _e1455 = phi_2564_;
-                                                    if _e1455.member_3 {
-                                                        phi_2573_ = type_22(_e1455.member, _e1455.member_1, _e1455.member_2, _e854);
+                                                    let _e1819 = phi_2542_;
+                                                    if _e1819.member_3 {
+                                                        phi_2551_ = type_22(_e1819.member, _e1819.member_1, _e1819.member_2, _e1218);
                                                     } else {
-                                                        phi_2573_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_2551_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     }
-                                                    let _e1462 = phi_2573_;
-                                                    if (_e1462.member_3 != 4294967295u) {
-                                                        if (_e854 == _e154) {
-                                                            phi_2896_ = false;
+                                                    let _e1826 = phi_2551_;
+                                                    if (_e1826.member_3 != 4294967295u) {
+                                                        if (_e1218 == _e154) {
+                                                            phi_2874_ = false;
                                                         } else {
-                                                            let _e1466 = (_e854 < arrayLength((&global_5.member)));
-                                                            if _e1466 {
-                                                                if _e1466 {
+                                                            let _e1830 = (_e1218 < arrayLength((&global_5.member)));
+                                                            if _e1830 {
+                                                                if _e1830 {
                                                                 } else {
-                                                                    phi_4206_ = true;
+                                                                    phi_4134_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1468 = global_5.member[_e854];
-                                                                phi_2596_ = _e1468;
+                                                                let _e1832 = global_5.member[_e1218];
+                                                                phi_2574_ = _e1832;
                                                             } else {
-                                                                phi_2596_ = 4294967295u;
+                                                                phi_2574_ = 4294967295u;
                                                             }
-                                                            let _e1470 = phi_2596_;
-                                                            let _e1471 = (_e1470 < arrayLength((&global_6.member)));
-                                                            if _e1471 {
-                                                                if _e1471 {
+                                                            let _e1834 = phi_2574_;
+                                                            let _e1835 = (_e1834 < arrayLength((&global_6.member)));
+                                                            if _e1835 {
+                                                                if _e1835 {
                                                                 } else {
-                                                                    phi_4206_ = true;
+                                                                    phi_4134_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1473 = global_6.member[_e1470];
-                                                                phi_2610_ = _e1473;
+                                                                let _e1837 = global_6.member[_e1834];
+                                                                phi_2588_ = _e1837;
                                                             } else {
-                                                                phi_2610_ = 0i;
+                                                                phi_2588_ = 0i;
                                                             }
-                                                            let _e1475 = phi_2610_;
-                                                            let _e1476 = (_e1475 == 0i);
-                                                            if _e1476 {
-                                                                phi_2895_ = true;
+                                                            let _e1839 = phi_2588_;
+                                                            let _e1840 = (_e1839 == 0i);
+                                                            if _e1840 {
+                                                                phi_2873_ = true;
                                                             } else {
                                                                 if _e443 {
-                                                                    phi_2629_ = vec3<f32>(_e890, _e912, _e934);
+                                                                    phi_2607_ = vec3<f32>(_e1254, _e1276, _e1298);
                                                                 } else {
                                                                     if (_e419 == 1u) {
-                                                                        phi_2628_ = vec3<f32>(_e934, _e890, _e912);
+                                                                        phi_2606_ = vec3<f32>(_e1298, _e1254, _e1276);
                                                                     } else {
-                                                                        phi_2628_ = vec3<f32>(_e912, _e934, _e890);
+                                                                        phi_2606_ = vec3<f32>(_e1276, _e1298, _e1254);
                                                                     }
-                                                                    let _e1481 = phi_2628_;
-                                                                    phi_2629_ = _e1481;
+                                                                    let _e1845 = phi_2606_;
+                                                                    phi_2607_ = _e1845;
                                                                 }
-                                                                let _e1484 = phi_2629_;
+                                                                let _e1848 = phi_2607_;
                                                                 if _e443 {
-                                                                    phi_2644_ = vec3<f32>(_e950, _e965, _e980);
+                                                                    phi_2622_ = vec3<f32>(_e1314, _e1329, _e1344);
                                                                 } else {
                                                                     if (_e419 == 1u) {
-                                                                        phi_2643_ = vec3<f32>(_e980, _e950, _e965);
+                                                                        phi_2621_ = vec3<f32>(_e1344, _e1314, _e1329);
                                                                     } else {
-                                                                        phi_2643_ = vec3<f32>(_e965, _e980, _e950);
+                                                                        phi_2621_ = vec3<f32>(_e1329, _e1344, _e1314);
                                                                     }
-                                                                    let _e1489 = phi_2643_;
-                                                                    phi_2644_ = _e1489;
+                                                                    let _e1853 = phi_2621_;
+                                                                    phi_2622_ = _e1853;
                                                                 }
-                                                                let _e1492 = phi_2644_;
+                                                                let _e1856 = phi_2622_;
                                                                 if _e443 {
-                                                                    phi_2659_ = vec3<f32>(_e996, _e1011, _e1026);
+                                                                    phi_2637_ = vec3<f32>(_e1360, _e1375, _e1390);
                                                                 } else {
                                                                     if (_e419 == 1u) {
-                                                                        phi_2658_ = vec3<f32>(_e1026, _e996, _e1011);
+                                                                        phi_2636_ = vec3<f32>(_e1390, _e1360, _e1375);
                                                                     } else {
-                                                                        phi_2658_ = vec3<f32>(_e1011, _e1026, _e996);
+                                                                        phi_2636_ = vec3<f32>(_e1375, _e1390, _e1360);
                                                                     }
-                                                                    let _e1497 = phi_2658_;
-                                                                    phi_2659_ = _e1497;
+                                                                    let _e1861 = phi_2636_;
+                                                                    phi_2637_ = _e1861;
                                                                 }
-                                                                let _e1500 = phi_2659_;
-                                                                let _e1503 = (_e1492.x - _e1484.x);
-                                                                let _e1506 = (_e1492.y - _e1484.y);
-                                                                let _e1509 = (_e1492.z - _e1484.z);
-                                                                let _e1511 = (_e1500.x - _e1484.x);
-                                                                let _e1513 = (_e1500.y - _e1484.y);
-                                                                let _e1515 = (_e1500.z - _e1484.z);
+                                                                let _e1864 = phi_2637_;
+                                                                let _e1867 = (_e1856.x - _e1848.x);
+                                                                let _e1870 = (_e1856.y - _e1848.y);
+                                                                let _e1873 = (_e1856.z - _e1848.z);
+                                                                let _e1875 = (_e1864.x - _e1848.x);
+                                                                let _e1877 = (_e1864.y - _e1848.y);
+                                                                let _e1879 = (_e1864.z - _e1848.z);
                                                                 if (_e286.member_1 == 1u) {
-                                                                    phi_2695_ = (vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]) - _e1484);
+                                                                    phi_2673_ = (vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]) - _e1848);
                                                                 } else {
-                                                                    phi_2695_ = vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]);
+                                                                    phi_2673_ = vec3<f32>(_e286.member[0], _e286.member[1], _e286.member[2]);
                                                                 }
-                                                                let _e1530 = phi_2695_;
-                                                                let _e1536 = bitcast<f32>((bitcast<u32>((_e1503 * _e1513)) ^ _e286.member_3[0]));
-                                                                let _e1540 = bitcast<f32>((bitcast<u32>((_e1506 * _e1511)) ^ _e286.member_3[0]));
-                                                                let _e1544 = bitcast<f32>((bitcast<u32>((_e1506 * _e1515)) ^ _e286.member_3[0]));
-                                                                let _e1548 = bitcast<f32>((bitcast<u32>((_e1509 * _e1513)) ^ _e286.member_3[0]));
-                                                                let _e1552 = bitcast<f32>((bitcast<u32>((_e1509 * _e1511)) ^ _e286.member_3[0]));
-                                                                let _e1556 = bitcast<f32>((bitcast<u32>((_e1503 * _e1515)) ^ _e286.member_3[0]));
-                                                                let _e1557 = (_e1544 - _e1548);
-                                                                let _e1558 = (_e1552 - _e1556);
-                                                                let _e1559 = (_e1536 - _e1540);
-                                                                let _e1583 = (bitcast<f32>((bitcast<u32>(_e1544) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1548) & 2147483647u)));
-                                                                let _e1590 = (bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u)));
-                                                                let _e1597 = (bitcast<f32>((bitcast<u32>(_e1536) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1540) & 2147483647u)));
+                                                                let _e1894 = phi_2673_;
+                                                                let _e1900 = bitcast<f32>((bitcast<u32>((_e1867 * _e1877)) ^ _e286.member_3[0]));
+                                                                let _e1904 = bitcast<f32>((bitcast<u32>((_e1870 * _e1875)) ^ _e286.member_3[0]));
+                                                                let _e1908 = bitcast<f32>((bitcast<u32>((_e1870 * _e1879)) ^ _e286.member_3[0]));
+                                                                let _e1912 = bitcast<f32>((bitcast<u32>((_e1873 * _e1877)) ^ _e286.member_3[0]));
+                                                                let _e1916 = bitcast<f32>((bitcast<u32>((_e1873 * _e1875)) ^ _e286.member_3[0]));
+                                                                let _e1920 = bitcast<f32>((bitcast<u32>((_e1867 * _e1879)) ^ _e286.member_3[0]));
+                                                                let _e1921 = (_e1908 - _e1912);
+                                                                let _e1922 = (_e1916 - _e1920);
+                                                                let _e1923 = (_e1900 - _e1904);
+                                                                let _e1947 = (bitcast<f32>((bitcast<u32>(_e1908) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1912) & 2147483647u)));
+                                                                let _e1954 = (bitcast<f32>((bitcast<u32>(_e1916) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1920) & 2147483647u)));
+                                                                let _e1961 = (bitcast<f32>((bitcast<u32>(_e1900) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1904) & 2147483647u)));
                                                                 if (_e286.member_2 == 0f) {
-                                                                    phi_2877_ = 0f;
+                                                                    phi_2855_ = 0f;
                                                                 } else {
-                                                                    let _e1627 = bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u));
-                                                                    let _e1630 = bitcast<f32>((bitcast<u32>(_e1558) & 2147483647u));
-                                                                    let _e1633 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
-                                                                    let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
-                                                                    let _e1639 = select(_e1633, _e1630, (_e1630 < _e1633));
-                                                                    let _e1643 = select(_e1630, _e1627, (_e1627 < _e1630));
-                                                                    let _e1645 = select(_e1630, _e1627, (_e1627 > _e1630));
-                                                                    let _e1647 = select(_e1633, _e1645, (_e1645 < _e1633));
-                                                                    phi_2877_ = bitcast<f32>((bitcast<u32>((_e286.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1635, _e1627, (_e1627 > _e1635)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1647, _e1643, (_e1643 > _e1647)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1639, _e1627, (_e1627 < _e1639)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1583 + _e1590) + _e1597))) ^ _e286.member_3[0]))) * 1.0000005f)) ^ _e286.member_3[0])))) ^ _e286.member_3[0]));
+                                                                    let _e1991 = bitcast<f32>((bitcast<u32>(_e1921) & 2147483647u));
+                                                                    let _e1994 = bitcast<f32>((bitcast<u32>(_e1922) & 2147483647u));
+                                                                    let _e1997 = bitcast<f32>((bitcast<u32>(_e1923) & 2147483647u));
+                                                                    let _e1999 = select(_e1997, _e1994, (_e1994 > _e1997));
+                                                                    let _e2003 = select(_e1997, _e1994, (_e1994 < _e1997));
+                                                                    let _e2007 = select(_e1994, _e1991, (_e1991 < _e1994));
+                                                                    let _e2009 = select(_e1994, _e1991, (_e1991 > _e1994));
+                                                                    let _e2011 = select(_e1997, _e2009, (_e2009 < _e1997));
+                                                                    phi_2855_ = bitcast<f32>((bitcast<u32>((_e286.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1999, _e1991, (_e1991 > _e1999)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2011, _e2007, (_e2007 > _e2011)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2003, _e1991, (_e1991 < _e2003)))) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1947 + _e1954) + _e1961))) ^ _e286.member_3[0]))) * 1.0000005f)) ^ _e286.member_3[0])))) ^ _e286.member_3[0]));
                                                                 }
-                                                                let _e1674 = phi_2877_;
-                                                                phi_2895_ = (_e1476 || !(((((bitcast<f32>((bitcast<u32>((_e1530.x * _e1557)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1530.y * _e1558)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1530.z * _e1559)) ^ _e286.member_3[0]))) * f32(-(_e1475))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1530.x) & 2147483647u)) * _e1583)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1530.y) & 2147483647u)) * _e1590)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1530.z) & 2147483647u)) * _e1597)) ^ _e286.member_3[0]))))) ^ _e286.member_3[0])) + _e1674) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2038 = phi_2855_;
+                                                                phi_2873_ = (_e1840 || !(((((bitcast<f32>((bitcast<u32>((_e1894.x * _e1921)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1894.y * _e1922)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1894.z * _e1923)) ^ _e286.member_3[0]))) * f32(-(_e1839))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1894.x) & 2147483647u)) * _e1947)) ^ _e286.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1894.y) & 2147483647u)) * _e1954)) ^ _e286.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1894.z) & 2147483647u)) * _e1961)) ^ _e286.member_3[0]))))) ^ _e286.member_3[0])) + _e2038) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1688 = phi_2895_;
-                                                            phi_2896_ = _e1688;
+                                                            let _e2052 = phi_2873_;
+                                                            phi_2874_ = _e2052;
                                                         }
-                                                        let _e1690 = phi_2896_;
-                                                        if _e1690 {
-                                                            phi_2901_ = type_41(-340282350000000000000000000000000000000f, true);
+                                                        let _e2054 = phi_2874_;
+                                                        if _e2054 {
+                                                            phi_2879_ = type_41(-340282350000000000000000000000000000000f, true);
                                                         } else {
-                                                            phi_2901_ = _e826;
+                                                            phi_2879_ = _e1190;
                                                         }
-                                                        let _e1692 = phi_2901_;
-                                                        phi_2902_ = _e1692;
+                                                        let _e2056 = phi_2879_;
+                                                        phi_2880_ = _e2056;
                                                     } else {
-                                                        phi_2902_ = _e826;
+                                                        phi_2880_ = _e1190;
                                                     }
-                                                    let _e1694 = phi_2902_;
-                                                    phi_1446_ = _e1694;
+                                                    let _e2058 = phi_2880_;
+                                                    phi_1453_ = _e2058;
                                                 } else {
-                                                    phi_1446_ = type_41();
+                                                    phi_1453_ = type_41();
                                                 }
-                                                let _e1696 = phi_1446_;
+                                                let _e2060 = phi_1453_;
                                                 continue;
                                                 continuing {
-                                                    phi_1445_ = _e1696;
-                                                    phi_1448_ = _e841;
-                                                    phi_4206_ = _e769;
-                                                    break if !(_e847);
+                                                    phi_1452_ = _e2060;
+                                                    phi_1455_ = _e1205;
+                                                    phi_4134_ = _e769;
+                                                    break if !(_e1211);
                                                 }
                                             }
-                                            let _e1699 = phi_4206_;
-                                            phi_4421_ = _e1699;
-                                            if _e1699 {
+                                            let _e2063 = phi_4134_;
+                                            phi_4337_ = _e2063;
+                                            if _e2063 {
                                                 break;
                                             }
-                                            phi_4480_ = _e1699;
-                                            let _e2248 = local_11;
-                                            phi_2903_ = _e2248;
+                                            let _e2065 = local_10;
+                                            phi_4341_ = _e2063;
+                                            let _e2246 = local_12;
+                                            phi_3884_ = _e2246;
+                                            phi_3885_ = false;
+                                            phi_3886_ = _e812;
+                                            phi_3887_ = select(_e814, 0u, (_e737 > _e2065.member));
                                         } else {
-                                            phi_4480_ = _e769;
-                                            phi_2903_ = _e771;
-                                        }
-                                        let _e1701 = phi_4480_;
-                                        let _e1703 = phi_2903_;
-                                        if _e818 {
-                                            phi_3910_ = bool();
-                                            phi_3911_ = u32();
-                                            phi_3912_ = type_63();
-                                        } else {
-                                            let _e1704 = (_e814.member_1 < _e94);
-                                            if _e1704 {
-                                                if _e1704 {
+                                            let _e824 = (_e812.member_1 < _e94);
+                                            if _e824 {
+                                                if _e824 {
                                                 } else {
-                                                    phi_4421_ = true;
+                                                    phi_4337_ = true;
                                                     break;
                                                 }
-                                                let _e1706 = global_9.member[_e814.member_1];
-                                                phi_2924_ = _e1706;
+                                                let _e826 = global_9.member[_e812.member_1];
+                                                phi_2901_ = _e826;
                                             } else {
-                                                phi_2924_ = type_50(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2901_ = type_50(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e1708 = phi_2924_;
-                                            let _e1723 = ((10u * _e419) & 31u);
-                                            let _e1726 = ((_e1708.member[0] >> bitcast<u32>(_e1723)) & 1023u);
-                                            let _e1734 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[0] - _e814.member.member[0]) * 0.0009775171f)) ^ _e137));
-                                            let _e1739 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1726)) - 8388608f) * _e1734)) ^ _e137)));
-                                            let _e1743 = select(select(_e814.member.member_1[0], _e1739, (_e1739 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e1726 == 1023u));
-                                            let _e1745 = ((10u * _e418) & 31u);
-                                            let _e1748 = ((_e1708.member[0] >> bitcast<u32>(_e1745)) & 1023u);
-                                            let _e1756 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[1] - _e814.member.member[1]) * 0.0009775171f)) ^ _e137));
-                                            let _e1761 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1748)) - 8388608f) * _e1756)) ^ _e137)));
-                                            let _e1765 = select(select(_e814.member.member_1[1], _e1761, (_e1761 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e1748 == 1023u));
-                                            let _e1767 = ((10u * _e420) & 31u);
-                                            let _e1770 = ((_e1708.member[0] >> bitcast<u32>(_e1767)) & 1023u);
-                                            let _e1778 = bitcast<f32>((bitcast<u32>(((_e814.member.member_1[2] - _e814.member.member[2]) * 0.0009775171f)) ^ _e137));
-                                            let _e1783 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1770)) - 8388608f) * _e1778)) ^ _e137)));
-                                            let _e1787 = select(select(_e814.member.member_1[2], _e1783, (_e1783 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1770 == 1023u));
-                                            let _e1790 = ((_e1708.member[1] >> bitcast<u32>(_e1723)) & 1023u);
-                                            let _e1798 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1790)) - 8388608f) * _e1734)) ^ _e137)));
-                                            let _e1802 = select(select(_e814.member.member_1[0], _e1798, (_e1798 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e1790 == 1023u));
-                                            let _e1805 = ((_e1708.member[1] >> bitcast<u32>(_e1745)) & 1023u);
-                                            let _e1813 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1805)) - 8388608f) * _e1756)) ^ _e137)));
-                                            let _e1817 = select(select(_e814.member.member_1[1], _e1813, (_e1813 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e1805 == 1023u));
-                                            let _e1820 = ((_e1708.member[1] >> bitcast<u32>(_e1767)) & 1023u);
-                                            let _e1828 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1820)) - 8388608f) * _e1778)) ^ _e137)));
-                                            let _e1832 = select(select(_e814.member.member_1[2], _e1828, (_e1828 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1820 == 1023u));
-                                            let _e1838 = ((_e1708.member_1[0] >> bitcast<u32>(_e1723)) & 1023u);
-                                            let _e1846 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1838)) - 8388608f) * _e1734)) ^ _e137)));
-                                            let _e1850 = select(select(_e814.member.member_1[0], _e1846, (_e1846 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e1838 == 1023u));
-                                            let _e1853 = ((_e1708.member_1[0] >> bitcast<u32>(_e1745)) & 1023u);
-                                            let _e1861 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1853)) - 8388608f) * _e1756)) ^ _e137)));
-                                            let _e1865 = select(select(_e814.member.member_1[1], _e1861, (_e1861 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e1853 == 1023u));
-                                            let _e1868 = ((_e1708.member_1[0] >> bitcast<u32>(_e1767)) & 1023u);
-                                            let _e1876 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1868)) - 8388608f) * _e1778)) ^ _e137)));
-                                            let _e1880 = select(select(_e814.member.member_1[2], _e1876, (_e1876 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1868 == 1023u));
-                                            let _e1883 = ((_e1708.member_1[1] >> bitcast<u32>(_e1723)) & 1023u);
-                                            let _e1891 = (_e814.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1883)) - 8388608f) * _e1734)) ^ _e137)));
-                                            let _e1895 = select(select(_e814.member.member_1[0], _e1891, (_e1891 < _e814.member.member_1[0])), _e814.member.member_1[0], (_e1883 == 1023u));
-                                            let _e1898 = ((_e1708.member_1[1] >> bitcast<u32>(_e1745)) & 1023u);
-                                            let _e1906 = (_e814.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1898)) - 8388608f) * _e1756)) ^ _e137)));
-                                            let _e1910 = select(select(_e814.member.member_1[1], _e1906, (_e1906 < _e814.member.member_1[1])), _e814.member.member_1[1], (_e1898 == 1023u));
-                                            let _e1913 = ((_e1708.member_1[1] >> bitcast<u32>(_e1767)) & 1023u);
-                                            let _e1921 = (_e814.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1913)) - 8388608f) * _e1778)) ^ _e137)));
-                                            let _e1925 = select(select(_e814.member.member_1[2], _e1921, (_e1921 < _e814.member.member_1[2])), _e814.member.member_1[2], (_e1913 == 1023u));
-                                            let _e1930 = type_63(type_55(array<f32, 3>(_e1743, _e1765, _e1787), array<f32, 3>(_e1802, _e1817, _e1832)), _e1708.member_2);
-                                            let _e1935 = type_63(type_55(array<f32, 3>(_e1850, _e1865, _e1880), array<f32, 3>(_e1895, _e1910, _e1925)), _e1708.member_3);
-                                            let _e1941 = ((_e1743 - _e504) * _e507);
-                                            let _e1942 = ((_e1850 - _e504) * _e507);
-                                            let _e1943 = ((_e1802 - _e505) * _e507);
-                                            let _e1944 = ((_e1895 - _e505) * _e507);
-                                            let _e1949 = ((_e1765 - _e568) * _e571);
-                                            let _e1950 = ((_e1865 - _e568) * _e571);
-                                            let _e1951 = ((_e1817 - _e569) * _e571);
-                                            let _e1952 = ((_e1910 - _e569) * _e571);
-                                            let _e1957 = ((_e1787 - _e632) * _e635);
-                                            let _e1958 = ((_e1880 - _e632) * _e635);
-                                            let _e1959 = ((_e1832 - _e633) * _e635);
-                                            let _e1960 = ((_e1925 - _e633) * _e635);
-                                            let _e1962 = select(_e1959, _e1957, (_e1957 < _e1959));
-                                            let _e1964 = select(_e1960, _e1958, (_e1958 < _e1960));
-                                            let _e1966 = select(_e1959, _e1957, (_e1957 > _e1959));
-                                            let _e1968 = select(_e1960, _e1958, (_e1958 > _e1960));
-                                            let _e1970 = select(_e1943, _e1941, (_e1941 < _e1943));
-                                            let _e1972 = select(_e1944, _e1942, (_e1942 < _e1944));
-                                            let _e1974 = select(_e1951, _e1949, (_e1949 < _e1951));
-                                            let _e1976 = select(_e1952, _e1950, (_e1950 < _e1952));
-                                            let _e1978 = select(_e1974, _e1970, (_e1970 > _e1974));
-                                            let _e1980 = select(_e1976, _e1972, (_e1972 > _e1976));
-                                            let _e1982 = select(_e1962, _e1978, (_e1978 > _e1962));
-                                            let _e1984 = select(_e1964, _e1980, (_e1980 > _e1964));
-                                            let _e1986 = select(_e1943, _e1941, (_e1941 > _e1943));
-                                            let _e1988 = select(_e1944, _e1942, (_e1942 > _e1944));
-                                            let _e1990 = select(_e1951, _e1949, (_e1949 > _e1951));
-                                            let _e1992 = select(_e1952, _e1950, (_e1950 > _e1952));
-                                            let _e1994 = select(_e1990, _e1986, (_e1986 < _e1990));
-                                            let _e1996 = select(_e1992, _e1988, (_e1988 < _e1992));
-                                            let _e2001 = -(_e1962);
-                                            let _e2002 = -(_e1964);
-                                            let _e2009 = (select(_e1966, _e1994, (_e1994 < _e1966)) + (select(_e2001, _e1966, (_e1966 > _e2001)) * 0.0000019073523f));
-                                            let _e2010 = (select(_e1968, _e1996, (_e1996 < _e1968)) + (select(_e2002, _e1968, (_e1968 > _e2002)) * 0.0000019073523f));
-                                            let _e2012 = select(_e737, _e1982, (_e1982 > _e737));
-                                            let _e2014 = select(_e737, _e1984, (_e1984 > _e737));
-                                            let _e2019 = (_e2012 <= select(_e1703.member, _e2009, (_e2009 < _e1703.member)));
-                                            let _e2020 = (_e2014 <= select(_e1703.member, _e2010, (_e2010 < _e1703.member)));
-                                            let _e2021 = (_e2012 <= _e2014);
-                                            if _e2019 {
-                                                if _e2020 {
-                                                    if _e2021 {
-                                                        phi_3810_ = _e1935;
+                                            let _e828 = phi_2901_;
+                                            let _e843 = ((10u * _e419) & 31u);
+                                            let _e846 = ((_e828.member[0] >> bitcast<u32>(_e843)) & 1023u);
+                                            let _e854 = bitcast<f32>((bitcast<u32>(((_e812.member.member_1[0] - _e812.member.member[0]) * 0.0009775171f)) ^ _e137));
+                                            let _e859 = (_e812.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e846)) - 8388608f) * _e854)) ^ _e137)));
+                                            let _e863 = select(select(_e812.member.member_1[0], _e859, (_e859 < _e812.member.member_1[0])), _e812.member.member_1[0], (_e846 == 1023u));
+                                            let _e865 = ((10u * _e418) & 31u);
+                                            let _e868 = ((_e828.member[0] >> bitcast<u32>(_e865)) & 1023u);
+                                            let _e876 = bitcast<f32>((bitcast<u32>(((_e812.member.member_1[1] - _e812.member.member[1]) * 0.0009775171f)) ^ _e137));
+                                            let _e881 = (_e812.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e868)) - 8388608f) * _e876)) ^ _e137)));
+                                            let _e885 = select(select(_e812.member.member_1[1], _e881, (_e881 < _e812.member.member_1[1])), _e812.member.member_1[1], (_e868 == 1023u));
+                                            let _e887 = ((10u * _e420) & 31u);
+                                            let _e890 = ((_e828.member[0] >> bitcast<u32>(_e887)) & 1023u);
+                                            let _e898 = bitcast<f32>((bitcast<u32>(((_e812.member.member_1[2] - _e812.member.member[2]) * 0.0009775171f)) ^ _e137));
+                                            let _e903 = (_e812.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e890)) - 8388608f) * _e898)) ^ _e137)));
+                                            let _e907 = select(select(_e812.member.member_1[2], _e903, (_e903 < _e812.member.member_1[2])), _e812.member.member_1[2], (_e890 == 1023u));
+                                            let _e910 = ((_e828.member[1] >> bitcast<u32>(_e843)) & 1023u);
+                                            let _e918 = (_e812.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e910)) - 8388608f) * _e854)) ^ _e137)));
+                                            let _e922 = select(select(_e812.member.member_1[0], _e918, (_e918 < _e812.member.member_1[0])), _e812.member.member_1[0], (_e910 == 1023u));
+                                            let _e925 = ((_e828.member[1] >> bitcast<u32>(_e865)) & 1023u);
+                                            let _e933 = (_e812.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e925)) - 8388608f) * _e876)) ^ _e137)));
+                                            let _e937 = select(select(_e812.member.member_1[1], _e933, (_e933 < _e812.member.member_1[1])), _e812.member.member_1[1], (_e925 == 1023u));
+                                            let _e940 = ((_e828.member[1] >> bitcast<u32>(_e887)) & 1023u);
+                                            let _e948 = (_e812.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e940)) - 8388608f) * _e898)) ^ _e137)));
+                                            let _e952 = select(select(_e812.member.member_1[2], _e948, (_e948 < _e812.member.member_1[2])), _e812.member.member_1[2], (_e940 == 1023u));
+                                            let _e958 = ((_e828.member_1[0] >> bitcast<u32>(_e843)) & 1023u);
+                                            let _e966 = (_e812.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e958)) - 8388608f) * _e854)) ^ _e137)));
+                                            let _e970 = select(select(_e812.member.member_1[0], _e966, (_e966 < _e812.member.member_1[0])), _e812.member.member_1[0], (_e958 == 1023u));
+                                            let _e973 = ((_e828.member_1[0] >> bitcast<u32>(_e865)) & 1023u);
+                                            let _e981 = (_e812.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e973)) - 8388608f) * _e876)) ^ _e137)));
+                                            let _e985 = select(select(_e812.member.member_1[1], _e981, (_e981 < _e812.member.member_1[1])), _e812.member.member_1[1], (_e973 == 1023u));
+                                            let _e988 = ((_e828.member_1[0] >> bitcast<u32>(_e887)) & 1023u);
+                                            let _e996 = (_e812.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e988)) - 8388608f) * _e898)) ^ _e137)));
+                                            let _e1000 = select(select(_e812.member.member_1[2], _e996, (_e996 < _e812.member.member_1[2])), _e812.member.member_1[2], (_e988 == 1023u));
+                                            let _e1003 = ((_e828.member_1[1] >> bitcast<u32>(_e843)) & 1023u);
+                                            let _e1011 = (_e812.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1003)) - 8388608f) * _e854)) ^ _e137)));
+                                            let _e1015 = select(select(_e812.member.member_1[0], _e1011, (_e1011 < _e812.member.member_1[0])), _e812.member.member_1[0], (_e1003 == 1023u));
+                                            let _e1018 = ((_e828.member_1[1] >> bitcast<u32>(_e865)) & 1023u);
+                                            let _e1026 = (_e812.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1018)) - 8388608f) * _e876)) ^ _e137)));
+                                            let _e1030 = select(select(_e812.member.member_1[1], _e1026, (_e1026 < _e812.member.member_1[1])), _e812.member.member_1[1], (_e1018 == 1023u));
+                                            let _e1033 = ((_e828.member_1[1] >> bitcast<u32>(_e887)) & 1023u);
+                                            let _e1041 = (_e812.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1033)) - 8388608f) * _e898)) ^ _e137)));
+                                            let _e1045 = select(select(_e812.member.member_1[2], _e1041, (_e1041 < _e812.member.member_1[2])), _e812.member.member_1[2], (_e1033 == 1023u));
+                                            let _e1050 = type_63(type_55(array<f32, 3>(_e863, _e885, _e907), array<f32, 3>(_e922, _e937, _e952)), _e828.member_2);
+                                            let _e1055 = type_63(type_55(array<f32, 3>(_e970, _e985, _e1000), array<f32, 3>(_e1015, _e1030, _e1045)), _e828.member_3);
+                                            let _e1061 = ((_e863 - _e504) * _e507);
+                                            let _e1062 = ((_e970 - _e504) * _e507);
+                                            let _e1063 = ((_e922 - _e505) * _e507);
+                                            let _e1064 = ((_e1015 - _e505) * _e507);
+                                            let _e1069 = ((_e885 - _e568) * _e571);
+                                            let _e1070 = ((_e985 - _e568) * _e571);
+                                            let _e1071 = ((_e937 - _e569) * _e571);
+                                            let _e1072 = ((_e1030 - _e569) * _e571);
+                                            let _e1077 = ((_e907 - _e632) * _e635);
+                                            let _e1078 = ((_e1000 - _e632) * _e635);
+                                            let _e1079 = ((_e952 - _e633) * _e635);
+                                            let _e1080 = ((_e1045 - _e633) * _e635);
+                                            let _e1082 = select(_e1079, _e1077, (_e1077 < _e1079));
+                                            let _e1084 = select(_e1080, _e1078, (_e1078 < _e1080));
+                                            let _e1086 = select(_e1079, _e1077, (_e1077 > _e1079));
+                                            let _e1088 = select(_e1080, _e1078, (_e1078 > _e1080));
+                                            let _e1090 = select(_e1063, _e1061, (_e1061 < _e1063));
+                                            let _e1092 = select(_e1064, _e1062, (_e1062 < _e1064));
+                                            let _e1094 = select(_e1071, _e1069, (_e1069 < _e1071));
+                                            let _e1096 = select(_e1072, _e1070, (_e1070 < _e1072));
+                                            let _e1098 = select(_e1094, _e1090, (_e1090 > _e1094));
+                                            let _e1100 = select(_e1096, _e1092, (_e1092 > _e1096));
+                                            let _e1102 = select(_e1082, _e1098, (_e1098 > _e1082));
+                                            let _e1104 = select(_e1084, _e1100, (_e1100 > _e1084));
+                                            let _e1106 = select(_e1063, _e1061, (_e1061 > _e1063));
+                                            let _e1108 = select(_e1064, _e1062, (_e1062 > _e1064));
+                                            let _e1110 = select(_e1071, _e1069, (_e1069 > _e1071));
+                                            let _e1112 = select(_e1072, _e1070, (_e1070 > _e1072));
+                                            let _e1114 = select(_e1110, _e1106, (_e1106 < _e1110));
+                                            let _e1116 = select(_e1112, _e1108, (_e1108 < _e1112));
+                                            let _e1121 = -(_e1082);
+                                            let _e1122 = -(_e1084);
+                                            let _e1129 = (select(_e1086, _e1114, (_e1114 < _e1086)) + (select(_e1121, _e1086, (_e1086 > _e1121)) * 0.0000019073523f));
+                                            let _e1130 = (select(_e1088, _e1116, (_e1116 < _e1088)) + (select(_e1122, _e1088, (_e1088 > _e1122)) * 0.0000019073523f));
+                                            let _e1132 = select(_e737, _e1102, (_e1102 > _e737));
+                                            let _e1134 = select(_e737, _e1104, (_e1104 > _e737));
+                                            let _e1139 = (_e1132 <= select(_e771.member, _e1129, (_e1129 < _e771.member)));
+                                            let _e1140 = (_e1134 <= select(_e771.member, _e1130, (_e1130 < _e771.member)));
+                                            let _e1141 = (_e1132 <= _e1134);
+                                            if _e1139 {
+                                                if _e1140 {
+                                                    if _e1141 {
+                                                        phi_3787_ = _e1055;
                                                     } else {
-                                                        phi_3810_ = _e1930;
+                                                        phi_3787_ = _e1050;
                                                     }
-                                                    let _e2023 = phi_3810_;
-                                                    let _e2030 = (_e812 % 128u);
-                                                    let _e2031 = (_e2030 < 128u);
-                                                    if _e2031 {
+                                                    let _e1143 = phi_3787_;
+                                                    let _e1150 = (_e814 % 128u);
+                                                    let _e1151 = (_e1150 < 128u);
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4421_ = true;
+                                                        phi_4337_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e2030] = _e2023.member_1;
-                                                    if _e2031 {
+                                                    local_6[_e1150] = _e1143.member_1;
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4421_ = true;
+                                                        phi_4337_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e2030] = _e2023.member.member[0];
-                                                    if _e2031 {
+                                                    local_5[_e1150] = _e1143.member.member[0];
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4421_ = true;
+                                                        phi_4337_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e2030] = _e2023.member.member[1];
-                                                    if _e2031 {
+                                                    local_4[_e1150] = _e1143.member.member[1];
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4421_ = true;
+                                                        phi_4337_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e2030] = _e2023.member.member[2];
-                                                    if _e2031 {
+                                                    local_3[_e1150] = _e1143.member.member[2];
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4421_ = true;
+                                                        phi_4337_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e2030] = _e2023.member.member_1[0];
-                                                    if _e2031 {
+                                                    local_2[_e1150] = _e1143.member.member_1[0];
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4421_ = true;
+                                                        phi_4337_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e2030] = _e2023.member.member_1[1];
-                                                    if _e2031 {
+                                                    local_1[_e1150] = _e1143.member.member_1[1];
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4421_ = true;
+                                                        phi_4337_ = true;
                                                         break;
                                                     }
-                                                    local[_e2030] = _e2023.member.member_1[2];
-                                                    if _e2031 {
+                                                    local[_e1150] = _e1143.member.member_1[2];
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4421_ = true;
+                                                        phi_4337_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e2030] = select(_e2012, _e2014, _e2021);
-                                                    if _e2021 {
-                                                        phi_3886_ = _e1930;
+                                                    local_7[_e1150] = select(_e1132, _e1134, _e1141);
+                                                    if _e1141 {
+                                                        phi_3863_ = _e1050;
                                                     } else {
-                                                        phi_3886_ = _e1935;
+                                                        phi_3863_ = _e1055;
                                                     }
-                                                    let _e2048 = phi_3886_;
-                                                    phi_3887_ = (_e812 + 1u);
-                                                    phi_3888_ = _e2048;
+                                                    let _e1168 = phi_3863_;
+                                                    phi_3864_ = _e1168;
+                                                    phi_3865_ = (_e814 + 1u);
                                                 } else {
-                                                    phi_3887_ = u32();
-                                                    phi_3888_ = type_63();
+                                                    phi_3864_ = type_63();
+                                                    phi_3865_ = u32();
                                                 }
-                                                let _e2050 = phi_3887_;
-                                                let _e2052 = phi_3888_;
-                                                phi_3890_ = _e2050;
-                                                phi_3891_ = _e2052;
-                                                phi_3892_ = select(true, false, _e2020);
+                                                let _e1170 = phi_3864_;
+                                                let _e1172 = phi_3865_;
+                                                phi_3867_ = _e1170;
+                                                phi_3868_ = _e1172;
+                                                phi_3869_ = select(true, false, _e1140);
                                             } else {
-                                                phi_3890_ = u32();
-                                                phi_3891_ = type_63();
-                                                phi_3892_ = true;
+                                                phi_3867_ = type_63();
+                                                phi_3868_ = u32();
+                                                phi_3869_ = true;
                                             }
-                                            let _e2055 = phi_3890_;
-                                            let _e2057 = phi_3891_;
-                                            let _e2059 = phi_3892_;
-                                            if _e2059 {
-                                                if _e2019 {
-                                                    phi_3899_ = _e1930;
+                                            let _e1175 = phi_3867_;
+                                            let _e1177 = phi_3868_;
+                                            let _e1179 = phi_3869_;
+                                            if _e1179 {
+                                                if _e1139 {
+                                                    phi_3876_ = _e1050;
                                                 } else {
-                                                    phi_3899_ = _e1935;
+                                                    phi_3876_ = _e1055;
                                                 }
-                                                let _e2061 = phi_3899_;
-                                                phi_3904_ = select(_e2020, true, _e2019);
-                                                phi_3906_ = _e2061;
+                                                let _e1181 = phi_3876_;
+                                                phi_3881_ = select(_e1140, true, _e1139);
+                                                phi_3882_ = _e1181;
                                             } else {
-                                                phi_3904_ = _e810;
-                                                phi_3906_ = _e2057;
+                                                phi_3881_ = _e810;
+                                                phi_3882_ = _e1175;
                                             }
-                                            let _e2064 = phi_3904_;
-                                            let _e2066 = phi_3906_;
-                                            phi_3910_ = _e2064;
-                                            phi_3911_ = select(_e2055, _e812, _e2059);
-                                            phi_3912_ = _e2066;
+                                            let _e1184 = phi_3881_;
+                                            let _e1186 = phi_3882_;
+                                            phi_4341_ = _e769;
+                                            phi_3884_ = _e771;
+                                            phi_3885_ = _e1184;
+                                            phi_3886_ = _e1186;
+                                            phi_3887_ = select(_e1177, _e814, _e1179);
                                         }
-                                        let _e2069 = phi_3910_;
-                                        let _e2071 = phi_3911_;
-                                        let _e2073 = phi_3912_;
-                                        if _e818 {
-                                            phi_3922_ = select(_e812, 0u, _e1703.member_1);
-                                            phi_3923_ = _e814;
-                                        } else {
-                                            phi_3922_ = _e2071;
-                                            phi_3923_ = _e2073;
-                                        }
-                                        let _e2077 = phi_3922_;
-                                        let _e2079 = phi_3923_;
-                                        phi_4424_ = _e1701;
-                                        phi_3924_ = _e1703;
-                                        phi_3925_ = (_e773 - 1u);
-                                        phi_3926_ = select(_e2069, false, _e818);
-                                        phi_3927_ = _e2077;
-                                        phi_3928_ = _e2079;
+                                        let _e2070 = phi_4341_;
+                                        let _e2072 = phi_3884_;
+                                        let _e2074 = phi_3885_;
+                                        let _e2076 = phi_3886_;
+                                        let _e2078 = phi_3887_;
+                                        phi_4340_ = _e2070;
+                                        phi_3888_ = _e2072;
+                                        phi_3889_ = _e2074;
+                                        phi_3890_ = _e2076;
+                                        phi_3891_ = _e2078;
+                                        phi_3892_ = (_e779 - 1u);
                                     } else {
-                                        phi_4424_ = _e769;
-                                        phi_3924_ = _e771;
-                                        phi_3925_ = _e773;
-                                        phi_3926_ = _e810;
-                                        phi_3927_ = _e812;
-                                        phi_3928_ = _e814;
+                                        phi_4340_ = _e769;
+                                        phi_3888_ = _e771;
+                                        phi_3889_ = _e810;
+                                        phi_3890_ = _e812;
+                                        phi_3891_ = _e814;
+                                        phi_3892_ = _e779;
                                     }
-                                    let _e2082 = phi_4424_;
-                                    let _e2084 = phi_3924_;
-                                    let _e2086 = phi_3925_;
-                                    let _e2088 = phi_3926_;
-                                    let _e2090 = phi_3927_;
-                                    let _e2092 = phi_3928_;
-                                    phi_4423_ = _e2082;
-                                    phi_3929_ = _e2084;
-                                    phi_3930_ = _e2086;
-                                    phi_3931_ = _e2088;
-                                    phi_3932_ = _e2090;
-                                    phi_3933_ = _e2092;
+                                    let _e2080 = phi_4340_;
+                                    let _e2082 = phi_3888_;
+                                    let _e2084 = phi_3889_;
+                                    let _e2086 = phi_3890_;
+                                    let _e2088 = phi_3891_;
+                                    let _e2090 = phi_3892_;
+                                    phi_4339_ = _e2080;
+                                    phi_3893_ = _e2082;
+                                    phi_3894_ = _e2084;
+                                    phi_3895_ = _e2086;
+                                    phi_3896_ = _e2088;
+                                    phi_3897_ = _e2090;
                                 } else {
-                                    phi_4423_ = _e769;
-                                    phi_3929_ = type_41();
-                                    phi_3930_ = u32();
-                                    phi_3931_ = bool();
-                                    phi_3932_ = u32();
-                                    phi_3933_ = type_63();
+                                    phi_4339_ = _e769;
+                                    phi_3893_ = type_41();
+                                    phi_3894_ = bool();
+                                    phi_3895_ = type_63();
+                                    phi_3896_ = u32();
+                                    phi_3897_ = u32();
                                 }
-                                let _e2094 = phi_4423_;
-                                let _e2096 = phi_3929_;
-                                let _e2098 = phi_3930_;
-                                let _e2100 = phi_3931_;
-                                let _e2102 = phi_3932_;
-                                let _e2104 = phi_3933_;
-                                phi_4422_ = _e2094;
-                                phi_1319_ = _e2096;
-                                phi_1322_ = _e2098;
-                                phi_1324_ = _e2100;
-                                phi_1326_ = _e2102;
-                                phi_1328_ = _e2104;
-                                phi_3934_ = _e783;
+                                let _e2092 = phi_4339_;
+                                let _e2094 = phi_3893_;
+                                let _e2096 = phi_3894_;
+                                let _e2098 = phi_3895_;
+                                let _e2100 = phi_3896_;
+                                let _e2102 = phi_3897_;
+                                phi_4338_ = _e2092;
+                                phi_1326_ = _e2094;
+                                phi_1329_ = _e2096;
+                                phi_1331_ = _e2098;
+                                phi_1333_ = _e2100;
+                                phi_1335_ = _e2102;
+                                phi_3898_ = _e783;
                             } else {
-                                phi_4422_ = _e769;
-                                phi_1319_ = type_41();
-                                phi_1322_ = u32();
-                                phi_1324_ = bool();
-                                phi_1326_ = u32();
-                                phi_1328_ = type_63();
-                                phi_3934_ = false;
+                                phi_4338_ = _e769;
+                                phi_1326_ = type_41();
+                                phi_1329_ = bool();
+                                phi_1331_ = type_63();
+                                phi_1333_ = u32();
+                                phi_1335_ = u32();
+                                phi_3898_ = false;
                             }
-                            let _e2106 = phi_4422_;
-                            let _e2108 = phi_1319_;
-                            let _e2110 = phi_1322_;
-                            let _e2112 = phi_1324_;
-                            let _e2114 = phi_1326_;
-                            let _e2116 = phi_1328_;
-                            let _e2118 = phi_3934_;
+                            let _e2104 = phi_4338_;
+                            let _e2106 = phi_1326_;
+                            let _e2108 = phi_1329_;
+                            let _e2110 = phi_1331_;
+                            let _e2112 = phi_1333_;
+                            let _e2114 = phi_1335_;
+                            let _e2116 = phi_3898_;
                             continue;
                             continuing {
-                                phi_4212_ = _e2106;
-                                phi_1318_ = _e2108;
-                                phi_1321_ = _e2110;
-                                phi_1323_ = _e2112;
-                                phi_1325_ = _e2114;
-                                phi_1327_ = _e2116;
-                                phi_4421_ = _e2106;
-                                break if !(_e2118);
+                                phi_4140_ = _e2104;
+                                phi_1325_ = _e2106;
+                                phi_1328_ = _e2108;
+                                phi_1330_ = _e2110;
+                                phi_1332_ = _e2112;
+                                phi_1334_ = _e2114;
+                                phi_4337_ = _e2104;
+                                break if !(_e2116);
                             }
                         }
-                        let _e2121 = phi_4421_;
-                        if _e2121 {
+                        let _e2119 = phi_4337_;
+                        if _e2119 {
                             break;
                         }
-                        let _e2123 = local_10;
-                        if _e2123.member_1 {
+                        let _e2121 = local_11;
+                        if _e2121.member_1 {
                         } else {
                             if _e287 {
                             } else {
                                 break;
                             }
-                            let _e2127 = global_2.member[_e141];
+                            let _e2125 = global_2.member[_e141];
                             if _e148 {
                             } else {
                                 break;
                             }
-                            let _e2131 = global_8.member[_e141].member_1;
+                            let _e2129 = global_8.member[_e141].member_1;
                             if _e287 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e141] = type_24(_e2127.member, _e2127.member_1, _e2127.member_2, array<f32, 3>((_e2127.member_3[0] + (_e2131[0] * _e2127.member_1[0])), (_e2127.member_3[1] + (_e2131[1] * _e2127.member_1[1])), (_e2127.member_3[2] + (_e2131[2] * _e2127.member_1[2]))), _e2127.member_4);
+                            global_2.member[_e141] = type_24(_e2125.member, _e2125.member_1, _e2125.member_2, array<f32, 3>((_e2125.member_3[0] + (_e2129[0] * _e2125.member_1[0])), (_e2125.member_3[1] + (_e2129[1] * _e2125.member_1[1])), (_e2125.member_3[2] + (_e2129[2] * _e2125.member_1[2]))), _e2125.member_4);
                         }
                     }
                 }

@@ -131,178 +131,165 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_363_: u32;
-    var phi_407_: i32;
-    var phi_547_: type_40;
-    var phi_697_: i32;
-    var phi_698_: i32;
-    var phi_708_: bool;
-    var phi_718_: u32;
-    var phi_719_: u32;
-    var phi_721_: bool;
+    var phi_370_: u32;
+    var phi_414_: i32;
+    var phi_554_: type_40;
+    var phi_704_: i32;
+    var phi_705_: i32;
+    var phi_715_: bool;
+    var phi_725_: u32;
     var phi_726_: u32;
-    var phi_759_: i32;
-    var phi_777_: f32;
-    var phi_783_: f32;
-    var phi_823_: f32;
-    var phi_829_: f32;
-    var phi_902_: f32;
-    var phi_908_: f32;
-    var phi_948_: f32;
-    var phi_954_: f32;
-    var phi_1027_: f32;
-    var phi_1033_: f32;
-    var phi_1073_: f32;
-    var phi_1079_: f32;
-    var phi_1198_: i32;
-    var phi_1220_: u32;
-    var phi_1221_: u32;
-    var phi_1258_: i32;
-    var phi_1280_: u32;
-    var phi_1281_: u32;
-    var phi_1289_: f32;
-    var phi_1290_: f32;
-    var phi_5142_: bool;
-    var phi_1386_: type_47;
-    var phi_1389_: u32;
-    var phi_1391_: bool;
-    var phi_1393_: u32;
-    var phi_1395_: type_59;
-    var phi_1406_: bool;
-    var phi_1492_: bool;
-    var phi_1493_: u32;
-    var phi_1494_: type_59;
-    var phi_1513_: type_47;
-    var phi_1516_: type_8;
-    var phi_1517_: type_8;
-    var phi_1539_: type_8;
-    var phi_1580_: u32;
-    var phi_1586_: u32;
-    var phi_1596_: u32;
-    var phi_1612_: u32;
-    var phi_1645_: u32;
-    var phi_1651_: u32;
-    var phi_2117_: u32;
-    var phi_2135_: u32;
-    var phi_2153_: u32;
-    var phi_2176_: u32;
-    var phi_2194_: u32;
-    var phi_2212_: u32;
-    var phi_2235_: u32;
-    var phi_2253_: u32;
-    var phi_2271_: u32;
-    var phi_1825_: u32;
-    var phi_1840_: u32;
-    var phi_1850_: u32;
-    var phi_1871_: u32;
-    var phi_1892_: u32;
-    var phi_1922_: u32;
-    var phi_1937_: u32;
-    var phi_1947_: u32;
-    var phi_1968_: u32;
-    var phi_1989_: u32;
-    var phi_2019_: u32;
-    var phi_2034_: u32;
-    var phi_2044_: u32;
-    var phi_2065_: u32;
-    var phi_2086_: u32;
-    var phi_1678_: u32;
-    var phi_1727_: u32;
-    var phi_1776_: u32;
-    var phi_2277_: array<array<f32, 3>, 3>;
-    var phi_4777_: bool;
-    var phi_4792_: bool;
-    var phi_4807_: bool;
-    var phi_4822_: bool;
-    var phi_4837_: bool;
-    var phi_4852_: bool;
-    var phi_2819_: f32;
-    var phi_2820_: f32;
-    var phi_2821_: f32;
-    var phi_2822_: f32;
-    var phi_2823_: vec3<f32>;
-    var phi_2824_: vec3<f32>;
-    var phi_2825_: vec3<f32>;
-    var phi_2826_: vec3<f32>;
-    var phi_4867_: bool;
-    var phi_4882_: bool;
-    var phi_4897_: bool;
-    var phi_4912_: bool;
-    var phi_4927_: bool;
-    var phi_4942_: bool;
-    var phi_3034_: f32;
-    var phi_3054_: type_46;
-    var phi_3055_: type_46;
-    var phi_3058_: type_46;
-    var phi_3059_: type_46;
-    var phi_3060_: bool;
-    var phi_3064_: type_46;
-    var phi_3073_: type_25;
-    var phi_3096_: u32;
-    var phi_3110_: i32;
-    var phi_3132_: vec3<f32>;
-    var phi_3133_: vec3<f32>;
-    var phi_3151_: vec3<f32>;
-    var phi_3152_: vec3<f32>;
-    var phi_3170_: vec3<f32>;
-    var phi_3171_: vec3<f32>;
-    var phi_3207_: vec3<f32>;
-    var phi_3389_: f32;
-    var phi_3407_: bool;
-    var phi_3408_: bool;
-    var phi_3413_: type_47;
-    var phi_3414_: type_47;
-    var phi_1514_: type_47;
-    var phi_5136_: bool;
-    var phi_5471_: bool;
-    var phi_3415_: type_47;
-    var phi_3917_: u32;
-    var phi_3923_: u32;
-    var phi_4177_: u32;
-    var phi_4178_: u32;
+    var phi_728_: bool;
+    var phi_733_: u32;
+    var phi_766_: i32;
+    var phi_784_: f32;
+    var phi_790_: f32;
+    var phi_830_: f32;
+    var phi_836_: f32;
+    var phi_909_: f32;
+    var phi_915_: f32;
+    var phi_955_: f32;
+    var phi_961_: f32;
+    var phi_1034_: f32;
+    var phi_1040_: f32;
+    var phi_1080_: f32;
+    var phi_1086_: f32;
+    var phi_1205_: i32;
+    var phi_1227_: u32;
+    var phi_1228_: u32;
+    var phi_1265_: i32;
+    var phi_1287_: u32;
+    var phi_1288_: u32;
+    var phi_1296_: f32;
+    var phi_1297_: f32;
+    var phi_5070_: bool;
+    var phi_1393_: type_47;
+    var phi_1396_: bool;
+    var phi_1398_: type_59;
+    var phi_1400_: u32;
+    var phi_1402_: u32;
+    var phi_1413_: bool;
+    var phi_1499_: bool;
+    var phi_1500_: type_59;
+    var phi_1501_: u32;
+    var phi_3894_: u32;
+    var phi_3900_: u32;
+    var phi_4154_: u32;
+    var phi_4155_: u32;
+    var phi_4165_: u32;
+    var phi_4167_: u32;
+    var phi_4168_: bool;
     var phi_4188_: u32;
-    var phi_4190_: u32;
-    var phi_4191_: bool;
-    var phi_4211_: u32;
-    var phi_4212_: u32;
-    var phi_4216_: type_60;
-    var phi_4578_: type_59;
-    var phi_4654_: type_59;
-    var phi_4655_: u32;
-    var phi_4656_: type_59;
-    var phi_4658_: u32;
-    var phi_4659_: type_59;
-    var phi_4660_: bool;
-    var phi_4669_: type_59;
-    var phi_4674_: bool;
-    var phi_4676_: type_59;
-    var phi_4680_: bool;
-    var phi_4681_: u32;
-    var phi_4682_: type_59;
-    var phi_4692_: u32;
-    var phi_4693_: type_59;
-    var phi_5383_: bool;
-    var phi_4694_: type_47;
-    var phi_4695_: u32;
-    var phi_4696_: bool;
-    var phi_4697_: u32;
-    var phi_4698_: type_59;
-    var phi_5382_: bool;
-    var phi_4699_: type_47;
-    var phi_4700_: u32;
-    var phi_4701_: bool;
-    var phi_4702_: u32;
-    var phi_4703_: type_59;
-    var phi_5381_: bool;
-    var phi_1387_: type_47;
-    var phi_1390_: u32;
-    var phi_1392_: bool;
-    var phi_1394_: u32;
-    var phi_1396_: type_59;
-    var phi_4704_: bool;
-    var phi_5380_: bool;
+    var phi_4189_: u32;
+    var phi_4193_: type_60;
+    var phi_4555_: type_59;
+    var phi_4631_: type_59;
+    var phi_4632_: type_59;
+    var phi_4633_: u32;
+    var phi_4635_: type_59;
+    var phi_4636_: u32;
+    var phi_4637_: bool;
+    var phi_4646_: type_59;
+    var phi_4651_: bool;
+    var phi_4652_: type_59;
+    var phi_1520_: type_47;
+    var phi_1523_: type_8;
+    var phi_1524_: type_8;
+    var phi_1546_: type_8;
+    var phi_1587_: u32;
+    var phi_1593_: u32;
+    var phi_1603_: u32;
+    var phi_1619_: u32;
+    var phi_1652_: u32;
+    var phi_1658_: u32;
+    var phi_2124_: u32;
+    var phi_2142_: u32;
+    var phi_2160_: u32;
+    var phi_2183_: u32;
+    var phi_2201_: u32;
+    var phi_2219_: u32;
+    var phi_2242_: u32;
+    var phi_2260_: u32;
+    var phi_2278_: u32;
+    var phi_1832_: u32;
+    var phi_1847_: u32;
+    var phi_1857_: u32;
+    var phi_1878_: u32;
+    var phi_1899_: u32;
+    var phi_1929_: u32;
+    var phi_1944_: u32;
+    var phi_1954_: u32;
+    var phi_1975_: u32;
+    var phi_1996_: u32;
+    var phi_2026_: u32;
+    var phi_2041_: u32;
+    var phi_2051_: u32;
+    var phi_2072_: u32;
+    var phi_2093_: u32;
+    var phi_1685_: u32;
+    var phi_1734_: u32;
+    var phi_1783_: u32;
+    var phi_2284_: array<array<f32, 3>, 3>;
+    var phi_2814_: f32;
+    var phi_2815_: f32;
+    var phi_2816_: f32;
+    var phi_2817_: f32;
+    var phi_2818_: vec3<f32>;
+    var phi_2819_: vec3<f32>;
+    var phi_2820_: vec3<f32>;
+    var phi_2821_: vec3<f32>;
+    var phi_3012_: f32;
+    var phi_3032_: type_46;
+    var phi_3033_: type_46;
+    var phi_3036_: type_46;
+    var phi_3037_: type_46;
+    var phi_3038_: bool;
+    var phi_3042_: type_46;
+    var phi_3051_: type_25;
+    var phi_3074_: u32;
+    var phi_3088_: i32;
+    var phi_3110_: vec3<f32>;
+    var phi_3111_: vec3<f32>;
+    var phi_3129_: vec3<f32>;
+    var phi_3130_: vec3<f32>;
+    var phi_3148_: vec3<f32>;
+    var phi_3149_: vec3<f32>;
+    var phi_3185_: vec3<f32>;
+    var phi_3367_: f32;
+    var phi_3385_: bool;
+    var phi_3386_: bool;
+    var phi_3391_: type_47;
+    var phi_3392_: type_47;
+    var phi_1521_: type_47;
+    var phi_5064_: bool;
     var local_10: type_47;
+    var phi_5300_: bool;
+    var phi_4654_: type_47;
+    var phi_4655_: bool;
+    var phi_4656_: type_59;
+    var phi_4657_: u32;
+    var phi_5299_: bool;
+    var phi_4658_: type_47;
+    var phi_4659_: bool;
+    var phi_4660_: type_59;
+    var phi_4661_: u32;
+    var phi_4662_: u32;
+    var phi_5298_: bool;
+    var phi_4663_: type_47;
+    var phi_4664_: bool;
+    var phi_4665_: type_59;
+    var phi_4666_: u32;
+    var phi_4667_: u32;
+    var phi_5297_: bool;
+    var phi_1394_: type_47;
+    var phi_1397_: bool;
+    var phi_1399_: type_59;
+    var phi_1401_: u32;
+    var phi_1403_: u32;
+    var phi_4668_: bool;
+    var phi_5296_: bool;
     var local_11: type_47;
+    var local_12: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -328,11 +315,11 @@ fn function_() {
                     break;
                 }
                 let _e173 = global_9.member[_e154].member_2;
-                phi_363_ = _e173;
+                phi_370_ = _e173;
             } else {
-                phi_363_ = 4294967295u;
+                phi_370_ = 4294967295u;
             }
-            let _e175 = phi_363_;
+            let _e175 = phi_370_;
             let _e178 = global_1.member[0u];
             let _e182 = global_3.member[0u][0u];
             let _e186 = global_3.member[0u][1u];
@@ -349,15 +336,15 @@ fn function_() {
             let _e216 = array<u32, 3>(_e202, _e206, _e210);
             let _e218 = bitcast<i32>(_e178);
             if (_e218 < -126i) {
-                phi_407_ = -126i;
+                phi_414_ = -126i;
             } else {
-                phi_407_ = select(_e218, 127i, (_e218 > 127i));
+                phi_414_ = select(_e218, 127i, (_e218 > 127i));
             }
-            let _e223 = phi_407_;
+            let _e223 = phi_414_;
             let _e228 = bitcast<f32>((bitcast<u32>((_e223 + 127i)) << bitcast<u32>(23i)));
             let _e234 = bitcast<f32>((bitcast<u32>(((_e218 - _e223) + 127i)) << bitcast<u32>(23i)));
             if (_e194 == 0u) {
-                phi_547_ = type_40(array<f32, 3>(_e211, _e212, _e213), _e194, _e215, _e216);
+                phi_554_ = type_40(array<f32, 3>(_e211, _e212, _e213), _e194, _e215, _e216);
             } else {
                 let _e236 = bitcast<u32>(_e211);
                 let _e238 = ((_e236 & 2139095040u) != 0u);
@@ -367,9 +354,9 @@ fn function_() {
                 let _e272 = ((_e270 & 2139095040u) != 0u);
                 let _e288 = bitcast<u32>(_e215);
                 let _e290 = ((_e288 & 2139095040u) != 0u);
-                phi_547_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e236 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e236 & 2147483648u))), _e211, _e238) * _e228) * select(0.00000011920929f, 1f, _e238)) * _e234), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e253 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e253 & 2147483648u))), _e212, _e255) * _e228) * select(0.00000011920929f, 1f, _e255)) * _e234), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e213, _e272) * _e228) * select(0.00000011920929f, 1f, _e272)) * _e234)), _e194, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e288 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e288 & 2147483648u))), _e215, _e290) * _e228) * select(0.00000011920929f, 1f, _e290)) * _e234), _e216);
+                phi_554_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e236 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e236 & 2147483648u))), _e211, _e238) * _e228) * select(0.00000011920929f, 1f, _e238)) * _e234), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e253 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e253 & 2147483648u))), _e212, _e255) * _e228) * select(0.00000011920929f, 1f, _e255)) * _e234), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e270 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e270 & 2147483648u))), _e213, _e272) * _e228) * select(0.00000011920929f, 1f, _e272)) * _e234)), _e194, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e288 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e288 & 2147483648u))), _e215, _e290) * _e228) * select(0.00000011920929f, 1f, _e290)) * _e234), _e216);
             }
-            let _e307 = phi_547_;
+            let _e307 = phi_554_;
             if _e169 {
                 let _e308 = (_e154 < arrayLength((&global_2.member)));
                 if _e308 {
@@ -424,85 +411,85 @@ fn function_() {
                         if _e402 {
                             let _e405 = (bitcast<u32>(bitcast<f32>(_e385)) & 2147483647u);
                             if (_e405 >= 8388608u) {
-                                phi_697_ = (bitcast<i32>((_e405 >> bitcast<u32>(23i))) - 127i);
+                                phi_704_ = (bitcast<i32>((_e405 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_697_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e405)), 32u, (_e405 == 0u))));
+                                phi_704_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e405)), 32u, (_e405 == 0u))));
                             }
-                            let _e419 = phi_697_;
-                            phi_698_ = _e419;
+                            let _e419 = phi_704_;
+                            phi_705_ = _e419;
                         } else {
-                            phi_698_ = 0i;
+                            phi_705_ = 0i;
                         }
-                        let _e421 = phi_698_;
+                        let _e421 = phi_705_;
                         let _e422 = (_e341 == _e385);
                         if _e422 {
-                            phi_708_ = true;
+                            phi_715_ = true;
                         } else {
-                            phi_708_ = (_e349 == _e385);
+                            phi_715_ = (_e349 == _e385);
                         }
-                        let _e425 = phi_708_;
+                        let _e425 = phi_715_;
                         let _e426 = select(1u, 0u, _e422);
                         if _e425 {
                             let _e427 = (_e426 + 1u);
-                            phi_718_ = _e427;
-                            phi_719_ = _e427;
-                            phi_721_ = select(true, false, (_e427 == 2u));
+                            phi_725_ = _e427;
+                            phi_726_ = _e427;
+                            phi_728_ = select(true, false, (_e427 == 2u));
                         } else {
-                            phi_718_ = u32();
-                            phi_719_ = 0u;
-                            phi_721_ = true;
-                        }
-                        let _e431 = phi_718_;
-                        let _e433 = phi_719_;
-                        let _e435 = phi_721_;
-                        if _e435 {
-                            phi_726_ = (_e433 + 1u);
-                        } else {
+                            phi_725_ = u32();
                             phi_726_ = 0u;
+                            phi_728_ = true;
                         }
-                        let _e439 = phi_726_;
+                        let _e431 = phi_725_;
+                        let _e433 = phi_726_;
+                        let _e435 = phi_728_;
+                        if _e435 {
+                            phi_733_ = (_e433 + 1u);
+                        } else {
+                            phi_733_ = 0u;
+                        }
+                        let _e439 = phi_733_;
                         let _e440 = select(_e431, _e433, _e435);
                         let _e441 = select(_e426, select(2u, _e426, _e425), _e435);
                         let _e442 = -(_e421);
                         if (_e442 < -126i) {
-                            phi_759_ = -126i;
+                            phi_766_ = -126i;
                         } else {
-                            phi_759_ = select(_e442, 127i, (_e442 > 127i));
+                            phi_766_ = select(_e442, 127i, (_e442 > 127i));
                         }
-                        let _e447 = phi_759_;
+                        let _e447 = phi_766_;
                         let _e452 = bitcast<f32>((bitcast<u32>((_e447 + 127i)) << bitcast<u32>(23i)));
                         let _e458 = bitcast<f32>((bitcast<u32>(((_e442 - _e447) + 127i)) << bitcast<u32>(23i)));
                         let _e463 = global_9.member[_e154].member.member;
                         let _e464 = (_e440 == 0u);
                         if _e464 {
-                            phi_777_ = _e463[0];
+                            phi_784_ = _e463[0];
                         } else {
-                            phi_777_ = _e463[1];
+                            phi_784_ = _e463[1];
                         }
-                        let _e468 = phi_777_;
+                        let _e468 = phi_784_;
                         let _e469 = (_e440 == 2u);
                         if _e469 {
-                            phi_783_ = _e463[2];
+                            phi_790_ = _e463[2];
                         } else {
-                            phi_783_ = _e468;
+                            phi_790_ = _e468;
                         }
-                        let _e472 = phi_783_;
+                        let _e472 = phi_790_;
                         let _e473 = bitcast<u32>(_e472);
                         let _e475 = ((_e473 & 2139095040u) != 0u);
                         let _e487 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e473 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e473 & 2147483648u))), _e472, _e475) * select(0.00000011920929f, 1f, _e475));
                         let _e488 = global_9.member[_e154].member.member_2;
                         if _e464 {
-                            phi_823_ = _e488[0];
+                            phi_830_ = _e488[0];
                         } else {
-                            phi_823_ = _e488[1];
+                            phi_830_ = _e488[1];
                         }
-                        let _e492 = phi_823_;
+                        let _e492 = phi_830_;
                         if _e469 {
-                            phi_829_ = _e488[2];
+                            phi_836_ = _e488[2];
                         } else {
-                            phi_829_ = _e492;
+                            phi_836_ = _e492;
                         }
-                        let _e495 = phi_829_;
+                        let _e495 = phi_836_;
                         let _e496 = bitcast<u32>(_e495);
                         let _e498 = ((_e496 & 2139095040u) != 0u);
                         let _e512 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e496 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e496 & 2147483648u))), _e495, _e498) * _e452) * select(0.00000011920929f, 1f, _e498)) * _e458);
@@ -516,33 +503,33 @@ fn function_() {
                         let _e528 = select(38685626000000000000000000f, (1f / _e512), _e516);
                         let _e529 = (_e439 == 0u);
                         if _e529 {
-                            phi_902_ = _e463[0];
+                            phi_909_ = _e463[0];
                         } else {
-                            phi_902_ = _e463[1];
+                            phi_909_ = _e463[1];
                         }
-                        let _e533 = phi_902_;
+                        let _e533 = phi_909_;
                         let _e534 = (_e439 == 2u);
                         if _e534 {
-                            phi_908_ = _e463[2];
+                            phi_915_ = _e463[2];
                         } else {
-                            phi_908_ = _e533;
+                            phi_915_ = _e533;
                         }
-                        let _e537 = phi_908_;
+                        let _e537 = phi_915_;
                         let _e538 = bitcast<u32>(_e537);
                         let _e540 = ((_e538 & 2139095040u) != 0u);
                         let _e552 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e538 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e538 & 2147483648u))), _e537, _e540) * select(0.00000011920929f, 1f, _e540));
                         if _e529 {
-                            phi_948_ = _e488[0];
+                            phi_955_ = _e488[0];
                         } else {
-                            phi_948_ = _e488[1];
+                            phi_955_ = _e488[1];
                         }
-                        let _e556 = phi_948_;
+                        let _e556 = phi_955_;
                         if _e534 {
-                            phi_954_ = _e488[2];
+                            phi_961_ = _e488[2];
                         } else {
-                            phi_954_ = _e556;
+                            phi_961_ = _e556;
                         }
-                        let _e559 = phi_954_;
+                        let _e559 = phi_961_;
                         let _e560 = bitcast<u32>(_e559);
                         let _e562 = ((_e560 & 2139095040u) != 0u);
                         let _e576 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e560 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e560 & 2147483648u))), _e559, _e562) * _e452) * select(0.00000011920929f, 1f, _e562)) * _e458);
@@ -556,33 +543,33 @@ fn function_() {
                         let _e592 = select(38685626000000000000000000f, (1f / _e576), _e580);
                         let _e593 = (_e441 == 0u);
                         if _e593 {
-                            phi_1027_ = _e463[0];
+                            phi_1034_ = _e463[0];
                         } else {
-                            phi_1027_ = _e463[1];
+                            phi_1034_ = _e463[1];
                         }
-                        let _e597 = phi_1027_;
+                        let _e597 = phi_1034_;
                         let _e598 = (_e441 == 2u);
                         if _e598 {
-                            phi_1033_ = _e463[2];
+                            phi_1040_ = _e463[2];
                         } else {
-                            phi_1033_ = _e597;
+                            phi_1040_ = _e597;
                         }
-                        let _e601 = phi_1033_;
+                        let _e601 = phi_1040_;
                         let _e602 = bitcast<u32>(_e601);
                         let _e604 = ((_e602 & 2139095040u) != 0u);
                         let _e616 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e602 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e602 & 2147483648u))), _e601, _e604) * select(0.00000011920929f, 1f, _e604));
                         if _e593 {
-                            phi_1073_ = _e488[0];
+                            phi_1080_ = _e488[0];
                         } else {
-                            phi_1073_ = _e488[1];
+                            phi_1080_ = _e488[1];
                         }
-                        let _e620 = phi_1073_;
+                        let _e620 = phi_1080_;
                         if _e598 {
-                            phi_1079_ = _e488[2];
+                            phi_1086_ = _e488[2];
                         } else {
-                            phi_1079_ = _e620;
+                            phi_1086_ = _e620;
                         }
-                        let _e623 = phi_1079_;
+                        let _e623 = phi_1086_;
                         let _e624 = bitcast<u32>(_e623);
                         let _e626 = ((_e624 & 2139095040u) != 0u);
                         let _e640 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e624 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e624 & 2147483648u))), _e623, _e626) * _e452) * select(0.00000011920929f, 1f, _e626)) * _e458);
@@ -601,55 +588,55 @@ fn function_() {
                             let _e677 = (_e670 == 0u);
                             let _e680 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e670)), 32u, _e677)) - 8i);
                             if (_e673 == 255i) {
-                                phi_1198_ = 255i;
+                                phi_1205_ = 255i;
                             } else {
-                                phi_1198_ = (((_e673 + select(0i, 1i, (_e673 == 0i))) - _e680) + _e421);
+                                phi_1205_ = (((_e673 + select(0i, 1i, (_e673 == 0i))) - _e680) + _e421);
                             }
-                            let _e688 = phi_1198_;
+                            let _e688 = phi_1205_;
                             let _e698 = (_e688 <= 0i);
                             if _e698 {
-                                phi_1221_ = u32();
+                                phi_1228_ = u32();
                             } else {
                                 if _e677 {
-                                    phi_1220_ = u32();
+                                    phi_1227_ = u32();
                                 } else {
-                                    phi_1220_ = select(((bitcast<u32>(_e688) << bitcast<u32>(23i)) | ((_e670 << bitcast<u32>(((_e680 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e688 >= 255i));
+                                    phi_1227_ = select(((bitcast<u32>(_e688) << bitcast<u32>(23i)) | ((_e670 << bitcast<u32>(((_e680 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e688 >= 255i));
                                 }
-                                let _e702 = phi_1220_;
-                                phi_1221_ = _e702;
+                                let _e702 = phi_1227_;
+                                phi_1228_ = _e702;
                             }
-                            let _e704 = phi_1221_;
+                            let _e704 = phi_1228_;
                             let _e716 = ((_e398 & 8388607u) | (select(0u, 1u, ((_e398 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e719 = bitcast<i32>((_e398 >> bitcast<u32>(23i)));
                             let _e723 = (_e716 == 0u);
                             let _e726 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e716)), 32u, _e723)) - 8i);
                             if (_e719 == 255i) {
-                                phi_1258_ = 255i;
+                                phi_1265_ = 255i;
                             } else {
-                                phi_1258_ = (((_e719 + select(0i, 1i, (_e719 == 0i))) - _e726) + _e421);
+                                phi_1265_ = (((_e719 + select(0i, 1i, (_e719 == 0i))) - _e726) + _e421);
                             }
-                            let _e734 = phi_1258_;
+                            let _e734 = phi_1265_;
                             let _e744 = (_e734 <= 0i);
                             if _e744 {
-                                phi_1281_ = u32();
+                                phi_1288_ = u32();
                             } else {
                                 if _e723 {
-                                    phi_1280_ = u32();
+                                    phi_1287_ = u32();
                                 } else {
-                                    phi_1280_ = select(((bitcast<u32>(_e734) << bitcast<u32>(23i)) | ((_e716 << bitcast<u32>(((_e726 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e734 >= 255i));
+                                    phi_1287_ = select(((bitcast<u32>(_e734) << bitcast<u32>(23i)) | ((_e716 << bitcast<u32>(((_e726 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e734 >= 255i));
                                 }
-                                let _e748 = phi_1280_;
-                                phi_1281_ = _e748;
+                                let _e748 = phi_1287_;
+                                phi_1288_ = _e748;
                             }
-                            let _e750 = phi_1281_;
-                            phi_1289_ = bitcast<f32>(((_e397 & 2147483648u) | select(_e750, 0u, select(_e723, true, _e744))));
-                            phi_1290_ = bitcast<f32>(((_e392 & 2147483648u) | select(_e704, 0u, select(_e677, true, _e698))));
+                            let _e750 = phi_1288_;
+                            phi_1296_ = bitcast<f32>(((_e397 & 2147483648u) | select(_e750, 0u, select(_e723, true, _e744))));
+                            phi_1297_ = bitcast<f32>(((_e392 & 2147483648u) | select(_e704, 0u, select(_e677, true, _e698))));
                         } else {
-                            phi_1289_ = 0f;
-                            phi_1290_ = 1f;
+                            phi_1296_ = 0f;
+                            phi_1297_ = 1f;
                         }
-                        let _e756 = phi_1289_;
-                        let _e758 = phi_1290_;
+                        let _e756 = phi_1296_;
+                        let _e758 = phi_1297_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -658,1391 +645,1308 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e762 = (_e440 % 3u);
-                        let _e763 = (_e762 < 3u);
-                        if _e763 {
+                        let _e764 = (_e440 % 3u);
+                        let _e765 = (_e764 < 3u);
+                        if _e765 {
                         } else {
                             break;
                         }
-                        let _e765 = local_1[_e762];
-                        let _e768 = (_e439 % 3u);
-                        let _e769 = (_e768 < 3u);
-                        if _e769 {
+                        let _e767 = local_1[_e764];
+                        let _e770 = (_e439 % 3u);
+                        let _e771 = (_e770 < 3u);
+                        if _e771 {
                         } else {
                             break;
                         }
-                        let _e771 = local_1[_e768];
-                        let _e774 = (_e441 % 3u);
-                        let _e775 = (_e774 < 3u);
-                        if _e775 {
+                        let _e773 = local_1[_e770];
+                        let _e776 = (_e441 % 3u);
+                        let _e777 = (_e776 < 3u);
+                        if _e777 {
                         } else {
                             break;
                         }
-                        let _e777 = local_1[_e774];
-                        if _e763 {
+                        let _e779 = local_1[_e776];
+                        if _e765 {
                         } else {
                             break;
                         }
-                        let _e782 = local[_e762];
-                        if _e769 {
+                        let _e784 = local[_e764];
+                        if _e771 {
                         } else {
                             break;
                         }
-                        let _e786 = local[_e768];
-                        if _e775 {
+                        let _e788 = local[_e770];
+                        if _e777 {
                         } else {
                             break;
                         }
-                        let _e790 = local[_e774];
-                        phi_5142_ = false;
-                        phi_1386_ = type_47(_e756, false);
-                        phi_1389_ = ((3u * _e107) + 1u);
-                        phi_1391_ = (_e758 <= _e756);
-                        phi_1393_ = 0u;
-                        phi_1395_ = type_59(type_34(vec4<f32>((f32(_e765) * _e166), (f32(_e771) * _e166), (f32(_e777) * _e166), 0f), vec4<f32>((f32(_e782) * _e166), (f32(_e786) * _e166), (f32(_e790) * _e166), 0f)), select(0u, 2147483648u, (_e107 == 0u)));
+                        let _e792 = local[_e776];
+                        phi_5070_ = false;
+                        phi_1393_ = type_47(_e756, false);
+                        phi_1396_ = (_e758 <= _e756);
+                        phi_1398_ = type_59(type_34(vec4<f32>((f32(_e767) * _e166), (f32(_e773) * _e166), (f32(_e779) * _e166), 0f), vec4<f32>((f32(_e784) * _e166), (f32(_e788) * _e166), (f32(_e792) * _e166), 0f)), select(0u, 2147483648u, (_e107 == 0u)));
+                        phi_1400_ = 0u;
+                        phi_1402_ = ((3u * _e107) + 1u);
                         loop {
-                            let _e800 = phi_5142_;
-                            let _e802 = phi_1386_;
-                            let _e804 = phi_1389_;
-                            let _e806 = phi_1391_;
-                            let _e808 = phi_1393_;
-                            let _e810 = phi_1395_;
-                            local_10 = _e802;
-                            if _e806 {
-                                phi_1406_ = true;
+                            let _e800 = phi_5070_;
+                            let _e802 = phi_1393_;
+                            let _e804 = phi_1396_;
+                            let _e806 = phi_1398_;
+                            let _e808 = phi_1400_;
+                            let _e810 = phi_1402_;
+                            local_11 = _e802;
+                            if _e804 {
+                                phi_1413_ = true;
                             } else {
-                                phi_1406_ = (_e808 > 0u);
+                                phi_1413_ = (_e808 > 0u);
                             }
-                            let _e813 = phi_1406_;
+                            let _e813 = phi_1413_;
                             if _e813 {
-                                let _e814 = (_e804 > 0u);
+                                let _e814 = (_e810 > 0u);
                                 if _e814 {
-                                    if _e806 {
-                                        phi_1492_ = _e806;
-                                        phi_1493_ = _e808;
-                                        phi_1494_ = _e810;
+                                    if _e804 {
+                                        phi_1499_ = _e804;
+                                        phi_1500_ = _e806;
+                                        phi_1501_ = _e808;
                                     } else {
                                         let _e815 = (_e808 - 1u);
                                         let _e816 = (_e815 % 128u);
                                         let _e817 = (_e816 < 128u);
                                         if _e817 {
                                         } else {
-                                            phi_5380_ = true;
+                                            phi_5296_ = true;
                                             break;
                                         }
                                         let _e819 = local_7[_e816];
                                         if _e817 {
                                         } else {
-                                            phi_5380_ = true;
+                                            phi_5296_ = true;
                                             break;
                                         }
                                         let _e821 = local_6[_e816];
                                         if _e817 {
                                         } else {
-                                            phi_5380_ = true;
+                                            phi_5296_ = true;
                                             break;
                                         }
                                         let _e823 = local_5[_e816];
                                         if _e817 {
                                         } else {
-                                            phi_5380_ = true;
+                                            phi_5296_ = true;
                                             break;
                                         }
                                         let _e825 = local_4[_e816];
                                         if _e817 {
                                         } else {
-                                            phi_5380_ = true;
+                                            phi_5296_ = true;
                                             break;
                                         }
                                         let _e827 = local_3[_e816];
                                         if _e817 {
                                         } else {
-                                            phi_5380_ = true;
+                                            phi_5296_ = true;
                                             break;
                                         }
                                         let _e829 = local_2[_e816];
                                         if _e817 {
                                         } else {
-                                            phi_5380_ = true;
+                                            phi_5296_ = true;
                                             break;
                                         }
                                         let _e834 = local_8[_e816];
                                         if _e817 {
                                         } else {
-                                            phi_5380_ = true;
+                                            phi_5296_ = true;
                                             break;
                                         }
                                         let _e837 = local_9[_e816];
-                                        phi_1492_ = (_e837 <= _e802.member);
-                                        phi_1493_ = _e815;
-                                        phi_1494_ = type_59(type_34(vec4<f32>(_e819, _e821, _e823, 0f), vec4<f32>(_e825, _e827, _e829, 0f)), _e834);
+                                        phi_1499_ = (_e837 <= _e802.member);
+                                        phi_1500_ = type_59(type_34(vec4<f32>(_e819, _e821, _e823, 0f), vec4<f32>(_e825, _e827, _e829, 0f)), _e834);
+                                        phi_1501_ = _e815;
                                     }
-                                    let _e841 = phi_1492_;
-                                    let _e843 = phi_1493_;
-                                    let _e845 = phi_1494_;
+                                    let _e841 = phi_1499_;
+                                    let _e843 = phi_1500_;
+                                    let _e845 = phi_1501_;
                                     if _e841 {
-                                        let _e849 = ((_e845.member_1 & 2147483648u) != 0u);
-                                        let _e850 = (_e845.member_1 & 268435455u);
-                                        if _e849 {
-                                            phi_1513_ = _e802;
-                                            phi_1516_ = type_8(0u, ((_e845.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        let _e850 = (_e843.member_1 & 268435455u);
+                                        if ((_e843.member_1 & 2147483648u) != 0u) {
+                                            phi_1520_ = _e802;
+                                            phi_1523_ = type_8(0u, ((_e843.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e857 = phi_1513_;
-                                                let _e859 = phi_1516_;
-                                                local_11 = _e857;
-                                                if (_e859.member < _e859.member_1) {
-                                                    phi_1517_ = type_8((_e859.member + 1u), _e859.member_1);
-                                                    phi_1539_ = type_8(1u, _e859.member);
+                                                let _e1315 = phi_1520_;
+                                                let _e1317 = phi_1523_;
+                                                local_10 = _e1315;
+                                                local_12 = _e1315;
+                                                if (_e1317.member < _e1317.member_1) {
+                                                    phi_1524_ = type_8((_e1317.member + 1u), _e1317.member_1);
+                                                    phi_1546_ = type_8(1u, _e1317.member);
                                                 } else {
-                                                    phi_1517_ = _e859;
-                                                    phi_1539_ = type_8(0u, type_8().member_1);
+                                                    phi_1524_ = _e1317;
+                                                    phi_1546_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e872 = phi_1517_;
-                                                let _e874 = phi_1539_;
-                                                let _e878 = (bitcast<i32>(_e874.member) != 0i);
-                                                if _e878 {
-                                                    let _e883 = (_e845.member.member_1.x - _e845.member.member.x);
-                                                    let _e886 = (_e845.member.member_1.y - _e845.member.member.y);
-                                                    let _e889 = (_e845.member.member_1.z - _e845.member.member.z);
-                                                    let _e891 = select(_e886, _e883, (_e883 > _e886));
-                                                    let _e893 = select(_e889, _e891, (_e891 > _e889));
-                                                    let _e895 = (_e893 < (1024f * _e166));
-                                                    if _e895 {
-                                                        phi_1580_ = 0u;
+                                                let _e1330 = phi_1524_;
+                                                let _e1332 = phi_1546_;
+                                                let _e1336 = (bitcast<i32>(_e1332.member) != 0i);
+                                                if _e1336 {
+                                                    let _e1341 = (_e843.member.member_1.x - _e843.member.member.x);
+                                                    let _e1344 = (_e843.member.member_1.y - _e843.member.member.y);
+                                                    let _e1347 = (_e843.member.member_1.z - _e843.member.member.z);
+                                                    let _e1349 = select(_e1344, _e1341, (_e1341 > _e1344));
+                                                    let _e1351 = select(_e1347, _e1349, (_e1349 > _e1347));
+                                                    let _e1353 = (_e1351 < (1024f * _e166));
+                                                    if _e1353 {
+                                                        phi_1587_ = 0u;
                                                     } else {
-                                                        phi_1580_ = select(2u, 1u, (_e893 < (2097152f * _e166)));
+                                                        phi_1587_ = select(2u, 1u, (_e1351 < (2097152f * _e166)));
                                                     }
-                                                    let _e900 = phi_1580_;
-                                                    switch bitcast<i32>(_e900) {
+                                                    let _e1358 = phi_1587_;
+                                                    switch bitcast<i32>(_e1358) {
                                                         case 0: {
-                                                            phi_1586_ = 1u;
+                                                            phi_1593_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1586_ = 2u;
+                                                            phi_1593_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1586_ = 3u;
+                                                            phi_1593_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1586_ = u32();
+                                                            phi_1593_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e903 = phi_1586_;
-                                                    switch bitcast<i32>(_e900) {
+                                                    let _e1361 = phi_1593_;
+                                                    switch bitcast<i32>(_e1358) {
                                                         case 0: {
-                                                            phi_1596_ = 1u;
+                                                            phi_1603_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1596_ = 2u;
+                                                            phi_1603_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1596_ = 3u;
+                                                            phi_1603_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1596_ = u32();
+                                                            phi_1603_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e910 = phi_1596_;
-                                                    let _e912 = ((_e850 + (_e874.member_1 * ((3u * _e903) + 1u))) + (3u * _e910));
-                                                    let _e913 = (_e912 < _e110);
-                                                    if _e913 {
-                                                        if _e913 {
+                                                    let _e1368 = phi_1603_;
+                                                    let _e1370 = ((_e850 + (_e1332.member_1 * ((3u * _e1361) + 1u))) + (3u * _e1368));
+                                                    let _e1371 = (_e1370 < _e110);
+                                                    if _e1371 {
+                                                        if _e1371 {
                                                         } else {
-                                                            phi_5136_ = true;
+                                                            phi_5064_ = true;
                                                             break;
                                                         }
-                                                        let _e915 = global_10.member[_e912];
-                                                        phi_1612_ = _e915;
+                                                        let _e1373 = global_10.member[_e1370];
+                                                        phi_1619_ = _e1373;
                                                     } else {
-                                                        phi_1612_ = 4294967295u;
+                                                        phi_1619_ = 4294967295u;
                                                     }
-                                                    let _e917 = phi_1612_;
-                                                    if _e895 {
-                                                        phi_1645_ = 0u;
+                                                    let _e1375 = phi_1619_;
+                                                    if _e1353 {
+                                                        phi_1652_ = 0u;
                                                     } else {
-                                                        phi_1645_ = select(2u, 1u, (_e893 < (2097152f * _e166)));
+                                                        phi_1652_ = select(2u, 1u, (_e1351 < (2097152f * _e166)));
                                                     }
-                                                    let _e922 = phi_1645_;
-                                                    switch bitcast<i32>(_e922) {
+                                                    let _e1380 = phi_1652_;
+                                                    switch bitcast<i32>(_e1380) {
                                                         case 0: {
-                                                            phi_1651_ = 1u;
+                                                            phi_1658_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1651_ = 2u;
+                                                            phi_1658_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1651_ = 3u;
+                                                            phi_1658_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1651_ = u32();
+                                                            phi_1658_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e925 = phi_1651_;
-                                                    let _e929 = (_e850 + (_e874.member_1 * ((3u * _e925) + 1u)));
-                                                    switch bitcast<i32>(_e922) {
+                                                    let _e1383 = phi_1658_;
+                                                    let _e1387 = (_e850 + (_e1332.member_1 * ((3u * _e1383) + 1u)));
+                                                    switch bitcast<i32>(_e1380) {
                                                         case 0: {
-                                                            let _e1204 = (_e929 < _e110);
-                                                            if _e1204 {
-                                                                if _e1204 {
+                                                            let _e1662 = (_e1387 < _e110);
+                                                            if _e1662 {
+                                                                if _e1662 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1206 = global_10.member[_e929];
-                                                                phi_1678_ = _e1206;
+                                                                let _e1664 = global_10.member[_e1387];
+                                                                phi_1685_ = _e1664;
                                                             } else {
-                                                                phi_1678_ = 0u;
+                                                                phi_1685_ = 0u;
                                                             }
-                                                            let _e1208 = phi_1678_;
-                                                            let _e1210 = ((10u * _e440) & 31u);
-                                                            let _e1220 = ((10u * _e439) & 31u);
-                                                            let _e1230 = ((10u * _e441) & 31u);
-                                                            let _e1240 = (_e929 + 1u);
-                                                            let _e1241 = (_e1240 < _e110);
-                                                            if _e1241 {
-                                                                if _e1241 {
+                                                            let _e1666 = phi_1685_;
+                                                            let _e1668 = ((10u * _e440) & 31u);
+                                                            let _e1678 = ((10u * _e439) & 31u);
+                                                            let _e1688 = ((10u * _e441) & 31u);
+                                                            let _e1698 = (_e1387 + 1u);
+                                                            let _e1699 = (_e1698 < _e110);
+                                                            if _e1699 {
+                                                                if _e1699 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1243 = global_10.member[_e1240];
-                                                                phi_1727_ = _e1243;
+                                                                let _e1701 = global_10.member[_e1698];
+                                                                phi_1734_ = _e1701;
                                                             } else {
-                                                                phi_1727_ = 0u;
+                                                                phi_1734_ = 0u;
                                                             }
-                                                            let _e1245 = phi_1727_;
-                                                            let _e1271 = (_e929 + 2u);
-                                                            let _e1272 = (_e1271 < _e110);
-                                                            if _e1272 {
-                                                                if _e1272 {
+                                                            let _e1703 = phi_1734_;
+                                                            let _e1729 = (_e1387 + 2u);
+                                                            let _e1730 = (_e1729 < _e110);
+                                                            if _e1730 {
+                                                                if _e1730 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1274 = global_10.member[_e1271];
-                                                                phi_1776_ = _e1274;
+                                                                let _e1732 = global_10.member[_e1729];
+                                                                phi_1783_ = _e1732;
                                                             } else {
-                                                                phi_1776_ = 0u;
+                                                                phi_1783_ = 0u;
                                                             }
-                                                            let _e1276 = phi_1776_;
-                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | ((_e1208 >> bitcast<u32>(_e1210)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | ((_e1208 >> bitcast<u32>(_e1220)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | ((_e1208 >> bitcast<u32>(_e1230)) & 1023u))) - 8388608f) * _e166))), array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | ((_e1245 >> bitcast<u32>(_e1210)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | ((_e1245 >> bitcast<u32>(_e1220)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | ((_e1245 >> bitcast<u32>(_e1230)) & 1023u))) - 8388608f) * _e166))), array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | ((_e1276 >> bitcast<u32>(_e1210)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | ((_e1276 >> bitcast<u32>(_e1220)) & 1023u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | ((_e1276 >> bitcast<u32>(_e1230)) & 1023u))) - 8388608f) * _e166))));
+                                                            let _e1734 = phi_1783_;
+                                                            phi_2284_ = array<array<f32, 3>, 3>(array<f32, 3>((_e843.member.member.x + ((bitcast<f32>((1258291200u | ((_e1666 >> bitcast<u32>(_e1668)) & 1023u))) - 8388608f) * _e166)), (_e843.member.member.y + ((bitcast<f32>((1258291200u | ((_e1666 >> bitcast<u32>(_e1678)) & 1023u))) - 8388608f) * _e166)), (_e843.member.member.z + ((bitcast<f32>((1258291200u | ((_e1666 >> bitcast<u32>(_e1688)) & 1023u))) - 8388608f) * _e166))), array<f32, 3>((_e843.member.member.x + ((bitcast<f32>((1258291200u | ((_e1703 >> bitcast<u32>(_e1668)) & 1023u))) - 8388608f) * _e166)), (_e843.member.member.y + ((bitcast<f32>((1258291200u | ((_e1703 >> bitcast<u32>(_e1678)) & 1023u))) - 8388608f) * _e166)), (_e843.member.member.z + ((bitcast<f32>((1258291200u | ((_e1703 >> bitcast<u32>(_e1688)) & 1023u))) - 8388608f) * _e166))), array<f32, 3>((_e843.member.member.x + ((bitcast<f32>((1258291200u | ((_e1734 >> bitcast<u32>(_e1668)) & 1023u))) - 8388608f) * _e166)), (_e843.member.member.y + ((bitcast<f32>((1258291200u | ((_e1734 >> bitcast<u32>(_e1678)) & 1023u))) - 8388608f) * _e166)), (_e843.member.member.z + ((bitcast<f32>((1258291200u | ((_e1734 >> bitcast<u32>(_e1688)) & 1023u))) - 8388608f) * _e166))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1018 = (_e929 < _e110);
-                                                            if _e1018 {
-                                                                if _e1018 {
+                                                            let _e1476 = (_e1387 < _e110);
+                                                            if _e1476 {
+                                                                if _e1476 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1020 = global_10.member[_e929];
-                                                                phi_1825_ = _e1020;
+                                                                let _e1478 = global_10.member[_e1387];
+                                                                phi_1832_ = _e1478;
                                                             } else {
-                                                                phi_1825_ = 0u;
+                                                                phi_1832_ = 0u;
                                                             }
-                                                            let _e1022 = phi_1825_;
-                                                            let _e1023 = (_e929 + 1u);
-                                                            let _e1024 = (_e1023 < _e110);
-                                                            if _e1024 {
-                                                                if _e1024 {
+                                                            let _e1480 = phi_1832_;
+                                                            let _e1481 = (_e1387 + 1u);
+                                                            let _e1482 = (_e1481 < _e110);
+                                                            if _e1482 {
+                                                                if _e1482 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1026 = global_10.member[_e1023];
-                                                                phi_1840_ = _e1026;
+                                                                let _e1484 = global_10.member[_e1481];
+                                                                phi_1847_ = _e1484;
                                                             } else {
-                                                                phi_1840_ = 0u;
+                                                                phi_1847_ = 0u;
                                                             }
-                                                            let _e1028 = phi_1840_;
-                                                            let _e1029 = (_e440 == 1u);
-                                                            if _e1029 {
-                                                                phi_1850_ = ((_e1022 >> bitcast<u32>(21i)) | (_e1028 << bitcast<u32>(11i)));
+                                                            let _e1486 = phi_1847_;
+                                                            let _e1487 = (_e440 == 1u);
+                                                            if _e1487 {
+                                                                phi_1857_ = ((_e1480 >> bitcast<u32>(21i)) | (_e1486 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1850_ = (_e1028 >> bitcast<u32>(10i));
+                                                                phi_1857_ = (_e1486 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1038 = phi_1850_;
-                                                            let _e1046 = (_e439 == 1u);
-                                                            if _e1046 {
-                                                                phi_1871_ = ((_e1022 >> bitcast<u32>(21i)) | (_e1028 << bitcast<u32>(11i)));
+                                                            let _e1496 = phi_1857_;
+                                                            let _e1504 = (_e439 == 1u);
+                                                            if _e1504 {
+                                                                phi_1878_ = ((_e1480 >> bitcast<u32>(21i)) | (_e1486 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1871_ = (_e1028 >> bitcast<u32>(10i));
+                                                                phi_1878_ = (_e1486 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1055 = phi_1871_;
-                                                            let _e1063 = (_e441 == 1u);
-                                                            if _e1063 {
-                                                                phi_1892_ = ((_e1022 >> bitcast<u32>(21i)) | (_e1028 << bitcast<u32>(11i)));
+                                                            let _e1513 = phi_1878_;
+                                                            let _e1521 = (_e441 == 1u);
+                                                            if _e1521 {
+                                                                phi_1899_ = ((_e1480 >> bitcast<u32>(21i)) | (_e1486 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1892_ = (_e1028 >> bitcast<u32>(10i));
+                                                                phi_1899_ = (_e1486 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1072 = phi_1892_;
-                                                            let _e1081 = (_e929 + 2u);
-                                                            let _e1082 = (_e1081 < _e110);
-                                                            if _e1082 {
-                                                                if _e1082 {
+                                                            let _e1530 = phi_1899_;
+                                                            let _e1539 = (_e1387 + 2u);
+                                                            let _e1540 = (_e1539 < _e110);
+                                                            if _e1540 {
+                                                                if _e1540 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1084 = global_10.member[_e1081];
-                                                                phi_1922_ = _e1084;
+                                                                let _e1542 = global_10.member[_e1539];
+                                                                phi_1929_ = _e1542;
                                                             } else {
-                                                                phi_1922_ = 0u;
+                                                                phi_1929_ = 0u;
                                                             }
-                                                            let _e1086 = phi_1922_;
-                                                            let _e1087 = (_e929 + 3u);
-                                                            let _e1088 = (_e1087 < _e110);
-                                                            if _e1088 {
-                                                                if _e1088 {
+                                                            let _e1544 = phi_1929_;
+                                                            let _e1545 = (_e1387 + 3u);
+                                                            let _e1546 = (_e1545 < _e110);
+                                                            if _e1546 {
+                                                                if _e1546 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1090 = global_10.member[_e1087];
-                                                                phi_1937_ = _e1090;
+                                                                let _e1548 = global_10.member[_e1545];
+                                                                phi_1944_ = _e1548;
                                                             } else {
-                                                                phi_1937_ = 0u;
+                                                                phi_1944_ = 0u;
                                                             }
-                                                            let _e1092 = phi_1937_;
-                                                            if _e1029 {
-                                                                phi_1947_ = ((_e1086 >> bitcast<u32>(21i)) | (_e1092 << bitcast<u32>(11i)));
+                                                            let _e1550 = phi_1944_;
+                                                            if _e1487 {
+                                                                phi_1954_ = ((_e1544 >> bitcast<u32>(21i)) | (_e1550 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1947_ = (_e1092 >> bitcast<u32>(10i));
+                                                                phi_1954_ = (_e1550 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1101 = phi_1947_;
-                                                            if _e1046 {
-                                                                phi_1968_ = ((_e1086 >> bitcast<u32>(21i)) | (_e1092 << bitcast<u32>(11i)));
+                                                            let _e1559 = phi_1954_;
+                                                            if _e1504 {
+                                                                phi_1975_ = ((_e1544 >> bitcast<u32>(21i)) | (_e1550 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1968_ = (_e1092 >> bitcast<u32>(10i));
+                                                                phi_1975_ = (_e1550 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1117 = phi_1968_;
-                                                            if _e1063 {
-                                                                phi_1989_ = ((_e1086 >> bitcast<u32>(21i)) | (_e1092 << bitcast<u32>(11i)));
+                                                            let _e1575 = phi_1975_;
+                                                            if _e1521 {
+                                                                phi_1996_ = ((_e1544 >> bitcast<u32>(21i)) | (_e1550 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1989_ = (_e1092 >> bitcast<u32>(10i));
+                                                                phi_1996_ = (_e1550 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1133 = phi_1989_;
-                                                            let _e1142 = (_e929 + 4u);
-                                                            let _e1143 = (_e1142 < _e110);
-                                                            if _e1143 {
-                                                                if _e1143 {
+                                                            let _e1591 = phi_1996_;
+                                                            let _e1600 = (_e1387 + 4u);
+                                                            let _e1601 = (_e1600 < _e110);
+                                                            if _e1601 {
+                                                                if _e1601 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1145 = global_10.member[_e1142];
-                                                                phi_2019_ = _e1145;
+                                                                let _e1603 = global_10.member[_e1600];
+                                                                phi_2026_ = _e1603;
                                                             } else {
-                                                                phi_2019_ = 0u;
+                                                                phi_2026_ = 0u;
                                                             }
-                                                            let _e1147 = phi_2019_;
-                                                            let _e1148 = (_e929 + 5u);
-                                                            let _e1149 = (_e1148 < _e110);
-                                                            if _e1149 {
-                                                                if _e1149 {
+                                                            let _e1605 = phi_2026_;
+                                                            let _e1606 = (_e1387 + 5u);
+                                                            let _e1607 = (_e1606 < _e110);
+                                                            if _e1607 {
+                                                                if _e1607 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1151 = global_10.member[_e1148];
-                                                                phi_2034_ = _e1151;
+                                                                let _e1609 = global_10.member[_e1606];
+                                                                phi_2041_ = _e1609;
                                                             } else {
-                                                                phi_2034_ = 0u;
+                                                                phi_2041_ = 0u;
                                                             }
-                                                            let _e1153 = phi_2034_;
-                                                            if _e1029 {
-                                                                phi_2044_ = ((_e1147 >> bitcast<u32>(21i)) | (_e1153 << bitcast<u32>(11i)));
+                                                            let _e1611 = phi_2041_;
+                                                            if _e1487 {
+                                                                phi_2051_ = ((_e1605 >> bitcast<u32>(21i)) | (_e1611 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2044_ = (_e1153 >> bitcast<u32>(10i));
+                                                                phi_2051_ = (_e1611 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1162 = phi_2044_;
-                                                            if _e1046 {
-                                                                phi_2065_ = ((_e1147 >> bitcast<u32>(21i)) | (_e1153 << bitcast<u32>(11i)));
+                                                            let _e1620 = phi_2051_;
+                                                            if _e1504 {
+                                                                phi_2072_ = ((_e1605 >> bitcast<u32>(21i)) | (_e1611 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2065_ = (_e1153 >> bitcast<u32>(10i));
+                                                                phi_2072_ = (_e1611 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1178 = phi_2065_;
-                                                            if _e1063 {
-                                                                phi_2086_ = ((_e1147 >> bitcast<u32>(21i)) | (_e1153 << bitcast<u32>(11i)));
+                                                            let _e1636 = phi_2072_;
+                                                            if _e1521 {
+                                                                phi_2093_ = ((_e1605 >> bitcast<u32>(21i)) | (_e1611 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2086_ = (_e1153 >> bitcast<u32>(10i));
+                                                                phi_2093_ = (_e1611 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1194 = phi_2086_;
-                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1038, _e1022, _e464) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1055, _e1022, _e529) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1072, _e1022, _e593) & 2097151u))) - 8388608f) * _e166))), array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1101, _e1086, _e464) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1117, _e1086, _e529) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1133, _e1086, _e593) & 2097151u))) - 8388608f) * _e166))), array<f32, 3>((_e845.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1162, _e1147, _e464) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1178, _e1147, _e529) & 2097151u))) - 8388608f) * _e166)), (_e845.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1194, _e1147, _e593) & 2097151u))) - 8388608f) * _e166))));
+                                                            let _e1652 = phi_2093_;
+                                                            phi_2284_ = array<array<f32, 3>, 3>(array<f32, 3>((_e843.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1496, _e1480, _e464) & 2097151u))) - 8388608f) * _e166)), (_e843.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1513, _e1480, _e529) & 2097151u))) - 8388608f) * _e166)), (_e843.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1530, _e1480, _e593) & 2097151u))) - 8388608f) * _e166))), array<f32, 3>((_e843.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1559, _e1544, _e464) & 2097151u))) - 8388608f) * _e166)), (_e843.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1575, _e1544, _e529) & 2097151u))) - 8388608f) * _e166)), (_e843.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1591, _e1544, _e593) & 2097151u))) - 8388608f) * _e166))), array<f32, 3>((_e843.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1620, _e1605, _e464) & 2097151u))) - 8388608f) * _e166)), (_e843.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1636, _e1605, _e529) & 2097151u))) - 8388608f) * _e166)), (_e843.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1652, _e1605, _e593) & 2097151u))) - 8388608f) * _e166))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e931 = (_e929 + _e440);
-                                                            let _e932 = (_e931 < _e110);
-                                                            if _e932 {
-                                                                if _e932 {
+                                                            let _e1389 = (_e1387 + _e440);
+                                                            let _e1390 = (_e1389 < _e110);
+                                                            if _e1390 {
+                                                                if _e1390 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e934 = global_10.member[_e931];
-                                                                phi_2117_ = _e934;
+                                                                let _e1392 = global_10.member[_e1389];
+                                                                phi_2124_ = _e1392;
                                                             } else {
-                                                                phi_2117_ = 0u;
+                                                                phi_2124_ = 0u;
                                                             }
-                                                            let _e936 = phi_2117_;
-                                                            let _e940 = (_e929 + _e439);
-                                                            let _e941 = (_e940 < _e110);
-                                                            if _e941 {
-                                                                if _e941 {
+                                                            let _e1394 = phi_2124_;
+                                                            let _e1398 = (_e1387 + _e439);
+                                                            let _e1399 = (_e1398 < _e110);
+                                                            if _e1399 {
+                                                                if _e1399 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e943 = global_10.member[_e940];
-                                                                phi_2135_ = _e943;
+                                                                let _e1401 = global_10.member[_e1398];
+                                                                phi_2142_ = _e1401;
                                                             } else {
-                                                                phi_2135_ = 0u;
+                                                                phi_2142_ = 0u;
                                                             }
-                                                            let _e945 = phi_2135_;
-                                                            let _e949 = (_e929 + _e441);
-                                                            let _e950 = (_e949 < _e110);
-                                                            if _e950 {
-                                                                if _e950 {
+                                                            let _e1403 = phi_2142_;
+                                                            let _e1407 = (_e1387 + _e441);
+                                                            let _e1408 = (_e1407 < _e110);
+                                                            if _e1408 {
+                                                                if _e1408 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e952 = global_10.member[_e949];
-                                                                phi_2153_ = _e952;
+                                                                let _e1410 = global_10.member[_e1407];
+                                                                phi_2160_ = _e1410;
                                                             } else {
-                                                                phi_2153_ = 0u;
+                                                                phi_2160_ = 0u;
                                                             }
-                                                            let _e954 = phi_2153_;
-                                                            let _e959 = (_e929 + 3u);
-                                                            let _e960 = (_e959 + _e440);
-                                                            let _e961 = (_e960 < _e110);
-                                                            if _e961 {
-                                                                if _e961 {
+                                                            let _e1412 = phi_2160_;
+                                                            let _e1417 = (_e1387 + 3u);
+                                                            let _e1418 = (_e1417 + _e440);
+                                                            let _e1419 = (_e1418 < _e110);
+                                                            if _e1419 {
+                                                                if _e1419 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e963 = global_10.member[_e960];
-                                                                phi_2176_ = _e963;
+                                                                let _e1421 = global_10.member[_e1418];
+                                                                phi_2183_ = _e1421;
                                                             } else {
-                                                                phi_2176_ = 0u;
+                                                                phi_2183_ = 0u;
                                                             }
-                                                            let _e965 = phi_2176_;
-                                                            let _e969 = (_e959 + _e439);
-                                                            let _e970 = (_e969 < _e110);
-                                                            if _e970 {
-                                                                if _e970 {
+                                                            let _e1423 = phi_2183_;
+                                                            let _e1427 = (_e1417 + _e439);
+                                                            let _e1428 = (_e1427 < _e110);
+                                                            if _e1428 {
+                                                                if _e1428 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e972 = global_10.member[_e969];
-                                                                phi_2194_ = _e972;
+                                                                let _e1430 = global_10.member[_e1427];
+                                                                phi_2201_ = _e1430;
                                                             } else {
-                                                                phi_2194_ = 0u;
+                                                                phi_2201_ = 0u;
                                                             }
-                                                            let _e974 = phi_2194_;
-                                                            let _e978 = (_e959 + _e441);
-                                                            let _e979 = (_e978 < _e110);
-                                                            if _e979 {
-                                                                if _e979 {
+                                                            let _e1432 = phi_2201_;
+                                                            let _e1436 = (_e1417 + _e441);
+                                                            let _e1437 = (_e1436 < _e110);
+                                                            if _e1437 {
+                                                                if _e1437 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e981 = global_10.member[_e978];
-                                                                phi_2212_ = _e981;
+                                                                let _e1439 = global_10.member[_e1436];
+                                                                phi_2219_ = _e1439;
                                                             } else {
-                                                                phi_2212_ = 0u;
+                                                                phi_2219_ = 0u;
                                                             }
-                                                            let _e983 = phi_2212_;
-                                                            let _e988 = (_e929 + 6u);
-                                                            let _e989 = (_e988 + _e440);
-                                                            let _e990 = (_e989 < _e110);
-                                                            if _e990 {
-                                                                if _e990 {
+                                                            let _e1441 = phi_2219_;
+                                                            let _e1446 = (_e1387 + 6u);
+                                                            let _e1447 = (_e1446 + _e440);
+                                                            let _e1448 = (_e1447 < _e110);
+                                                            if _e1448 {
+                                                                if _e1448 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e992 = global_10.member[_e989];
-                                                                phi_2235_ = _e992;
+                                                                let _e1450 = global_10.member[_e1447];
+                                                                phi_2242_ = _e1450;
                                                             } else {
-                                                                phi_2235_ = 0u;
+                                                                phi_2242_ = 0u;
                                                             }
-                                                            let _e994 = phi_2235_;
-                                                            let _e998 = (_e988 + _e439);
-                                                            let _e999 = (_e998 < _e110);
-                                                            if _e999 {
-                                                                if _e999 {
+                                                            let _e1452 = phi_2242_;
+                                                            let _e1456 = (_e1446 + _e439);
+                                                            let _e1457 = (_e1456 < _e110);
+                                                            if _e1457 {
+                                                                if _e1457 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1001 = global_10.member[_e998];
-                                                                phi_2253_ = _e1001;
+                                                                let _e1459 = global_10.member[_e1456];
+                                                                phi_2260_ = _e1459;
                                                             } else {
-                                                                phi_2253_ = 0u;
+                                                                phi_2260_ = 0u;
                                                             }
-                                                            let _e1003 = phi_2253_;
-                                                            let _e1007 = (_e988 + _e441);
-                                                            let _e1008 = (_e1007 < _e110);
-                                                            if _e1008 {
-                                                                if _e1008 {
+                                                            let _e1461 = phi_2260_;
+                                                            let _e1465 = (_e1446 + _e441);
+                                                            let _e1466 = (_e1465 < _e110);
+                                                            if _e1466 {
+                                                                if _e1466 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1010 = global_10.member[_e1007];
-                                                                phi_2271_ = _e1010;
+                                                                let _e1468 = global_10.member[_e1465];
+                                                                phi_2278_ = _e1468;
                                                             } else {
-                                                                phi_2271_ = 0u;
+                                                                phi_2278_ = 0u;
                                                             }
-                                                            let _e1012 = phi_2271_;
-                                                            phi_2277_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e936)) * _e166), (f32(bitcast<i32>(_e945)) * _e166), (f32(bitcast<i32>(_e954)) * _e166)), array<f32, 3>((f32(bitcast<i32>(_e965)) * _e166), (f32(bitcast<i32>(_e974)) * _e166), (f32(bitcast<i32>(_e983)) * _e166)), array<f32, 3>((f32(bitcast<i32>(_e994)) * _e166), (f32(bitcast<i32>(_e1003)) * _e166), (f32(bitcast<i32>(_e1012)) * _e166)));
+                                                            let _e1470 = phi_2278_;
+                                                            phi_2284_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1394)) * _e166), (f32(bitcast<i32>(_e1403)) * _e166), (f32(bitcast<i32>(_e1412)) * _e166)), array<f32, 3>((f32(bitcast<i32>(_e1423)) * _e166), (f32(bitcast<i32>(_e1432)) * _e166), (f32(bitcast<i32>(_e1441)) * _e166)), array<f32, 3>((f32(bitcast<i32>(_e1452)) * _e166), (f32(bitcast<i32>(_e1461)) * _e166), (f32(bitcast<i32>(_e1470)) * _e166)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2277_ = array<array<f32, 3>, 3>();
+                                                            phi_2284_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1304 = phi_2277_;
-                                                    let _e1320 = (_e1304[0][2] - _e616);
-                                                    let _e1323 = (((_e1304[0][0] - _e487) * _e652) - (_e1320 * _e524));
-                                                    let _e1326 = (((_e1304[0][1] - _e552) * _e652) - (_e1320 * _e588));
-                                                    let _e1329 = (_e1304[1][2] - _e616);
-                                                    let _e1332 = (((_e1304[1][0] - _e487) * _e652) - (_e1329 * _e524));
-                                                    let _e1335 = (((_e1304[1][1] - _e552) * _e652) - (_e1329 * _e588));
-                                                    let _e1338 = (_e1304[2][2] - _e616);
-                                                    let _e1341 = (((_e1304[2][0] - _e487) * _e652) - (_e1338 * _e524));
-                                                    let _e1344 = (((_e1304[2][1] - _e552) * _e652) - (_e1338 * _e588));
-                                                    let _e1345 = (_e1341 * _e1335);
-                                                    let _e1346 = (_e1344 * _e1332);
-                                                    let _e1347 = (_e1323 * _e1344);
-                                                    let _e1348 = (_e1326 * _e1341);
-                                                    let _e1349 = (_e1332 * _e1326);
-                                                    let _e1350 = (_e1335 * _e1323);
-                                                    let _e1355 = (((_e1345 >= _e1346) && (_e1347 >= _e1348)) && (_e1349 >= _e1350));
-                                                    let _e1361 = (_e1355 || (((_e1345 <= _e1346) && (_e1347 <= _e1348)) && (_e1349 <= _e1350)));
-                                                    if _e1361 {
-                                                        let _e1363 = select(-1f, 1f, _e1355);
-                                                        let _e1365 = ((_e1345 - _e1346) * _e1363);
-                                                        let _e1367 = select(0f, _e1365, (_e1365 > 0f));
-                                                        let _e1369 = ((_e1347 - _e1348) * _e1363);
-                                                        let _e1371 = select(0f, _e1369, (_e1369 > 0f));
-                                                        let _e1373 = ((_e1349 - _e1350) * _e1363);
-                                                        let _e1375 = select(0f, _e1373, (_e1373 > 0f));
-                                                        let _e1377 = ((_e1367 + _e1371) + _e1375);
-                                                        let _e1379 = select(_e1304[1][0], _e1304[0][0], (_e1304[0][0] < _e1304[1][0]));
-                                                        let _e1383 = select(_e1304[1][0], _e1304[0][0], (_e1304[0][0] > _e1304[1][0]));
-                                                        let _e1387 = select(_e1304[1][1], _e1304[0][1], (_e1304[0][1] < _e1304[1][1]));
-                                                        let _e1391 = select(_e1304[1][1], _e1304[0][1], (_e1304[0][1] > _e1304[1][1]));
-                                                        let _e1395 = select(_e1304[1][2], _e1304[0][2], (_e1304[0][2] < _e1304[1][2]));
-                                                        let _e1399 = select(_e1304[1][2], _e1304[0][2], (_e1304[0][2] > _e1304[1][2]));
-                                                        let _e1404 = ((select(_e1304[2][0], _e1379, (_e1379 < _e1304[2][0])) - _e525) * _e528);
-                                                        let _e1405 = ((select(_e1304[2][0], _e1383, (_e1383 > _e1304[2][0])) - _e526) * _e528);
-                                                        let _e1408 = ((select(_e1304[2][1], _e1387, (_e1387 < _e1304[2][1])) - _e589) * _e592);
-                                                        let _e1409 = ((select(_e1304[2][1], _e1391, (_e1391 > _e1304[2][1])) - _e590) * _e592);
-                                                        let _e1412 = ((select(_e1304[2][2], _e1395, (_e1395 < _e1304[2][2])) - _e653) * _e656);
-                                                        let _e1413 = ((select(_e1304[2][2], _e1399, (_e1399 > _e1304[2][2])) - _e654) * _e656);
-                                                        let _e1415 = select(_e1413, _e1412, (_e1412 < _e1413));
-                                                        let _e1417 = select(_e1413, _e1412, (_e1412 > _e1413));
-                                                        let _e1419 = select(_e1405, _e1404, (_e1404 < _e1405));
-                                                        let _e1421 = select(_e1409, _e1408, (_e1408 < _e1409));
-                                                        let _e1423 = select(_e1421, _e1419, (_e1419 > _e1421));
-                                                        let _e1425 = select(_e1415, _e1423, (_e1423 > _e1415));
-                                                        let _e1427 = select(_e1405, _e1404, (_e1404 > _e1405));
-                                                        let _e1429 = select(_e1409, _e1408, (_e1408 > _e1409));
-                                                        let _e1431 = select(_e1429, _e1427, (_e1427 < _e1429));
-                                                        let _e1433 = select(_e1417, _e1431, (_e1431 < _e1417));
-                                                        let _e1434 = -(_e1415);
-                                                        let _e1440 = select(_e758, _e1425, (_e1425 > _e758));
-                                                        let _e1444 = select(_e1332, _e1323, (_e1323 < _e1332));
-                                                        let _e1449 = select(_e1332, _e1323, (_e1323 > _e1332));
-                                                        let _e1456 = select(_e1335, _e1326, (_e1326 < _e1335));
-                                                        let _e1461 = select(_e1335, _e1326, (_e1326 > _e1335));
-                                                        let _e1470 = (((((_e1361 && (_e1377 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1341, _e1444, (_e1444 < _e1341)) <= 0f) && (select(_e1341, _e1449, (_e1449 > _e1341)) >= 0f))) && ((select(_e1344, _e1456, (_e1456 < _e1344)) <= 0f) && (select(_e1344, _e1461, (_e1461 > _e1344)) >= 0f))) && (_e1440 <= (_e1433 + (select(_e1434, _e1417, (_e1417 > _e1434)) * 0.0000019073523f)))) && (_e1440 <= _e857.member));
-                                                        if _e1470 {
-                                                            let _e1475 = (_e1304[1][0] - _e1304[0][0]);
-                                                            let _e1476 = (_e1304[1][1] - _e1304[0][1]);
-                                                            let _e1477 = (_e1304[1][2] - _e1304[0][2]);
-                                                            let _e1478 = vec3<f32>(_e1475, _e1476, _e1477);
-                                                            let _e1479 = (_e1304[2][0] - _e1304[1][0]);
-                                                            let _e1480 = (_e1304[2][1] - _e1304[1][1]);
-                                                            let _e1481 = (_e1304[2][2] - _e1304[1][2]);
-                                                            let _e1482 = vec3<f32>(_e1479, _e1480, _e1481);
-                                                            let _e1483 = (_e1304[0][0] - _e1304[2][0]);
-                                                            let _e1484 = (_e1304[0][1] - _e1304[2][1]);
-                                                            let _e1485 = (_e1304[0][2] - _e1304[2][2]);
-                                                            let _e1486 = vec3<f32>(_e1483, _e1484, _e1485);
-                                                            let _e1487 = abs(_e1475);
-                                                            let _e1488 = abs(_e1476);
-                                                            if (_e1487 != _e1487) {
-                                                                phi_4777_ = true;
+                                                    let _e1762 = phi_2284_;
+                                                    let _e1778 = (_e1762[0][2] - _e616);
+                                                    let _e1781 = (((_e1762[0][0] - _e487) * _e652) - (_e1778 * _e524));
+                                                    let _e1784 = (((_e1762[0][1] - _e552) * _e652) - (_e1778 * _e588));
+                                                    let _e1787 = (_e1762[1][2] - _e616);
+                                                    let _e1790 = (((_e1762[1][0] - _e487) * _e652) - (_e1787 * _e524));
+                                                    let _e1793 = (((_e1762[1][1] - _e552) * _e652) - (_e1787 * _e588));
+                                                    let _e1796 = (_e1762[2][2] - _e616);
+                                                    let _e1799 = (((_e1762[2][0] - _e487) * _e652) - (_e1796 * _e524));
+                                                    let _e1802 = (((_e1762[2][1] - _e552) * _e652) - (_e1796 * _e588));
+                                                    let _e1803 = (_e1799 * _e1793);
+                                                    let _e1804 = (_e1802 * _e1790);
+                                                    let _e1805 = (_e1781 * _e1802);
+                                                    let _e1806 = (_e1784 * _e1799);
+                                                    let _e1807 = (_e1790 * _e1784);
+                                                    let _e1808 = (_e1793 * _e1781);
+                                                    let _e1813 = (((_e1803 >= _e1804) && (_e1805 >= _e1806)) && (_e1807 >= _e1808));
+                                                    let _e1819 = (_e1813 || (((_e1803 <= _e1804) && (_e1805 <= _e1806)) && (_e1807 <= _e1808)));
+                                                    if _e1819 {
+                                                        let _e1821 = select(-1f, 1f, _e1813);
+                                                        let _e1823 = ((_e1803 - _e1804) * _e1821);
+                                                        let _e1825 = select(0f, _e1823, (_e1823 > 0f));
+                                                        let _e1827 = ((_e1805 - _e1806) * _e1821);
+                                                        let _e1829 = select(0f, _e1827, (_e1827 > 0f));
+                                                        let _e1831 = ((_e1807 - _e1808) * _e1821);
+                                                        let _e1833 = select(0f, _e1831, (_e1831 > 0f));
+                                                        let _e1835 = ((_e1825 + _e1829) + _e1833);
+                                                        let _e1837 = select(_e1762[1][0], _e1762[0][0], (_e1762[0][0] < _e1762[1][0]));
+                                                        let _e1841 = select(_e1762[1][0], _e1762[0][0], (_e1762[0][0] > _e1762[1][0]));
+                                                        let _e1845 = select(_e1762[1][1], _e1762[0][1], (_e1762[0][1] < _e1762[1][1]));
+                                                        let _e1849 = select(_e1762[1][1], _e1762[0][1], (_e1762[0][1] > _e1762[1][1]));
+                                                        let _e1853 = select(_e1762[1][2], _e1762[0][2], (_e1762[0][2] < _e1762[1][2]));
+                                                        let _e1857 = select(_e1762[1][2], _e1762[0][2], (_e1762[0][2] > _e1762[1][2]));
+                                                        let _e1862 = ((select(_e1762[2][0], _e1837, (_e1837 < _e1762[2][0])) - _e525) * _e528);
+                                                        let _e1863 = ((select(_e1762[2][0], _e1841, (_e1841 > _e1762[2][0])) - _e526) * _e528);
+                                                        let _e1866 = ((select(_e1762[2][1], _e1845, (_e1845 < _e1762[2][1])) - _e589) * _e592);
+                                                        let _e1867 = ((select(_e1762[2][1], _e1849, (_e1849 > _e1762[2][1])) - _e590) * _e592);
+                                                        let _e1870 = ((select(_e1762[2][2], _e1853, (_e1853 < _e1762[2][2])) - _e653) * _e656);
+                                                        let _e1871 = ((select(_e1762[2][2], _e1857, (_e1857 > _e1762[2][2])) - _e654) * _e656);
+                                                        let _e1873 = select(_e1871, _e1870, (_e1870 < _e1871));
+                                                        let _e1875 = select(_e1871, _e1870, (_e1870 > _e1871));
+                                                        let _e1877 = select(_e1863, _e1862, (_e1862 < _e1863));
+                                                        let _e1879 = select(_e1867, _e1866, (_e1866 < _e1867));
+                                                        let _e1881 = select(_e1879, _e1877, (_e1877 > _e1879));
+                                                        let _e1883 = select(_e1873, _e1881, (_e1881 > _e1873));
+                                                        let _e1885 = select(_e1863, _e1862, (_e1862 > _e1863));
+                                                        let _e1887 = select(_e1867, _e1866, (_e1866 > _e1867));
+                                                        let _e1889 = select(_e1887, _e1885, (_e1885 < _e1887));
+                                                        let _e1891 = select(_e1875, _e1889, (_e1889 < _e1875));
+                                                        let _e1892 = -(_e1873);
+                                                        let _e1898 = select(_e758, _e1883, (_e1883 > _e758));
+                                                        let _e1902 = select(_e1790, _e1781, (_e1781 < _e1790));
+                                                        let _e1907 = select(_e1790, _e1781, (_e1781 > _e1790));
+                                                        let _e1914 = select(_e1793, _e1784, (_e1784 < _e1793));
+                                                        let _e1919 = select(_e1793, _e1784, (_e1784 > _e1793));
+                                                        let _e1928 = (((((_e1819 && (_e1835 >= 0.000000000000000000000000000000000000011754944f)) && ((select(_e1799, _e1902, (_e1902 < _e1799)) <= 0f) && (select(_e1799, _e1907, (_e1907 > _e1799)) >= 0f))) && ((select(_e1802, _e1914, (_e1914 < _e1802)) <= 0f) && (select(_e1802, _e1919, (_e1919 > _e1802)) >= 0f))) && (_e1898 <= (_e1891 + (select(_e1892, _e1875, (_e1875 > _e1892)) * 0.0000019073523f)))) && (_e1898 <= _e1315.member));
+                                                        if _e1928 {
+                                                            let _e1933 = (_e1762[1][0] - _e1762[0][0]);
+                                                            let _e1934 = (_e1762[1][1] - _e1762[0][1]);
+                                                            let _e1935 = (_e1762[1][2] - _e1762[0][2]);
+                                                            let _e1936 = vec3<f32>(_e1933, _e1934, _e1935);
+                                                            let _e1937 = (_e1762[2][0] - _e1762[1][0]);
+                                                            let _e1938 = (_e1762[2][1] - _e1762[1][1]);
+                                                            let _e1939 = (_e1762[2][2] - _e1762[1][2]);
+                                                            let _e1940 = vec3<f32>(_e1937, _e1938, _e1939);
+                                                            let _e1941 = (_e1762[0][0] - _e1762[2][0]);
+                                                            let _e1942 = (_e1762[0][1] - _e1762[2][1]);
+                                                            let _e1943 = (_e1762[0][2] - _e1762[2][2]);
+                                                            let _e1944 = vec3<f32>(_e1941, _e1942, _e1943);
+                                                            let _e1947 = bitcast<f32>((bitcast<u32>(_e1933) & 2147483647u));
+                                                            let _e1950 = bitcast<f32>((bitcast<u32>(_e1934) & 2147483647u));
+                                                            let _e1952 = select(_e1950, _e1947, (_e1947 > _e1950));
+                                                            let _e1955 = bitcast<f32>((bitcast<u32>(_e1935) & 2147483647u));
+                                                            let _e1957 = select(_e1955, _e1952, (_e1952 > _e1955));
+                                                            let _e1960 = bitcast<f32>((bitcast<u32>(_e1937) & 2147483647u));
+                                                            let _e1963 = bitcast<f32>((bitcast<u32>(_e1938) & 2147483647u));
+                                                            let _e1965 = select(_e1963, _e1960, (_e1960 > _e1963));
+                                                            let _e1968 = bitcast<f32>((bitcast<u32>(_e1939) & 2147483647u));
+                                                            let _e1970 = select(_e1968, _e1965, (_e1965 > _e1968));
+                                                            let _e1973 = bitcast<f32>((bitcast<u32>(_e1941) & 2147483647u));
+                                                            let _e1976 = bitcast<f32>((bitcast<u32>(_e1942) & 2147483647u));
+                                                            let _e1978 = select(_e1976, _e1973, (_e1973 > _e1976));
+                                                            let _e1981 = bitcast<f32>((bitcast<u32>(_e1943) & 2147483647u));
+                                                            let _e1983 = select(_e1981, _e1978, (_e1978 > _e1981));
+                                                            let _e1985 = select(_e1970, _e1957, (_e1957 > _e1970));
+                                                            let _e1987 = select(_e1983, _e1985, (_e1985 > _e1983));
+                                                            if (_e1957 == _e1987) {
+                                                                phi_2814_ = _e1793;
+                                                                phi_2815_ = _e1790;
+                                                                phi_2816_ = _e1784;
+                                                                phi_2817_ = _e1781;
+                                                                phi_2818_ = vec3<f32>(_e1762[0][0], _e1762[0][1], _e1762[0][2]);
+                                                                phi_2819_ = _e1944;
+                                                                phi_2820_ = _e1940;
+                                                                phi_2821_ = _e1936;
                                                             } else {
-                                                                phi_4777_ = (_e1488 >= _e1487);
+                                                                let _e1989 = (_e1970 == _e1987);
+                                                                let _e1994 = vec3(_e1989);
+                                                                phi_2814_ = select(_e1784, _e1802, _e1989);
+                                                                phi_2815_ = select(_e1781, _e1799, _e1989);
+                                                                phi_2816_ = select(_e1802, _e1793, _e1989);
+                                                                phi_2817_ = select(_e1799, _e1790, _e1989);
+                                                                phi_2818_ = select(vec3<f32>(_e1762[2][0], _e1762[2][1], _e1762[2][2]), vec3<f32>(_e1762[1][0], _e1762[1][1], _e1762[1][2]), _e1994);
+                                                                phi_2819_ = select(_e1940, _e1936, _e1994);
+                                                                phi_2820_ = select(_e1936, _e1944, _e1994);
+                                                                phi_2821_ = select(_e1944, _e1940, _e1994);
                                                             }
-                                                            let _e1492 = phi_4777_;
-                                                            let _e1493 = select(_e1487, _e1488, _e1492);
-                                                            let _e1494 = abs(_e1477);
-                                                            if (_e1493 != _e1493) {
-                                                                phi_4792_ = true;
+                                                            let _e2000 = phi_2814_;
+                                                            let _e2002 = phi_2815_;
+                                                            let _e2004 = phi_2816_;
+                                                            let _e2006 = phi_2817_;
+                                                            let _e2008 = phi_2818_;
+                                                            let _e2010 = phi_2819_;
+                                                            let _e2012 = phi_2820_;
+                                                            let _e2014 = phi_2821_;
+                                                            let _e2021 = ((_e2012.y * _e2010.z) - (_e2010.y * _e2012.z));
+                                                            let _e2026 = ((_e2012.z * _e2010.x) - (_e2010.z * _e2012.x));
+                                                            let _e2029 = ((_e2012.x * _e2010.y) - (_e2010.x * _e2012.y));
+                                                            let _e2032 = ((_e1825 >= _e1829) && (_e1825 >= _e1833));
+                                                            let _e2033 = (_e1829 >= _e1833);
+                                                            let _e2047 = (((_e2021 * (select(select(_e1762[2][0], _e1762[1][0], _e2033), _e1762[0][0], _e2032) - _e487)) + (_e2026 * (select(select(_e1762[2][1], _e1762[1][1], _e2033), _e1762[0][1], _e2032) - _e552))) + (_e2029 * (select(select(_e1762[2][2], _e1762[1][2], _e2033), _e1762[0][2], _e2032) - _e616)));
+                                                            let _e2052 = (((_e2021 * _e524) + (_e2026 * _e588)) + (_e2029 * _e652));
+                                                            let _e2053 = (_e2002 - _e2006);
+                                                            let _e2054 = (_e2000 - _e2004);
+                                                            let _e2057 = ((_e2053 * _e2053) + (_e2054 * _e2054));
+                                                            let _e2064 = (-(((_e2006 * _e2053) + (_e2004 * _e2054))) / select(0.000000000000000000000000000000000000011754944f, _e2057, (_e2057 > 0.000000000000000000000000000000000000011754944f)));
+                                                            let _e2066 = select(1f, _e2064, (_e2064 < 1f));
+                                                            let _e2068 = select(0f, _e2066, (_e2066 > 0f));
+                                                            let _e2077 = ((_e2008.x + (_e2014.x * _e2068)) - _e487);
+                                                            let _e2080 = ((_e2008.y + (_e2014.y * _e2068)) - _e552);
+                                                            let _e2083 = ((_e2008.z + (_e2014.z * _e2068)) - _e616);
+                                                            let _e2086 = bitcast<f32>((bitcast<u32>(_e2077) & 2147483647u));
+                                                            let _e2089 = bitcast<f32>((bitcast<u32>(_e2080) & 2147483647u));
+                                                            let _e2091 = select(_e2089, _e2086, (_e2086 > _e2089));
+                                                            let _e2094 = bitcast<f32>((bitcast<u32>(_e2083) & 2147483647u));
+                                                            let _e2096 = select(_e2094, _e2091, (_e2091 > _e2094));
+                                                            let _e2102 = bitcast<f32>((bitcast<u32>(_e2021) & 2147483647u));
+                                                            let _e2105 = bitcast<f32>((bitcast<u32>(_e2026) & 2147483647u));
+                                                            let _e2107 = select(_e2105, _e2102, (_e2102 > _e2105));
+                                                            let _e2110 = bitcast<f32>((bitcast<u32>(_e2029) & 2147483647u));
+                                                            let _e2129 = bitcast<f32>((bitcast<u32>(_e2012.x) & 2147483647u));
+                                                            let _e2132 = bitcast<f32>((bitcast<u32>(_e2012.y) & 2147483647u));
+                                                            let _e2134 = select(_e2132, _e2129, (_e2129 > _e2132));
+                                                            let _e2137 = bitcast<f32>((bitcast<u32>(_e2012.z) & 2147483647u));
+                                                            let _e2143 = bitcast<f32>((bitcast<u32>(_e2010.x) & 2147483647u));
+                                                            let _e2146 = bitcast<f32>((bitcast<u32>(_e2010.y) & 2147483647u));
+                                                            let _e2148 = select(_e2146, _e2143, (_e2143 > _e2146));
+                                                            let _e2151 = bitcast<f32>((bitcast<u32>(_e2010.z) & 2147483647u));
+                                                            let _e2157 = ((bitcast<f32>((bitcast<u32>(((((_e2021 * _e2077) + (_e2026 * _e2080)) + (_e2029 * _e2083)) - _e2047)) & 2147483647u)) <= ((0.0000009536743f * select(_e1987, _e2096, (_e2096 > _e1987))) * select(_e2110, _e2107, (_e2107 > _e2110)))) && !((bitcast<f32>((bitcast<u32>(_e2052) & 2147483647u)) <= ((0.0000038146973f * select(_e2137, _e2134, (_e2134 > _e2137))) * select(_e2151, _e2148, (_e2148 > _e2151))))));
+                                                            let _e2158 = (_e2047 / _e2052);
+                                                            if (_e1928 && !(_e2157)) {
+                                                                let _e2161 = (_e2083 / _e652);
+                                                                let _e2169 = (((_e2021 * (_e2077 - (_e524 * _e2161))) + (_e2026 * (_e2080 - (_e588 * _e2161)))) / _e2052);
+                                                                phi_3012_ = select(select(_e2161, (_e2161 + _e2169), (bitcast<f32>((bitcast<u32>(_e2169) & 2147483647u)) <= _e1987)), _e2158, _e2157);
                                                             } else {
-                                                                phi_4792_ = (_e1494 >= _e1493);
+                                                                phi_3012_ = _e2158;
                                                             }
-                                                            let _e1498 = phi_4792_;
-                                                            let _e1499 = select(_e1493, _e1494, _e1498);
-                                                            let _e1500 = abs(_e1479);
-                                                            let _e1501 = abs(_e1480);
-                                                            if (_e1500 != _e1500) {
-                                                                phi_4807_ = true;
-                                                            } else {
-                                                                phi_4807_ = (_e1501 >= _e1500);
-                                                            }
-                                                            let _e1505 = phi_4807_;
-                                                            let _e1506 = select(_e1500, _e1501, _e1505);
-                                                            let _e1507 = abs(_e1481);
-                                                            if (_e1506 != _e1506) {
-                                                                phi_4822_ = true;
-                                                            } else {
-                                                                phi_4822_ = (_e1507 >= _e1506);
-                                                            }
-                                                            let _e1511 = phi_4822_;
-                                                            let _e1512 = select(_e1506, _e1507, _e1511);
-                                                            let _e1513 = abs(_e1483);
-                                                            let _e1514 = abs(_e1484);
-                                                            if (_e1513 != _e1513) {
-                                                                phi_4837_ = true;
-                                                            } else {
-                                                                phi_4837_ = (_e1514 >= _e1513);
-                                                            }
-                                                            let _e1518 = phi_4837_;
-                                                            let _e1519 = select(_e1513, _e1514, _e1518);
-                                                            let _e1520 = abs(_e1485);
-                                                            if (_e1519 != _e1519) {
-                                                                phi_4852_ = true;
-                                                            } else {
-                                                                phi_4852_ = (_e1520 >= _e1519);
-                                                            }
-                                                            let _e1524 = phi_4852_;
-                                                            let _e1525 = select(_e1519, _e1520, _e1524);
-                                                            let _e1527 = select(_e1512, _e1499, (_e1499 > _e1512));
-                                                            let _e1529 = select(_e1525, _e1527, (_e1527 > _e1525));
-                                                            if (_e1499 == _e1529) {
-                                                                phi_2819_ = _e1335;
-                                                                phi_2820_ = _e1332;
-                                                                phi_2821_ = _e1326;
-                                                                phi_2822_ = _e1323;
-                                                                phi_2823_ = vec3<f32>(_e1304[0][0], _e1304[0][1], _e1304[0][2]);
-                                                                phi_2824_ = _e1486;
-                                                                phi_2825_ = _e1482;
-                                                                phi_2826_ = _e1478;
-                                                            } else {
-                                                                let _e1531 = (_e1512 == _e1529);
-                                                                let _e1536 = vec3(_e1531);
-                                                                phi_2819_ = select(_e1326, _e1344, _e1531);
-                                                                phi_2820_ = select(_e1323, _e1341, _e1531);
-                                                                phi_2821_ = select(_e1344, _e1335, _e1531);
-                                                                phi_2822_ = select(_e1341, _e1332, _e1531);
-                                                                phi_2823_ = select(vec3<f32>(_e1304[2][0], _e1304[2][1], _e1304[2][2]), vec3<f32>(_e1304[1][0], _e1304[1][1], _e1304[1][2]), _e1536);
-                                                                phi_2824_ = select(_e1482, _e1478, _e1536);
-                                                                phi_2825_ = select(_e1478, _e1486, _e1536);
-                                                                phi_2826_ = select(_e1486, _e1482, _e1536);
-                                                            }
-                                                            let _e1542 = phi_2819_;
-                                                            let _e1544 = phi_2820_;
-                                                            let _e1546 = phi_2821_;
-                                                            let _e1548 = phi_2822_;
-                                                            let _e1550 = phi_2823_;
-                                                            let _e1552 = phi_2824_;
-                                                            let _e1554 = phi_2825_;
-                                                            let _e1556 = phi_2826_;
-                                                            let _e1563 = ((_e1554.y * _e1552.z) - (_e1552.y * _e1554.z));
-                                                            let _e1568 = ((_e1554.z * _e1552.x) - (_e1552.z * _e1554.x));
-                                                            let _e1571 = ((_e1554.x * _e1552.y) - (_e1552.x * _e1554.y));
-                                                            let _e1574 = ((_e1367 >= _e1371) && (_e1367 >= _e1375));
-                                                            let _e1575 = (_e1371 >= _e1375);
-                                                            let _e1589 = (((_e1563 * (select(select(_e1304[2][0], _e1304[1][0], _e1575), _e1304[0][0], _e1574) - _e487)) + (_e1568 * (select(select(_e1304[2][1], _e1304[1][1], _e1575), _e1304[0][1], _e1574) - _e552))) + (_e1571 * (select(select(_e1304[2][2], _e1304[1][2], _e1575), _e1304[0][2], _e1574) - _e616)));
-                                                            let _e1594 = (((_e1563 * _e524) + (_e1568 * _e588)) + (_e1571 * _e652));
-                                                            let _e1595 = (_e1544 - _e1548);
-                                                            let _e1596 = (_e1542 - _e1546);
-                                                            let _e1599 = ((_e1595 * _e1595) + (_e1596 * _e1596));
-                                                            let _e1606 = (-(((_e1548 * _e1595) + (_e1546 * _e1596))) / select(0.000000000000000000000000000000000000011754944f, _e1599, (_e1599 > 0.000000000000000000000000000000000000011754944f)));
-                                                            let _e1608 = select(1f, _e1606, (_e1606 < 1f));
-                                                            let _e1610 = select(0f, _e1608, (_e1608 > 0f));
-                                                            let _e1619 = ((_e1550.x + (_e1556.x * _e1610)) - _e487);
-                                                            let _e1622 = ((_e1550.y + (_e1556.y * _e1610)) - _e552);
-                                                            let _e1625 = ((_e1550.z + (_e1556.z * _e1610)) - _e616);
-                                                            let _e1628 = bitcast<f32>((bitcast<u32>(_e1619) & 2147483647u));
-                                                            let _e1631 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
-                                                            let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
-                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
-                                                            let _e1638 = select(_e1636, _e1633, (_e1633 > _e1636));
-                                                            let _e1642 = abs(_e1563);
-                                                            let _e1643 = abs(_e1568);
-                                                            if (_e1642 != _e1642) {
-                                                                phi_4867_ = true;
-                                                            } else {
-                                                                phi_4867_ = (_e1643 >= _e1642);
-                                                            }
-                                                            let _e1647 = phi_4867_;
-                                                            let _e1648 = select(_e1642, _e1643, _e1647);
-                                                            let _e1649 = abs(_e1571);
-                                                            if (_e1648 != _e1648) {
-                                                                phi_4882_ = true;
-                                                            } else {
-                                                                phi_4882_ = (_e1649 >= _e1648);
-                                                            }
-                                                            let _e1653 = phi_4882_;
-                                                            let _e1669 = abs(_e1554.x);
-                                                            let _e1670 = abs(_e1554.y);
-                                                            if (_e1669 != _e1669) {
-                                                                phi_4897_ = true;
-                                                            } else {
-                                                                phi_4897_ = (_e1670 >= _e1669);
-                                                            }
-                                                            let _e1674 = phi_4897_;
-                                                            let _e1675 = select(_e1669, _e1670, _e1674);
-                                                            let _e1676 = abs(_e1554.z);
-                                                            if (_e1675 != _e1675) {
-                                                                phi_4912_ = true;
-                                                            } else {
-                                                                phi_4912_ = (_e1676 >= _e1675);
-                                                            }
-                                                            let _e1680 = phi_4912_;
-                                                            let _e1683 = abs(_e1552.x);
-                                                            let _e1684 = abs(_e1552.y);
-                                                            if (_e1683 != _e1683) {
-                                                                phi_4927_ = true;
-                                                            } else {
-                                                                phi_4927_ = (_e1684 >= _e1683);
-                                                            }
-                                                            let _e1688 = phi_4927_;
-                                                            let _e1689 = select(_e1683, _e1684, _e1688);
-                                                            let _e1690 = abs(_e1552.z);
-                                                            if (_e1689 != _e1689) {
-                                                                phi_4942_ = true;
-                                                            } else {
-                                                                phi_4942_ = (_e1690 >= _e1689);
-                                                            }
-                                                            let _e1694 = phi_4942_;
-                                                            let _e1699 = ((bitcast<f32>((bitcast<u32>(((((_e1563 * _e1619) + (_e1568 * _e1622)) + (_e1571 * _e1625)) - _e1589)) & 2147483647u)) <= ((0.0000009536743f * select(_e1529, _e1638, (_e1638 > _e1529))) * select(_e1648, _e1649, _e1653))) && !((bitcast<f32>((bitcast<u32>(_e1594) & 2147483647u)) <= ((0.0000038146973f * select(_e1675, _e1676, _e1680)) * select(_e1689, _e1690, _e1694)))));
-                                                            let _e1700 = (_e1589 / _e1594);
-                                                            if (_e1470 && !(_e1699)) {
-                                                                let _e1703 = (_e1625 / _e652);
-                                                                let _e1711 = (((_e1563 * (_e1619 - (_e524 * _e1703))) + (_e1568 * (_e1622 - (_e588 * _e1703)))) / _e1594);
-                                                                phi_3034_ = select(select(_e1703, (_e1703 + _e1711), (bitcast<f32>((bitcast<u32>(_e1711) & 2147483647u)) <= _e1529)), _e1700, _e1699);
-                                                            } else {
-                                                                phi_3034_ = _e1700;
-                                                            }
-                                                            let _e1720 = phi_3034_;
-                                                            let _e1722 = select(_e1433, _e1720, (_e1720 < _e1433));
-                                                            let _e1724 = select(_e1425, _e1722, (_e1722 > _e1425));
-                                                            let _e1725 = (1f / _e1377);
-                                                            phi_3054_ = type_46(_e1724, (_e1371 * _e1725), (_e1375 * _e1725), ((_e1470 && (_e1724 >= _e758)) && (_e1724 <= _e857.member)));
-                                                            phi_3055_ = type_46();
+                                                            let _e2178 = phi_3012_;
+                                                            let _e2180 = select(_e1891, _e2178, (_e2178 < _e1891));
+                                                            let _e2182 = select(_e1883, _e2180, (_e2180 > _e1883));
+                                                            let _e2183 = (1f / _e1835);
+                                                            phi_3032_ = type_46(_e2182, (_e1829 * _e2183), (_e1833 * _e2183), ((_e1928 && (_e2182 >= _e758)) && (_e2182 <= _e1315.member)));
+                                                            phi_3033_ = type_46();
                                                         } else {
-                                                            phi_3054_ = type_46();
-                                                            phi_3055_ = type_46(0f, 0f, 0f, _e1470);
+                                                            phi_3032_ = type_46();
+                                                            phi_3033_ = type_46(0f, 0f, 0f, _e1928);
                                                         }
-                                                        let _e1734 = phi_3054_;
-                                                        let _e1736 = phi_3055_;
-                                                        phi_3058_ = _e1734;
-                                                        phi_3059_ = _e1736;
-                                                        phi_3060_ = select(true, false, _e1470);
+                                                        let _e2192 = phi_3032_;
+                                                        let _e2194 = phi_3033_;
+                                                        phi_3036_ = _e2192;
+                                                        phi_3037_ = _e2194;
+                                                        phi_3038_ = select(true, false, _e1928);
                                                     } else {
-                                                        phi_3058_ = type_46();
-                                                        phi_3059_ = type_46(0f, 0f, 0f, _e1361);
-                                                        phi_3060_ = true;
+                                                        phi_3036_ = type_46();
+                                                        phi_3037_ = type_46(0f, 0f, 0f, _e1819);
+                                                        phi_3038_ = true;
                                                     }
-                                                    let _e1739 = phi_3058_;
-                                                    let _e1741 = phi_3059_;
-                                                    let _e1743 = phi_3060_;
-                                                    if _e1743 {
-                                                        phi_3064_ = _e1741;
+                                                    let _e2197 = phi_3036_;
+                                                    let _e2199 = phi_3037_;
+                                                    let _e2201 = phi_3038_;
+                                                    if _e2201 {
+                                                        phi_3042_ = _e2199;
                                                     } else {
-                                                        phi_3064_ = _e1739;
+                                                        phi_3042_ = _e2197;
                                                     }
-                                                    let _e1745 = phi_3064_;
-                                                    if _e1745.member_3 {
-                                                        phi_3073_ = type_25(_e1745.member, _e1745.member_1, _e1745.member_2, _e917);
+                                                    let _e2203 = phi_3042_;
+                                                    if _e2203.member_3 {
+                                                        phi_3051_ = type_25(_e2203.member, _e2203.member_1, _e2203.member_2, _e1375);
                                                     } else {
-                                                        phi_3073_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_3051_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     }
-                                                    let _e1752 = phi_3073_;
-                                                    if (_e1752.member_3 != 4294967295u) {
-                                                        if (_e917 == _e175) {
-                                                            phi_3408_ = false;
+                                                    let _e2210 = phi_3051_;
+                                                    if (_e2210.member_3 != 4294967295u) {
+                                                        if (_e1375 == _e175) {
+                                                            phi_3386_ = false;
                                                         } else {
-                                                            let _e1756 = (_e917 < arrayLength((&global_6.member)));
-                                                            if _e1756 {
-                                                                if _e1756 {
+                                                            let _e2214 = (_e1375 < arrayLength((&global_6.member)));
+                                                            if _e2214 {
+                                                                if _e2214 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1758 = global_6.member[_e917];
-                                                                phi_3096_ = _e1758;
+                                                                let _e2216 = global_6.member[_e1375];
+                                                                phi_3074_ = _e2216;
                                                             } else {
-                                                                phi_3096_ = 4294967295u;
+                                                                phi_3074_ = 4294967295u;
                                                             }
-                                                            let _e1760 = phi_3096_;
-                                                            let _e1761 = (_e1760 < arrayLength((&global_7.member)));
-                                                            if _e1761 {
-                                                                if _e1761 {
+                                                            let _e2218 = phi_3074_;
+                                                            let _e2219 = (_e2218 < arrayLength((&global_7.member)));
+                                                            if _e2219 {
+                                                                if _e2219 {
                                                                 } else {
-                                                                    phi_5136_ = true;
+                                                                    phi_5064_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1763 = global_7.member[_e1760];
-                                                                phi_3110_ = _e1763;
+                                                                let _e2221 = global_7.member[_e2218];
+                                                                phi_3088_ = _e2221;
                                                             } else {
-                                                                phi_3110_ = 0i;
+                                                                phi_3088_ = 0i;
                                                             }
-                                                            let _e1765 = phi_3110_;
-                                                            let _e1766 = (_e1765 == 0i);
-                                                            if _e1766 {
-                                                                phi_3407_ = true;
+                                                            let _e2223 = phi_3088_;
+                                                            let _e2224 = (_e2223 == 0i);
+                                                            if _e2224 {
+                                                                phi_3385_ = true;
                                                             } else {
                                                                 if _e464 {
-                                                                    phi_3133_ = vec3<f32>(_e1304[0][0], _e1304[0][1], _e1304[0][2]);
+                                                                    phi_3111_ = vec3<f32>(_e1762[0][0], _e1762[0][1], _e1762[0][2]);
                                                                 } else {
                                                                     if (_e440 == 1u) {
-                                                                        phi_3132_ = vec3<f32>(_e1304[0][2], _e1304[0][0], _e1304[0][1]);
+                                                                        phi_3110_ = vec3<f32>(_e1762[0][2], _e1762[0][0], _e1762[0][1]);
                                                                     } else {
-                                                                        phi_3132_ = vec3<f32>(_e1304[0][1], _e1304[0][2], _e1304[0][0]);
+                                                                        phi_3110_ = vec3<f32>(_e1762[0][1], _e1762[0][2], _e1762[0][0]);
                                                                     }
-                                                                    let _e1771 = phi_3132_;
-                                                                    phi_3133_ = _e1771;
+                                                                    let _e2229 = phi_3110_;
+                                                                    phi_3111_ = _e2229;
                                                                 }
-                                                                let _e1774 = phi_3133_;
+                                                                let _e2232 = phi_3111_;
                                                                 if _e464 {
-                                                                    phi_3152_ = vec3<f32>(_e1304[1][0], _e1304[1][1], _e1304[1][2]);
+                                                                    phi_3130_ = vec3<f32>(_e1762[1][0], _e1762[1][1], _e1762[1][2]);
                                                                 } else {
                                                                     if (_e440 == 1u) {
-                                                                        phi_3151_ = vec3<f32>(_e1304[1][2], _e1304[1][0], _e1304[1][1]);
+                                                                        phi_3129_ = vec3<f32>(_e1762[1][2], _e1762[1][0], _e1762[1][1]);
                                                                     } else {
-                                                                        phi_3151_ = vec3<f32>(_e1304[1][1], _e1304[1][2], _e1304[1][0]);
+                                                                        phi_3129_ = vec3<f32>(_e1762[1][1], _e1762[1][2], _e1762[1][0]);
                                                                     }
-                                                                    let _e1779 = phi_3151_;
-                                                                    phi_3152_ = _e1779;
+                                                                    let _e2237 = phi_3129_;
+                                                                    phi_3130_ = _e2237;
                                                                 }
-                                                                let _e1782 = phi_3152_;
+                                                                let _e2240 = phi_3130_;
                                                                 if _e464 {
-                                                                    phi_3171_ = vec3<f32>(_e1304[2][0], _e1304[2][1], _e1304[2][2]);
+                                                                    phi_3149_ = vec3<f32>(_e1762[2][0], _e1762[2][1], _e1762[2][2]);
                                                                 } else {
                                                                     if (_e440 == 1u) {
-                                                                        phi_3170_ = vec3<f32>(_e1304[2][2], _e1304[2][0], _e1304[2][1]);
+                                                                        phi_3148_ = vec3<f32>(_e1762[2][2], _e1762[2][0], _e1762[2][1]);
                                                                     } else {
-                                                                        phi_3170_ = vec3<f32>(_e1304[2][1], _e1304[2][2], _e1304[2][0]);
+                                                                        phi_3148_ = vec3<f32>(_e1762[2][1], _e1762[2][2], _e1762[2][0]);
                                                                     }
-                                                                    let _e1787 = phi_3170_;
-                                                                    phi_3171_ = _e1787;
+                                                                    let _e2245 = phi_3148_;
+                                                                    phi_3149_ = _e2245;
                                                                 }
-                                                                let _e1790 = phi_3171_;
-                                                                let _e1793 = (_e1782.x - _e1774.x);
-                                                                let _e1796 = (_e1782.y - _e1774.y);
-                                                                let _e1799 = (_e1782.z - _e1774.z);
-                                                                let _e1801 = (_e1790.x - _e1774.x);
-                                                                let _e1803 = (_e1790.y - _e1774.y);
-                                                                let _e1805 = (_e1790.z - _e1774.z);
+                                                                let _e2248 = phi_3149_;
+                                                                let _e2251 = (_e2240.x - _e2232.x);
+                                                                let _e2254 = (_e2240.y - _e2232.y);
+                                                                let _e2257 = (_e2240.z - _e2232.z);
+                                                                let _e2259 = (_e2248.x - _e2232.x);
+                                                                let _e2261 = (_e2248.y - _e2232.y);
+                                                                let _e2263 = (_e2248.z - _e2232.z);
                                                                 if (_e307.member_1 == 1u) {
-                                                                    phi_3207_ = (vec3<f32>(_e307.member[0], _e307.member[1], _e307.member[2]) - _e1774);
+                                                                    phi_3185_ = (vec3<f32>(_e307.member[0], _e307.member[1], _e307.member[2]) - _e2232);
                                                                 } else {
-                                                                    phi_3207_ = vec3<f32>(_e307.member[0], _e307.member[1], _e307.member[2]);
+                                                                    phi_3185_ = vec3<f32>(_e307.member[0], _e307.member[1], _e307.member[2]);
                                                                 }
-                                                                let _e1820 = phi_3207_;
-                                                                let _e1826 = bitcast<f32>((bitcast<u32>((_e1793 * _e1803)) ^ _e307.member_3[0]));
-                                                                let _e1830 = bitcast<f32>((bitcast<u32>((_e1796 * _e1801)) ^ _e307.member_3[0]));
-                                                                let _e1834 = bitcast<f32>((bitcast<u32>((_e1796 * _e1805)) ^ _e307.member_3[0]));
-                                                                let _e1838 = bitcast<f32>((bitcast<u32>((_e1799 * _e1803)) ^ _e307.member_3[0]));
-                                                                let _e1842 = bitcast<f32>((bitcast<u32>((_e1799 * _e1801)) ^ _e307.member_3[0]));
-                                                                let _e1846 = bitcast<f32>((bitcast<u32>((_e1793 * _e1805)) ^ _e307.member_3[0]));
-                                                                let _e1847 = (_e1834 - _e1838);
-                                                                let _e1848 = (_e1842 - _e1846);
-                                                                let _e1849 = (_e1826 - _e1830);
-                                                                let _e1873 = (bitcast<f32>((bitcast<u32>(_e1834) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1838) & 2147483647u)));
-                                                                let _e1880 = (bitcast<f32>((bitcast<u32>(_e1842) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1846) & 2147483647u)));
-                                                                let _e1887 = (bitcast<f32>((bitcast<u32>(_e1826) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1830) & 2147483647u)));
+                                                                let _e2278 = phi_3185_;
+                                                                let _e2284 = bitcast<f32>((bitcast<u32>((_e2251 * _e2261)) ^ _e307.member_3[0]));
+                                                                let _e2288 = bitcast<f32>((bitcast<u32>((_e2254 * _e2259)) ^ _e307.member_3[0]));
+                                                                let _e2292 = bitcast<f32>((bitcast<u32>((_e2254 * _e2263)) ^ _e307.member_3[0]));
+                                                                let _e2296 = bitcast<f32>((bitcast<u32>((_e2257 * _e2261)) ^ _e307.member_3[0]));
+                                                                let _e2300 = bitcast<f32>((bitcast<u32>((_e2257 * _e2259)) ^ _e307.member_3[0]));
+                                                                let _e2304 = bitcast<f32>((bitcast<u32>((_e2251 * _e2263)) ^ _e307.member_3[0]));
+                                                                let _e2305 = (_e2292 - _e2296);
+                                                                let _e2306 = (_e2300 - _e2304);
+                                                                let _e2307 = (_e2284 - _e2288);
+                                                                let _e2331 = (bitcast<f32>((bitcast<u32>(_e2292) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2296) & 2147483647u)));
+                                                                let _e2338 = (bitcast<f32>((bitcast<u32>(_e2300) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2304) & 2147483647u)));
+                                                                let _e2345 = (bitcast<f32>((bitcast<u32>(_e2284) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2288) & 2147483647u)));
                                                                 if (_e307.member_2 == 0f) {
-                                                                    phi_3389_ = 0f;
+                                                                    phi_3367_ = 0f;
                                                                 } else {
-                                                                    let _e1917 = bitcast<f32>((bitcast<u32>(_e1847) & 2147483647u));
-                                                                    let _e1920 = bitcast<f32>((bitcast<u32>(_e1848) & 2147483647u));
-                                                                    let _e1923 = bitcast<f32>((bitcast<u32>(_e1849) & 2147483647u));
-                                                                    let _e1925 = select(_e1923, _e1920, (_e1920 > _e1923));
-                                                                    let _e1929 = select(_e1923, _e1920, (_e1920 < _e1923));
-                                                                    let _e1933 = select(_e1920, _e1917, (_e1917 < _e1920));
-                                                                    let _e1935 = select(_e1920, _e1917, (_e1917 > _e1920));
-                                                                    let _e1937 = select(_e1923, _e1935, (_e1935 < _e1923));
-                                                                    phi_3389_ = bitcast<f32>((bitcast<u32>((_e307.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1925, _e1917, (_e1917 > _e1925)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1937, _e1933, (_e1933 > _e1937)))) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1929, _e1917, (_e1917 < _e1929)))) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1873 + _e1880) + _e1887))) ^ _e307.member_3[0]))) * 1.0000005f)) ^ _e307.member_3[0])))) ^ _e307.member_3[0]));
+                                                                    let _e2375 = bitcast<f32>((bitcast<u32>(_e2305) & 2147483647u));
+                                                                    let _e2378 = bitcast<f32>((bitcast<u32>(_e2306) & 2147483647u));
+                                                                    let _e2381 = bitcast<f32>((bitcast<u32>(_e2307) & 2147483647u));
+                                                                    let _e2383 = select(_e2381, _e2378, (_e2378 > _e2381));
+                                                                    let _e2387 = select(_e2381, _e2378, (_e2378 < _e2381));
+                                                                    let _e2391 = select(_e2378, _e2375, (_e2375 < _e2378));
+                                                                    let _e2393 = select(_e2378, _e2375, (_e2375 > _e2378));
+                                                                    let _e2395 = select(_e2381, _e2393, (_e2393 < _e2381));
+                                                                    phi_3367_ = bitcast<f32>((bitcast<u32>((_e307.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2383, _e2375, (_e2375 > _e2383)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2395, _e2391, (_e2391 > _e2395)))) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2387, _e2375, (_e2375 < _e2387)))) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2331 + _e2338) + _e2345))) ^ _e307.member_3[0]))) * 1.0000005f)) ^ _e307.member_3[0])))) ^ _e307.member_3[0]));
                                                                 }
-                                                                let _e1964 = phi_3389_;
-                                                                phi_3407_ = (_e1766 || !(((((bitcast<f32>((bitcast<u32>((_e1820.x * _e1847)) ^ _e307.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1820.y * _e1848)) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1820.z * _e1849)) ^ _e307.member_3[0]))) * f32(-(_e1765))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1820.x) & 2147483647u)) * _e1873)) ^ _e307.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1820.y) & 2147483647u)) * _e1880)) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1820.z) & 2147483647u)) * _e1887)) ^ _e307.member_3[0]))))) ^ _e307.member_3[0])) + _e1964) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2422 = phi_3367_;
+                                                                phi_3385_ = (_e2224 || !(((((bitcast<f32>((bitcast<u32>((_e2278.x * _e2305)) ^ _e307.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2278.y * _e2306)) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2278.z * _e2307)) ^ _e307.member_3[0]))) * f32(-(_e2223))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2278.x) & 2147483647u)) * _e2331)) ^ _e307.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2278.y) & 2147483647u)) * _e2338)) ^ _e307.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2278.z) & 2147483647u)) * _e2345)) ^ _e307.member_3[0]))))) ^ _e307.member_3[0])) + _e2422) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1978 = phi_3407_;
-                                                            phi_3408_ = _e1978;
+                                                            let _e2436 = phi_3385_;
+                                                            phi_3386_ = _e2436;
                                                         }
-                                                        let _e1980 = phi_3408_;
-                                                        if _e1980 {
-                                                            phi_3413_ = type_47(-340282350000000000000000000000000000000f, true);
+                                                        let _e2438 = phi_3386_;
+                                                        if _e2438 {
+                                                            phi_3391_ = type_47(-340282350000000000000000000000000000000f, true);
                                                         } else {
-                                                            phi_3413_ = _e857;
+                                                            phi_3391_ = _e1315;
                                                         }
-                                                        let _e1982 = phi_3413_;
-                                                        phi_3414_ = _e1982;
+                                                        let _e2440 = phi_3391_;
+                                                        phi_3392_ = _e2440;
                                                     } else {
-                                                        phi_3414_ = _e857;
+                                                        phi_3392_ = _e1315;
                                                     }
-                                                    let _e1984 = phi_3414_;
-                                                    phi_1514_ = _e1984;
+                                                    let _e2442 = phi_3392_;
+                                                    phi_1521_ = _e2442;
                                                 } else {
-                                                    phi_1514_ = type_47();
+                                                    phi_1521_ = type_47();
                                                 }
-                                                let _e1986 = phi_1514_;
+                                                let _e2444 = phi_1521_;
                                                 continue;
                                                 continuing {
-                                                    phi_1513_ = _e1986;
-                                                    phi_1516_ = _e872;
-                                                    phi_5136_ = _e800;
-                                                    break if !(_e878);
+                                                    phi_1520_ = _e2444;
+                                                    phi_1523_ = _e1330;
+                                                    phi_5064_ = _e800;
+                                                    break if !(_e1336);
                                                 }
                                             }
-                                            let _e1989 = phi_5136_;
-                                            phi_5380_ = _e1989;
-                                            if _e1989 {
+                                            let _e2447 = phi_5064_;
+                                            phi_5296_ = _e2447;
+                                            if _e2447 {
                                                 break;
                                             }
-                                            phi_5471_ = _e1989;
-                                            let _e2664 = local_11;
-                                            phi_3415_ = _e2664;
+                                            let _e2449 = local_10;
+                                            phi_5300_ = _e2447;
+                                            let _e2671 = local_12;
+                                            phi_4654_ = _e2671;
+                                            phi_4655_ = false;
+                                            phi_4656_ = _e843;
+                                            phi_4657_ = select(_e845, 0u, (_e758 > _e2449.member));
                                         } else {
-                                            phi_5471_ = _e800;
-                                            phi_3415_ = _e802;
-                                        }
-                                        let _e1991 = phi_5471_;
-                                        let _e1993 = phi_3415_;
-                                        if _e849 {
-                                            phi_4680_ = bool();
-                                            phi_4681_ = u32();
-                                            phi_4682_ = type_59();
-                                        } else {
-                                            if (_e845.member_1 >= _e107) {
-                                                phi_4216_ = type_60(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_59(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_59(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e843.member_1 >= _e107) {
+                                                phi_4193_ = type_60(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_59(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_59(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e845.member_1 < _e107) {
+                                                if (_e843.member_1 < _e107) {
                                                 } else {
-                                                    phi_5380_ = true;
+                                                    phi_5296_ = true;
                                                     break;
                                                 }
-                                                let _e1997 = ((1u + _e440) % 4u);
-                                                if (_e1997 < 4u) {
+                                                let _e858 = ((1u + _e440) % 4u);
+                                                if (_e858 < 4u) {
                                                 } else {
-                                                    phi_5380_ = true;
+                                                    phi_5296_ = true;
                                                     break;
                                                 }
-                                                let _e2002 = global_5.member[_e845.member_1][_e1997];
-                                                let _e2004 = (_e2002 >> bitcast<u32>(11u));
-                                                let _e2006 = ((1u + _e439) % 4u);
-                                                if (_e2006 < 4u) {
+                                                let _e863 = global_5.member[_e843.member_1][_e858];
+                                                let _e865 = (_e863 >> bitcast<u32>(11u));
+                                                let _e867 = ((1u + _e439) % 4u);
+                                                if (_e867 < 4u) {
                                                 } else {
-                                                    phi_5380_ = true;
+                                                    phi_5296_ = true;
                                                     break;
                                                 }
-                                                let _e2011 = global_5.member[_e845.member_1][_e2006];
-                                                let _e2013 = (_e2011 >> bitcast<u32>(11u));
-                                                let _e2015 = ((1u + _e441) % 4u);
-                                                if (_e2015 < 4u) {
+                                                let _e872 = global_5.member[_e843.member_1][_e867];
+                                                let _e874 = (_e872 >> bitcast<u32>(11u));
+                                                let _e876 = ((1u + _e441) % 4u);
+                                                if (_e876 < 4u) {
                                                 } else {
-                                                    phi_5380_ = true;
+                                                    phi_5296_ = true;
                                                     break;
                                                 }
-                                                let _e2020 = global_5.member[_e845.member_1][_e2015];
-                                                let _e2022 = (_e2020 >> bitcast<u32>(11u));
-                                                let _e2045 = (bitcast<f32>((bitcast<u32>((_e845.member.member_1.x - _e845.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e2046 = (bitcast<f32>((bitcast<u32>((_e845.member.member_1.y - _e845.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e2047 = (bitcast<f32>((bitcast<u32>((_e845.member.member_1.z - _e845.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e2049 = select(_e166, _e2045, (_e2045 > _e166));
-                                                let _e2051 = select(_e166, _e2046, (_e2046 > _e166));
-                                                let _e2053 = select(_e166, _e2047, (_e2047 > _e166));
-                                                let _e2084 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2002 & 1023u))) - 8388608f) * _e2049));
-                                                let _e2089 = (bitcast<i32>((_e2002 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2092 = bitcast<f32>((_e2084 & bitcast<u32>(_e2089)));
-                                                let _e2093 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2011 & 1023u))) - 8388608f) * _e2051));
-                                                let _e2098 = (bitcast<i32>((_e2011 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2101 = bitcast<f32>((_e2093 & bitcast<u32>(_e2098)));
-                                                let _e2102 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2020 & 1023u))) - 8388608f) * _e2053));
-                                                let _e2107 = (bitcast<i32>((_e2020 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2110 = bitcast<f32>((_e2102 & bitcast<u32>(_e2107)));
-                                                let _e2114 = bitcast<f32>((_e2084 & bitcast<u32>(~(_e2089))));
-                                                let _e2118 = bitcast<f32>((_e2093 & bitcast<u32>(~(_e2098))));
-                                                let _e2122 = bitcast<f32>((_e2102 & bitcast<u32>(~(_e2107))));
-                                                let _e2123 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2004 & 1023u))) - 8388608f) * _e2049));
-                                                let _e2128 = (bitcast<i32>((_e2004 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2131 = bitcast<f32>((_e2123 & bitcast<u32>(_e2128)));
-                                                let _e2132 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2013 & 1023u))) - 8388608f) * _e2051));
-                                                let _e2137 = (bitcast<i32>((_e2013 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2140 = bitcast<f32>((_e2132 & bitcast<u32>(_e2137)));
-                                                let _e2141 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e2022 & 1023u))) - 8388608f) * _e2053));
-                                                let _e2146 = (bitcast<i32>((_e2022 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e2149 = bitcast<f32>((_e2141 & bitcast<u32>(_e2146)));
-                                                let _e2153 = bitcast<f32>((_e2123 & bitcast<u32>(~(_e2128))));
-                                                let _e2157 = bitcast<f32>((_e2132 & bitcast<u32>(~(_e2137))));
-                                                let _e2161 = bitcast<f32>((_e2141 & bitcast<u32>(~(_e2146))));
-                                                let _e2162 = (_e845.member.member.x + _e2092);
-                                                let _e2163 = (_e845.member.member.y + _e2101);
-                                                let _e2164 = (_e845.member.member.z + _e2110);
-                                                let _e2167 = (_e845.member.member_1.x - _e2131);
-                                                let _e2168 = (_e845.member.member_1.y - _e2140);
-                                                let _e2169 = (_e845.member.member_1.z - _e2149);
-                                                let _e2188 = (_e2167 - _e2162);
-                                                let _e2189 = (_e2168 - _e2163);
-                                                let _e2190 = (_e2169 - _e2164);
-                                                let _e2192 = select(_e2189, _e2188, (_e2188 > _e2189));
-                                                let _e2194 = select(_e2190, _e2192, (_e2192 > _e2190));
-                                                if (_e2194 < (1024f * _e166)) {
-                                                    phi_3917_ = 0u;
+                                                let _e881 = global_5.member[_e843.member_1][_e876];
+                                                let _e883 = (_e881 >> bitcast<u32>(11u));
+                                                let _e906 = (bitcast<f32>((bitcast<u32>((_e843.member.member_1.x - _e843.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e907 = (bitcast<f32>((bitcast<u32>((_e843.member.member_1.y - _e843.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e908 = (bitcast<f32>((bitcast<u32>((_e843.member.member_1.z - _e843.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e910 = select(_e166, _e906, (_e906 > _e166));
+                                                let _e912 = select(_e166, _e907, (_e907 > _e166));
+                                                let _e914 = select(_e166, _e908, (_e908 > _e166));
+                                                let _e945 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e863 & 1023u))) - 8388608f) * _e910));
+                                                let _e950 = (bitcast<i32>((_e863 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e953 = bitcast<f32>((_e945 & bitcast<u32>(_e950)));
+                                                let _e954 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e872 & 1023u))) - 8388608f) * _e912));
+                                                let _e959 = (bitcast<i32>((_e872 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e962 = bitcast<f32>((_e954 & bitcast<u32>(_e959)));
+                                                let _e963 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e881 & 1023u))) - 8388608f) * _e914));
+                                                let _e968 = (bitcast<i32>((_e881 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e971 = bitcast<f32>((_e963 & bitcast<u32>(_e968)));
+                                                let _e975 = bitcast<f32>((_e945 & bitcast<u32>(~(_e950))));
+                                                let _e979 = bitcast<f32>((_e954 & bitcast<u32>(~(_e959))));
+                                                let _e983 = bitcast<f32>((_e963 & bitcast<u32>(~(_e968))));
+                                                let _e984 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e865 & 1023u))) - 8388608f) * _e910));
+                                                let _e989 = (bitcast<i32>((_e865 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e992 = bitcast<f32>((_e984 & bitcast<u32>(_e989)));
+                                                let _e993 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e874 & 1023u))) - 8388608f) * _e912));
+                                                let _e998 = (bitcast<i32>((_e874 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1001 = bitcast<f32>((_e993 & bitcast<u32>(_e998)));
+                                                let _e1002 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e883 & 1023u))) - 8388608f) * _e914));
+                                                let _e1007 = (bitcast<i32>((_e883 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e1010 = bitcast<f32>((_e1002 & bitcast<u32>(_e1007)));
+                                                let _e1014 = bitcast<f32>((_e984 & bitcast<u32>(~(_e989))));
+                                                let _e1018 = bitcast<f32>((_e993 & bitcast<u32>(~(_e998))));
+                                                let _e1022 = bitcast<f32>((_e1002 & bitcast<u32>(~(_e1007))));
+                                                let _e1023 = (_e843.member.member.x + _e953);
+                                                let _e1024 = (_e843.member.member.y + _e962);
+                                                let _e1025 = (_e843.member.member.z + _e971);
+                                                let _e1028 = (_e843.member.member_1.x - _e992);
+                                                let _e1029 = (_e843.member.member_1.y - _e1001);
+                                                let _e1030 = (_e843.member.member_1.z - _e1010);
+                                                let _e1049 = (_e1028 - _e1023);
+                                                let _e1050 = (_e1029 - _e1024);
+                                                let _e1051 = (_e1030 - _e1025);
+                                                let _e1053 = select(_e1050, _e1049, (_e1049 > _e1050));
+                                                let _e1055 = select(_e1051, _e1053, (_e1053 > _e1051));
+                                                if (_e1055 < (1024f * _e166)) {
+                                                    phi_3894_ = 0u;
                                                 } else {
-                                                    phi_3917_ = select(2u, 1u, (_e2194 < (2097152f * _e166)));
+                                                    phi_3894_ = select(2u, 1u, (_e1055 < (2097152f * _e166)));
                                                 }
-                                                let _e2201 = phi_3917_;
-                                                switch bitcast<i32>(_e2201) {
+                                                let _e1062 = phi_3894_;
+                                                switch bitcast<i32>(_e1062) {
                                                     case 0: {
-                                                        phi_3923_ = 1u;
+                                                        phi_3900_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3923_ = 2u;
+                                                        phi_3900_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3923_ = 3u;
+                                                        phi_3900_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3923_ = u32();
+                                                        phi_3900_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e2204 = phi_3923_;
-                                                let _e2210 = global_5.member[_e845.member_1][0u];
-                                                let _e2214 = global_5.member[_e845.member_1][1u];
-                                                let _e2218 = global_5.member[_e845.member_1][2u];
-                                                let _e2222 = global_5.member[_e845.member_1][3u];
-                                                let _e2234 = (((_e2214 >> bitcast<u32>(22i)) | ((_e2218 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e2222 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e2235 = (_e2210 & 268435455u);
-                                                let _e2236 = (_e2234 & 268435455u);
-                                                let _e2239 = ((_e2210 >> bitcast<u32>(28u)) & 7u);
-                                                let _e2247 = ((_e2210 >> bitcast<u32>(31i)) | (((_e2234 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e2248 = (_e2239 != 0u);
-                                                if (_e2239 == 0u) {
-                                                    phi_4178_ = _e2235;
+                                                let _e1065 = phi_3900_;
+                                                let _e1071 = global_5.member[_e843.member_1][0u];
+                                                let _e1075 = global_5.member[_e843.member_1][1u];
+                                                let _e1079 = global_5.member[_e843.member_1][2u];
+                                                let _e1083 = global_5.member[_e843.member_1][3u];
+                                                let _e1095 = (((_e1075 >> bitcast<u32>(22i)) | ((_e1079 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1083 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e1096 = (_e1071 & 268435455u);
+                                                let _e1097 = (_e1095 & 268435455u);
+                                                let _e1100 = ((_e1071 >> bitcast<u32>(28u)) & 7u);
+                                                let _e1108 = ((_e1071 >> bitcast<u32>(31i)) | (((_e1095 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e1109 = (_e1100 != 0u);
+                                                if (_e1100 == 0u) {
+                                                    phi_4155_ = _e1096;
                                                 } else {
-                                                    if (_e2239 == 7u) {
-                                                        phi_4177_ = 2147483648u;
+                                                    if (_e1100 == 7u) {
+                                                        phi_4154_ = 2147483648u;
                                                     } else {
-                                                        phi_4177_ = ((2147483648u | (_e2239 << bitcast<u32>(28u))) | (_e2236 & 268435455u));
+                                                        phi_4154_ = ((2147483648u | (_e1100 << bitcast<u32>(28u))) | (_e1097 & 268435455u));
                                                     }
-                                                    let _e2257 = phi_4177_;
-                                                    phi_4178_ = _e2257;
+                                                    let _e1118 = phi_4154_;
+                                                    phi_4155_ = _e1118;
                                                 }
-                                                let _e2259 = phi_4178_;
-                                                if _e2248 {
-                                                    let _e2260 = (_e2239 != 7u);
-                                                    if _e2260 {
-                                                        phi_4188_ = (_e2236 + (_e2239 * ((3u * _e2204) + 1u)));
+                                                let _e1120 = phi_4155_;
+                                                if _e1109 {
+                                                    let _e1121 = (_e1100 != 7u);
+                                                    if _e1121 {
+                                                        phi_4165_ = (_e1097 + (_e1100 * ((3u * _e1065) + 1u)));
                                                     } else {
-                                                        phi_4188_ = u32();
+                                                        phi_4165_ = u32();
                                                     }
-                                                    let _e2264 = phi_4188_;
-                                                    phi_4190_ = _e2264;
-                                                    phi_4191_ = select(true, false, _e2260);
+                                                    let _e1125 = phi_4165_;
+                                                    phi_4167_ = _e1125;
+                                                    phi_4168_ = select(true, false, _e1121);
                                                 } else {
-                                                    phi_4190_ = u32();
-                                                    phi_4191_ = true;
+                                                    phi_4167_ = u32();
+                                                    phi_4168_ = true;
                                                 }
-                                                let _e2267 = phi_4190_;
-                                                let _e2269 = phi_4191_;
-                                                if (_e2247 == 0u) {
-                                                    phi_4212_ = (_e2235 + select(0u, 1u, !(_e2248)));
+                                                let _e1128 = phi_4167_;
+                                                let _e1130 = phi_4168_;
+                                                if (_e1108 == 0u) {
+                                                    phi_4189_ = (_e1096 + select(0u, 1u, !(_e1109)));
                                                 } else {
-                                                    if (_e2247 == 7u) {
-                                                        phi_4211_ = 2147483648u;
+                                                    if (_e1108 == 7u) {
+                                                        phi_4188_ = 2147483648u;
                                                     } else {
-                                                        phi_4211_ = ((2147483648u | (_e2247 << bitcast<u32>(28u))) | (select(_e2267, _e2236, _e2269) & 268435455u));
+                                                        phi_4188_ = ((2147483648u | (_e1108 << bitcast<u32>(28u))) | (select(_e1128, _e1097, _e1130) & 268435455u));
                                                     }
-                                                    let _e2282 = phi_4211_;
-                                                    phi_4212_ = _e2282;
+                                                    let _e1143 = phi_4188_;
+                                                    phi_4189_ = _e1143;
                                                 }
-                                                let _e2284 = phi_4212_;
-                                                phi_4216_ = type_60(array<vec4<f32>, 3>(vec4<f32>(_e2162, (_e845.member.member.x + _e2114), _e2167, (_e845.member.member_1.x - _e2153)), vec4<f32>(_e2163, (_e845.member.member.y + _e2118), _e2168, (_e845.member.member_1.y - _e2157)), vec4<f32>(_e2164, (_e845.member.member.z + _e2122), _e2169, (_e845.member.member_1.z - _e2161))), type_59(type_34((_e845.member.member + vec4<f32>(_e2092, _e2101, _e2110, 0f)), (_e845.member.member_1 - vec4<f32>(_e2131, _e2140, _e2149, 0f))), _e2259), type_59(type_34((_e845.member.member + vec4<f32>(_e2114, _e2118, _e2122, 0f)), (_e845.member.member_1 - vec4<f32>(_e2153, _e2157, _e2161, 0f))), _e2284));
+                                                let _e1145 = phi_4189_;
+                                                phi_4193_ = type_60(array<vec4<f32>, 3>(vec4<f32>(_e1023, (_e843.member.member.x + _e975), _e1028, (_e843.member.member_1.x - _e1014)), vec4<f32>(_e1024, (_e843.member.member.y + _e979), _e1029, (_e843.member.member_1.y - _e1018)), vec4<f32>(_e1025, (_e843.member.member.z + _e983), _e1030, (_e843.member.member_1.z - _e1022))), type_59(type_34((_e843.member.member + vec4<f32>(_e953, _e962, _e971, 0f)), (_e843.member.member_1 - vec4<f32>(_e992, _e1001, _e1010, 0f))), _e1120), type_59(type_34((_e843.member.member + vec4<f32>(_e975, _e979, _e983, 0f)), (_e843.member.member_1 - vec4<f32>(_e1014, _e1018, _e1022, 0f))), _e1145));
                                             }
-                                            let _e2289 = phi_4216_;
-                                            let _e2301 = ((_e2289.member[0].x - _e525) * _e528);
-                                            let _e2302 = ((_e2289.member[0].y - _e525) * _e528);
-                                            let _e2303 = ((_e2289.member[0].z - _e526) * _e528);
-                                            let _e2304 = ((_e2289.member[0].w - _e526) * _e528);
-                                            let _e2314 = ((_e2289.member[1].x - _e589) * _e592);
-                                            let _e2315 = ((_e2289.member[1].y - _e589) * _e592);
-                                            let _e2316 = ((_e2289.member[1].z - _e590) * _e592);
-                                            let _e2317 = ((_e2289.member[1].w - _e590) * _e592);
-                                            let _e2327 = ((_e2289.member[2].x - _e653) * _e656);
-                                            let _e2328 = ((_e2289.member[2].y - _e653) * _e656);
-                                            let _e2329 = ((_e2289.member[2].z - _e654) * _e656);
-                                            let _e2330 = ((_e2289.member[2].w - _e654) * _e656);
-                                            let _e2332 = select(_e2329, _e2327, (_e2327 < _e2329));
-                                            let _e2334 = select(_e2330, _e2328, (_e2328 < _e2330));
-                                            let _e2336 = select(_e2329, _e2327, (_e2327 > _e2329));
-                                            let _e2338 = select(_e2330, _e2328, (_e2328 > _e2330));
-                                            let _e2340 = select(_e2303, _e2301, (_e2301 < _e2303));
-                                            let _e2342 = select(_e2304, _e2302, (_e2302 < _e2304));
-                                            let _e2344 = select(_e2316, _e2314, (_e2314 < _e2316));
-                                            let _e2346 = select(_e2317, _e2315, (_e2315 < _e2317));
-                                            let _e2348 = select(_e2344, _e2340, (_e2340 > _e2344));
-                                            let _e2350 = select(_e2346, _e2342, (_e2342 > _e2346));
-                                            let _e2352 = select(_e2332, _e2348, (_e2348 > _e2332));
-                                            let _e2354 = select(_e2334, _e2350, (_e2350 > _e2334));
-                                            let _e2356 = select(_e2303, _e2301, (_e2301 > _e2303));
-                                            let _e2358 = select(_e2304, _e2302, (_e2302 > _e2304));
-                                            let _e2360 = select(_e2316, _e2314, (_e2314 > _e2316));
-                                            let _e2362 = select(_e2317, _e2315, (_e2315 > _e2317));
-                                            let _e2364 = select(_e2360, _e2356, (_e2356 < _e2360));
-                                            let _e2366 = select(_e2362, _e2358, (_e2358 < _e2362));
-                                            let _e2371 = -(_e2332);
-                                            let _e2372 = -(_e2334);
-                                            let _e2379 = (select(_e2336, _e2364, (_e2364 < _e2336)) + (select(_e2371, _e2336, (_e2336 > _e2371)) * 0.0000019073523f));
-                                            let _e2380 = (select(_e2338, _e2366, (_e2366 < _e2338)) + (select(_e2372, _e2338, (_e2338 > _e2372)) * 0.0000019073523f));
-                                            let _e2382 = select(_e758, _e2352, (_e2352 > _e758));
-                                            let _e2384 = select(_e758, _e2354, (_e2354 > _e758));
-                                            let _e2389 = (_e2382 <= select(_e1993.member, _e2379, (_e2379 < _e1993.member)));
-                                            let _e2390 = (_e2384 <= select(_e1993.member, _e2380, (_e2380 < _e1993.member)));
-                                            let _e2391 = (_e2382 <= _e2384);
-                                            if _e2389 {
-                                                if _e2390 {
-                                                    if _e2391 {
-                                                        phi_4578_ = _e2289.member_2;
+                                            let _e1150 = phi_4193_;
+                                            let _e1162 = ((_e1150.member[0].x - _e525) * _e528);
+                                            let _e1163 = ((_e1150.member[0].y - _e525) * _e528);
+                                            let _e1164 = ((_e1150.member[0].z - _e526) * _e528);
+                                            let _e1165 = ((_e1150.member[0].w - _e526) * _e528);
+                                            let _e1175 = ((_e1150.member[1].x - _e589) * _e592);
+                                            let _e1176 = ((_e1150.member[1].y - _e589) * _e592);
+                                            let _e1177 = ((_e1150.member[1].z - _e590) * _e592);
+                                            let _e1178 = ((_e1150.member[1].w - _e590) * _e592);
+                                            let _e1188 = ((_e1150.member[2].x - _e653) * _e656);
+                                            let _e1189 = ((_e1150.member[2].y - _e653) * _e656);
+                                            let _e1190 = ((_e1150.member[2].z - _e654) * _e656);
+                                            let _e1191 = ((_e1150.member[2].w - _e654) * _e656);
+                                            let _e1193 = select(_e1190, _e1188, (_e1188 < _e1190));
+                                            let _e1195 = select(_e1191, _e1189, (_e1189 < _e1191));
+                                            let _e1197 = select(_e1190, _e1188, (_e1188 > _e1190));
+                                            let _e1199 = select(_e1191, _e1189, (_e1189 > _e1191));
+                                            let _e1201 = select(_e1164, _e1162, (_e1162 < _e1164));
+                                            let _e1203 = select(_e1165, _e1163, (_e1163 < _e1165));
+                                            let _e1205 = select(_e1177, _e1175, (_e1175 < _e1177));
+                                            let _e1207 = select(_e1178, _e1176, (_e1176 < _e1178));
+                                            let _e1209 = select(_e1205, _e1201, (_e1201 > _e1205));
+                                            let _e1211 = select(_e1207, _e1203, (_e1203 > _e1207));
+                                            let _e1213 = select(_e1193, _e1209, (_e1209 > _e1193));
+                                            let _e1215 = select(_e1195, _e1211, (_e1211 > _e1195));
+                                            let _e1217 = select(_e1164, _e1162, (_e1162 > _e1164));
+                                            let _e1219 = select(_e1165, _e1163, (_e1163 > _e1165));
+                                            let _e1221 = select(_e1177, _e1175, (_e1175 > _e1177));
+                                            let _e1223 = select(_e1178, _e1176, (_e1176 > _e1178));
+                                            let _e1225 = select(_e1221, _e1217, (_e1217 < _e1221));
+                                            let _e1227 = select(_e1223, _e1219, (_e1219 < _e1223));
+                                            let _e1232 = -(_e1193);
+                                            let _e1233 = -(_e1195);
+                                            let _e1240 = (select(_e1197, _e1225, (_e1225 < _e1197)) + (select(_e1232, _e1197, (_e1197 > _e1232)) * 0.0000019073523f));
+                                            let _e1241 = (select(_e1199, _e1227, (_e1227 < _e1199)) + (select(_e1233, _e1199, (_e1199 > _e1233)) * 0.0000019073523f));
+                                            let _e1243 = select(_e758, _e1213, (_e1213 > _e758));
+                                            let _e1245 = select(_e758, _e1215, (_e1215 > _e758));
+                                            let _e1250 = (_e1243 <= select(_e802.member, _e1240, (_e1240 < _e802.member)));
+                                            let _e1251 = (_e1245 <= select(_e802.member, _e1241, (_e1241 < _e802.member)));
+                                            let _e1252 = (_e1243 <= _e1245);
+                                            if _e1250 {
+                                                if _e1251 {
+                                                    if _e1252 {
+                                                        phi_4555_ = _e1150.member_2;
                                                     } else {
-                                                        phi_4578_ = _e2289.member_1;
+                                                        phi_4555_ = _e1150.member_1;
                                                     }
-                                                    let _e2395 = phi_4578_;
-                                                    let _e2416 = (_e843 % 128u);
-                                                    let _e2417 = (_e2416 < 128u);
-                                                    if _e2417 {
+                                                    let _e1256 = phi_4555_;
+                                                    let _e1277 = (_e845 % 128u);
+                                                    let _e1278 = (_e1277 < 128u);
+                                                    if _e1278 {
                                                     } else {
-                                                        phi_5380_ = true;
+                                                        phi_5296_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e2416] = _e2395.member_1;
-                                                    if _e2417 {
+                                                    local_8[_e1277] = _e1256.member_1;
+                                                    if _e1278 {
                                                     } else {
-                                                        phi_5380_ = true;
+                                                        phi_5296_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e2416] = _e2395.member.member.x;
-                                                    if _e2417 {
+                                                    local_7[_e1277] = _e1256.member.member.x;
+                                                    if _e1278 {
                                                     } else {
-                                                        phi_5380_ = true;
+                                                        phi_5296_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e2416] = _e2395.member.member.y;
-                                                    if _e2417 {
+                                                    local_6[_e1277] = _e1256.member.member.y;
+                                                    if _e1278 {
                                                     } else {
-                                                        phi_5380_ = true;
+                                                        phi_5296_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e2416] = _e2395.member.member.z;
-                                                    if _e2417 {
+                                                    local_5[_e1277] = _e1256.member.member.z;
+                                                    if _e1278 {
                                                     } else {
-                                                        phi_5380_ = true;
+                                                        phi_5296_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e2416] = _e2395.member.member_1.x;
-                                                    if _e2417 {
+                                                    local_4[_e1277] = _e1256.member.member_1.x;
+                                                    if _e1278 {
                                                     } else {
-                                                        phi_5380_ = true;
+                                                        phi_5296_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e2416] = _e2395.member.member_1.y;
-                                                    if _e2417 {
+                                                    local_3[_e1277] = _e1256.member.member_1.y;
+                                                    if _e1278 {
                                                     } else {
-                                                        phi_5380_ = true;
+                                                        phi_5296_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e2416] = _e2395.member.member_1.z;
-                                                    if _e2417 {
+                                                    local_2[_e1277] = _e1256.member.member_1.z;
+                                                    if _e1278 {
                                                     } else {
-                                                        phi_5380_ = true;
+                                                        phi_5296_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e2416] = select(_e2382, _e2384, _e2391);
-                                                    if _e2391 {
-                                                        phi_4654_ = _e2289.member_1;
+                                                    local_9[_e1277] = select(_e1243, _e1245, _e1252);
+                                                    if _e1252 {
+                                                        phi_4631_ = _e1150.member_1;
                                                     } else {
-                                                        phi_4654_ = _e2289.member_2;
+                                                        phi_4631_ = _e1150.member_2;
                                                     }
-                                                    let _e2430 = phi_4654_;
-                                                    phi_4655_ = (_e843 + 1u);
-                                                    phi_4656_ = _e2430;
+                                                    let _e1291 = phi_4631_;
+                                                    phi_4632_ = _e1291;
+                                                    phi_4633_ = (_e845 + 1u);
                                                 } else {
-                                                    phi_4655_ = u32();
-                                                    phi_4656_ = type_59();
+                                                    phi_4632_ = type_59();
+                                                    phi_4633_ = u32();
                                                 }
-                                                let _e2432 = phi_4655_;
-                                                let _e2434 = phi_4656_;
-                                                phi_4658_ = _e2432;
-                                                phi_4659_ = _e2434;
-                                                phi_4660_ = select(true, false, _e2390);
+                                                let _e1293 = phi_4632_;
+                                                let _e1295 = phi_4633_;
+                                                phi_4635_ = _e1293;
+                                                phi_4636_ = _e1295;
+                                                phi_4637_ = select(true, false, _e1251);
                                             } else {
-                                                phi_4658_ = u32();
-                                                phi_4659_ = type_59();
-                                                phi_4660_ = true;
+                                                phi_4635_ = type_59();
+                                                phi_4636_ = u32();
+                                                phi_4637_ = true;
                                             }
-                                            let _e2437 = phi_4658_;
-                                            let _e2439 = phi_4659_;
-                                            let _e2441 = phi_4660_;
-                                            if _e2441 {
-                                                if _e2389 {
-                                                    phi_4669_ = _e2289.member_1;
+                                            let _e1298 = phi_4635_;
+                                            let _e1300 = phi_4636_;
+                                            let _e1302 = phi_4637_;
+                                            if _e1302 {
+                                                if _e1250 {
+                                                    phi_4646_ = _e1150.member_1;
                                                 } else {
-                                                    phi_4669_ = _e2289.member_2;
+                                                    phi_4646_ = _e1150.member_2;
                                                 }
-                                                let _e2445 = phi_4669_;
-                                                phi_4674_ = select(_e2390, true, _e2389);
-                                                phi_4676_ = _e2445;
+                                                let _e1306 = phi_4646_;
+                                                phi_4651_ = select(_e1251, true, _e1250);
+                                                phi_4652_ = _e1306;
                                             } else {
-                                                phi_4674_ = _e841;
-                                                phi_4676_ = _e2439;
+                                                phi_4651_ = _e841;
+                                                phi_4652_ = _e1298;
                                             }
-                                            let _e2448 = phi_4674_;
-                                            let _e2450 = phi_4676_;
-                                            phi_4680_ = _e2448;
-                                            phi_4681_ = select(_e2437, _e843, _e2441);
-                                            phi_4682_ = _e2450;
+                                            let _e1309 = phi_4651_;
+                                            let _e1311 = phi_4652_;
+                                            phi_5300_ = _e800;
+                                            phi_4654_ = _e802;
+                                            phi_4655_ = _e1309;
+                                            phi_4656_ = _e1311;
+                                            phi_4657_ = select(_e1300, _e845, _e1302);
                                         }
-                                        let _e2453 = phi_4680_;
-                                        let _e2455 = phi_4681_;
-                                        let _e2457 = phi_4682_;
-                                        if _e849 {
-                                            phi_4692_ = select(_e843, 0u, _e1993.member_1);
-                                            phi_4693_ = _e845;
-                                        } else {
-                                            phi_4692_ = _e2455;
-                                            phi_4693_ = _e2457;
-                                        }
-                                        let _e2461 = phi_4692_;
-                                        let _e2463 = phi_4693_;
-                                        phi_5383_ = _e1991;
-                                        phi_4694_ = _e1993;
-                                        phi_4695_ = (_e804 - 1u);
-                                        phi_4696_ = select(_e2453, false, _e849);
-                                        phi_4697_ = _e2461;
-                                        phi_4698_ = _e2463;
+                                        let _e2454 = phi_5300_;
+                                        let _e2456 = phi_4654_;
+                                        let _e2458 = phi_4655_;
+                                        let _e2460 = phi_4656_;
+                                        let _e2462 = phi_4657_;
+                                        phi_5299_ = _e2454;
+                                        phi_4658_ = _e2456;
+                                        phi_4659_ = _e2458;
+                                        phi_4660_ = _e2460;
+                                        phi_4661_ = _e2462;
+                                        phi_4662_ = (_e810 - 1u);
                                     } else {
-                                        phi_5383_ = _e800;
-                                        phi_4694_ = _e802;
-                                        phi_4695_ = _e804;
-                                        phi_4696_ = _e841;
-                                        phi_4697_ = _e843;
-                                        phi_4698_ = _e845;
+                                        phi_5299_ = _e800;
+                                        phi_4658_ = _e802;
+                                        phi_4659_ = _e841;
+                                        phi_4660_ = _e843;
+                                        phi_4661_ = _e845;
+                                        phi_4662_ = _e810;
                                     }
-                                    let _e2466 = phi_5383_;
-                                    let _e2468 = phi_4694_;
-                                    let _e2470 = phi_4695_;
-                                    let _e2472 = phi_4696_;
-                                    let _e2474 = phi_4697_;
-                                    let _e2476 = phi_4698_;
-                                    phi_5382_ = _e2466;
-                                    phi_4699_ = _e2468;
-                                    phi_4700_ = _e2470;
-                                    phi_4701_ = _e2472;
-                                    phi_4702_ = _e2474;
-                                    phi_4703_ = _e2476;
+                                    let _e2464 = phi_5299_;
+                                    let _e2466 = phi_4658_;
+                                    let _e2468 = phi_4659_;
+                                    let _e2470 = phi_4660_;
+                                    let _e2472 = phi_4661_;
+                                    let _e2474 = phi_4662_;
+                                    phi_5298_ = _e2464;
+                                    phi_4663_ = _e2466;
+                                    phi_4664_ = _e2468;
+                                    phi_4665_ = _e2470;
+                                    phi_4666_ = _e2472;
+                                    phi_4667_ = _e2474;
                                 } else {
-                                    phi_5382_ = _e800;
-                                    phi_4699_ = type_47();
-                                    phi_4700_ = u32();
-                                    phi_4701_ = bool();
-                                    phi_4702_ = u32();
-                                    phi_4703_ = type_59();
+                                    phi_5298_ = _e800;
+                                    phi_4663_ = type_47();
+                                    phi_4664_ = bool();
+                                    phi_4665_ = type_59();
+                                    phi_4666_ = u32();
+                                    phi_4667_ = u32();
                                 }
-                                let _e2478 = phi_5382_;
-                                let _e2480 = phi_4699_;
-                                let _e2482 = phi_4700_;
-                                let _e2484 = phi_4701_;
-                                let _e2486 = phi_4702_;
-                                let _e2488 = phi_4703_;
-                                phi_5381_ = _e2478;
-                                phi_1387_ = _e2480;
-                                phi_1390_ = _e2482;
-                                phi_1392_ = _e2484;
-                                phi_1394_ = _e2486;
-                                phi_1396_ = _e2488;
-                                phi_4704_ = _e814;
+                                let _e2476 = phi_5298_;
+                                let _e2478 = phi_4663_;
+                                let _e2480 = phi_4664_;
+                                let _e2482 = phi_4665_;
+                                let _e2484 = phi_4666_;
+                                let _e2486 = phi_4667_;
+                                phi_5297_ = _e2476;
+                                phi_1394_ = _e2478;
+                                phi_1397_ = _e2480;
+                                phi_1399_ = _e2482;
+                                phi_1401_ = _e2484;
+                                phi_1403_ = _e2486;
+                                phi_4668_ = _e814;
                             } else {
-                                phi_5381_ = _e800;
-                                phi_1387_ = type_47();
-                                phi_1390_ = u32();
-                                phi_1392_ = bool();
-                                phi_1394_ = u32();
-                                phi_1396_ = type_59();
-                                phi_4704_ = false;
+                                phi_5297_ = _e800;
+                                phi_1394_ = type_47();
+                                phi_1397_ = bool();
+                                phi_1399_ = type_59();
+                                phi_1401_ = u32();
+                                phi_1403_ = u32();
+                                phi_4668_ = false;
                             }
-                            let _e2490 = phi_5381_;
-                            let _e2492 = phi_1387_;
-                            let _e2494 = phi_1390_;
-                            let _e2496 = phi_1392_;
-                            let _e2498 = phi_1394_;
-                            let _e2500 = phi_1396_;
-                            let _e2502 = phi_4704_;
+                            let _e2488 = phi_5297_;
+                            let _e2490 = phi_1394_;
+                            let _e2492 = phi_1397_;
+                            let _e2494 = phi_1399_;
+                            let _e2496 = phi_1401_;
+                            let _e2498 = phi_1403_;
+                            let _e2500 = phi_4668_;
                             continue;
                             continuing {
-                                phi_5142_ = _e2490;
-                                phi_1386_ = _e2492;
-                                phi_1389_ = _e2494;
-                                phi_1391_ = _e2496;
-                                phi_1393_ = _e2498;
-                                phi_1395_ = _e2500;
-                                phi_5380_ = _e2490;
-                                break if !(_e2502);
+                                phi_5070_ = _e2488;
+                                phi_1393_ = _e2490;
+                                phi_1396_ = _e2492;
+                                phi_1398_ = _e2494;
+                                phi_1400_ = _e2496;
+                                phi_1402_ = _e2498;
+                                phi_5296_ = _e2488;
+                                break if !(_e2500);
                             }
                         }
-                        let _e2505 = phi_5380_;
-                        if _e2505 {
+                        let _e2503 = phi_5296_;
+                        if _e2503 {
                             break;
                         }
-                        let _e2507 = local_10;
-                        if _e2507.member_1 {
+                        let _e2505 = local_11;
+                        if _e2505.member_1 {
                         } else {
                             if _e308 {
                             } else {
                                 break;
                             }
-                            let _e2511 = global_2.member[_e154];
+                            let _e2509 = global_2.member[_e154];
                             if _e169 {
                             } else {
                                 break;
                             }
-                            let _e2515 = global_9.member[_e154].member_1;
+                            let _e2513 = global_9.member[_e154].member_1;
                             if _e308 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e154] = type_27(_e2511.member, _e2511.member_1, _e2511.member_2, array<f32, 3>((_e2511.member_3[0] + (_e2515[0] * _e2511.member_1[0])), (_e2511.member_3[1] + (_e2515[1] * _e2511.member_1[1])), (_e2511.member_3[2] + (_e2515[2] * _e2511.member_1[2]))), _e2511.member_4);
+                            global_2.member[_e154] = type_27(_e2509.member, _e2509.member_1, _e2509.member_2, array<f32, 3>((_e2509.member_3[0] + (_e2513[0] * _e2509.member_1[0])), (_e2509.member_3[1] + (_e2513[1] * _e2509.member_1[1])), (_e2509.member_3[2] + (_e2513[2] * _e2509.member_1[2]))), _e2509.member_4);
                         }
                     }
                 }

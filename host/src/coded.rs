@@ -320,10 +320,6 @@ impl Collector for Shared<'_> {
         self.0.offer(hit);
     }
 
-    fn is_done(&self) -> bool {
-        self.0.is_done()
-    }
-
     fn count_node(&mut self) {
         self.0.count_node();
     }

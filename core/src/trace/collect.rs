@@ -2,7 +2,7 @@
 
 use crate::ray::Hit;
 
-/// The limit where no hit can change the answer: no t is below it.
+/// The limit where no hit can change the answer: no t is below it. A ray that has it is done.
 pub const FINAL: f32 = f32::MIN;
 
 /// Gathers hits, and says how far away a hit still matters.
@@ -12,12 +12,6 @@ pub trait Collector {
 
     /// Takes a hit with `t <= limit`.
     fn offer(&mut self, hit: Hit);
-
-    /// Whether the answer is final. Then the limit is [`FINAL`], which is all that rays ask who walk together.
-    #[inline(always)]
-    fn is_done(&self) -> bool {
-        false
-    }
 
     /// Called for each inner node that is opened by a ray that walks alone.
     #[inline(always)]
@@ -106,11 +100,6 @@ impl Collector for ClosestOrAny {
             self.closest.limit = FINAL;
         }
     }
-
-    #[inline(always)]
-    fn is_done(&self) -> bool {
-        self.any_will_do && self.closest.hit.is_hit()
-    }
 }
 
 /// Whether there is a hit at all.
@@ -143,11 +132,6 @@ impl Collector for AnyHit {
     fn offer(&mut self, _hit: Hit) {
         self.found = true;
         self.limit = FINAL;
-    }
-
-    #[inline(always)]
-    fn is_done(&self) -> bool {
-        self.found
     }
 }
 
@@ -234,11 +218,6 @@ impl<C: Collector> Collector for Counted<C> {
     }
 
     #[inline(always)]
-    fn is_done(&self) -> bool {
-        self.inner.is_done()
-    }
-
-    #[inline(always)]
     fn count_node(&mut self) {
         self.node_count += 1;
     }
@@ -255,7 +234,7 @@ mod tests {
 
     fn offered<C: Collector>(collector: &mut C, hits: &[(f32, u32)]) {
         for &(t, primitive) in hits {
-            if t <= collector.limit() && !collector.is_done() {
+            if t <= collector.limit() {
                 collector.offer(Hit {
                     t,
                     primitive,
@@ -276,13 +255,12 @@ mod tests {
         );
         let mut any = ClosestOrAny::any(7.0);
         offered(&mut any, &hits);
-        assert!(any.is_done() && any.closest.hit.primitive == 1);
+        assert_eq!(any.closest.hit.primitive, 1);
         let mut first = Counted::new(AnyHit::new(7.0));
         first.offer(any.closest.hit);
-        assert!(first.is_done());
         assert_eq!([any.limit(), first.limit()], [FINAL; 2]);
         let mut none = ClosestOrAny::any(7.0);
         offered(&mut none, &hits[4..]);
-        assert!(!none.is_done() && !none.closest.hit.is_hit());
+        assert!(none.limit() == 7.0 && !none.closest.hit.is_hit());
     }
 }

@@ -4,17 +4,16 @@
 //! ([`crate::lanes`]), and no answer depends on which other nodes are opened.
 
 use super::prepare::PreparedRays;
-use super::query::{Opened, Query, Single};
+use super::query::{Opened, Query};
 use super::stack::Enter;
-use super::{Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, walk};
+use super::{
+    Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, traverse_with, walk,
+};
 use crate::lanes::{Lanes, Wide};
 use crate::ray::{Hit, PreparedRay};
 use crate::slab::{BoxSpan, PlanePair, Planes, crossings};
 use crate::watertight::{Meeting, meet};
 use core::array::from_fn;
-
-/// With no more rays than this below a node, each goes on alone. Measured against 2: ARCHITECTURE.md.
-const FEW: u32 = 1;
 
 /// What a ray of a packet asks.
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +46,8 @@ impl<C: Cursor, W: Lanes> PacketStacks<C, W> {
     };
 }
 
-/// [`super::traverse_with`] of all rays of a packet: together, as far as the order of their axes is the same and while they pass the same nodes.
+/// [`super::traverse_with`] of all rays of a packet: together, as far as the order of their axes is the same and they begin and go
+/// side by side. One that is left over walks alone.
 #[inline(always)]
 pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
     stacks: &mut PacketStacks<N::Cursor, W>,
@@ -62,10 +62,10 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
     C: Collector,
     W: Wide<LANES>,
 {
-    let who = if rays.members.count_ones() <= FEW {
-        0
-    } else {
+    let who = if rays.members.count_ones() > 1 {
         rays.members
+    } else {
+        0
     };
     for (i, lane) in packet.iter_mut().enumerate() {
         if who >> i & 1 == 0 {
@@ -75,30 +75,18 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
     if who == 0 {
         return;
     }
-    let (axes, limit) = (rays.axes, limits(packet));
-    let mut steps = nodes.step_limit();
-    let mut query = Together {
+    let query = Together {
+        limit: limits(packet),
         rays,
         packet,
-        // In a sound tree each passes every node once at most.
-        steps_alone: steps.saturating_mul(LANES as u32),
-        alone: &mut stacks.alone,
-        limit,
         members: who,
         who,
     };
-    walk(
-        &mut stacks.together,
-        nodes,
-        triangles,
-        nodes.root(axes),
-        &mut query,
-        &mut steps,
-    );
+    walk(&mut stacks.together, nodes, triangles, query);
 }
 
 /// [`super::traverse_with`] of one ray, never part of its caller.
-#[inline(always)]
+#[inline(never)]
 pub fn trace_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
     stack: &mut Stack<N::Cursor>,
     nodes: &N,
@@ -106,33 +94,14 @@ pub fn trace_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Colle
     ray: &PreparedRay,
     lane: &mut Lane<R, C>,
 ) {
-    let mut steps = nodes.step_limit();
-    go_alone(
+    traverse_with(
         stack,
         nodes,
         triangles,
-        nodes.root(ray.axes),
-        (ray, lane),
-        &mut steps,
-    );
-}
-
-/// Walks the tree below a node with one ray.
-#[inline(never)]
-fn go_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
-    stack: &mut Stack<N::Cursor>,
-    nodes: &N,
-    triangles: &T,
-    root: N::Cursor,
-    (ray, lane): (&PreparedRay, &mut Lane<R, C>),
-    steps: &mut u32,
-) {
-    let mut query = Single {
         ray,
-        rule: &lane.rule,
-        collector: &mut lane.collector,
-    };
-    walk(stack, nodes, triangles, root, &mut query, steps);
+        &lane.rule,
+        &mut lane.collector,
+    );
 }
 
 /// Offers a hit, if it counts: never part of the walk.
@@ -163,12 +132,9 @@ impl<W: Lanes> Enter for Entries<W> {
 }
 
 /// Rays whose axes have the same order.
-struct Together<'a, R, C, U: Cursor, W: Wide<LANES>, const LANES: usize> {
-    rays: &'a mut PreparedRays<W, LANES>,
+struct Together<'a, R, C, W: Wide<LANES>, const LANES: usize> {
+    rays: &'a PreparedRays<W, LANES>,
     packet: &'a mut [Lane<R, C>; LANES],
-    alone: &'a mut Stack<U>,
-    /// What is left of the steps of all rays that go on alone.
-    steps_alone: u32,
     /// Below everything for rays that want nothing more.
     limit: W,
     /// A bit for each ray that walks along.
@@ -187,12 +153,7 @@ fn each_of(mut who: u32) -> impl Iterator<Item = usize> {
     })
 }
 
-impl<R, C, U, W, const LANES: usize> Together<'_, R, C, U, W, LANES>
-where
-    C: Collector,
-    U: Cursor,
-    W: Wide<LANES>,
-{
+impl<R, C, W: Wide<LANES>, const LANES: usize> Together<'_, R, C, W, LANES> {
     #[inline(always)]
     fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<W> {
         let rays = &self.rays.lanes;
@@ -205,7 +166,7 @@ where
     }
 }
 
-impl<N, T, R, C, W, const LANES: usize> Query<N, T> for Together<'_, R, C, N::Cursor, W, LANES>
+impl<N, T, R, C, W, const LANES: usize> Query<N, T> for Together<'_, R, C, W, LANES>
 where
     N: NodeSource,
     T: TriangleSource<N::Frame>,
@@ -279,26 +240,5 @@ where
     #[inline(always)]
     fn is_done(&self) -> bool {
         self.members & W::bits(self.rays.lanes.t_min.at_most(self.limit)) == 0
-    }
-
-    #[inline(always)]
-    fn divide(&mut self, nodes: &N, triangles: &T, cursor: N::Cursor) -> bool {
-        let is_few = self.who.count_ones() <= FEW;
-        if is_few {
-            for i in each_of(self.who) {
-                let i = i % LANES;
-                let ray = (self.rays.alone(i), &mut self.packet[i]);
-                go_alone(
-                    self.alone,
-                    nodes,
-                    triangles,
-                    cursor,
-                    ray,
-                    &mut self.steps_alone,
-                );
-            }
-            self.limit = limits(self.packet);
-        }
-        is_few
     }
 }

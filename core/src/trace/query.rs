@@ -32,12 +32,6 @@ pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Frame>> {
 
     /// Whether all answers are final.
     fn is_done(&self) -> bool;
-
-    /// Walks the tree below the inner node that was due in another way, if that is better. Returns whether it did.
-    #[inline(always)]
-    fn divide(&mut self, _: &N, _: &T, _: N::Cursor) -> bool {
-        false
-    }
 }
 
 /// An inner node's boxes, tested.
@@ -123,6 +117,6 @@ impl<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector> Query<N,
 
     #[inline(always)]
     fn is_done(&self) -> bool {
-        self.collector.is_done()
+        self.ray.t_min > self.collector.limit()
     }
 }
