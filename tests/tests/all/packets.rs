@@ -10,8 +10,8 @@ use slimbvh_core::classify::Except;
 use slimbvh_core::lanes::Each;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{
-    ClosestHit, Collector, Counted, Lane, LeafTriangles, NodeSource, PacketStacks, PlainNodes,
-    PreparedRays, trace_alone, trace_packet,
+    Children, ClosestHit, Collector, Lane, LeafRun, LeafTriangles, NodeSource, PacketStacks,
+    PlainNodes, PreparedRays, trace_alone, trace_packet,
 };
 use slimbvh_core::{Hit, Node, NodeRef, Ray};
 use slimbvh_tests::parity::same_bits;
@@ -20,6 +20,7 @@ use slimbvh_tests::rays::{RayRecipe, any_ray};
 use slimbvh_tests::scenes::real_meshes;
 use slimbvh_tests::strategies::any_mesh;
 use slimbvh_tests::{build, build_as, cases};
+use std::cell::Cell;
 
 /// A ray and some beside it, which may be none.
 #[derive(Clone, Debug)]
@@ -217,53 +218,66 @@ fn a_collector_may_ask_the_same_tree() {
     }
 }
 
+/// Nodes that count how often one is opened.
+struct Opened<'a>(PlainNodes<'a>, Cell<u32>);
+
+impl NodeSource for Opened<'_> {
+    type Cursor = NodeRef;
+    type Frame = ();
+
+    fn root(&self, axes: [u32; 3]) -> NodeRef {
+        self.0.root(axes)
+    }
+
+    fn leaf(&self, cursor: NodeRef) -> LeafRun<()> {
+        self.0.leaf(cursor)
+    }
+
+    fn children(&self, cursor: NodeRef, axes: [u32; 3]) -> Children<NodeRef> {
+        self.1.set(self.1.get() + 1);
+        self.0.children(cursor, axes)
+    }
+
+    fn step_limit(&self) -> u32 {
+        self.0.step_limit()
+    }
+}
+
 /// Nodes that lead back to themselves end a walk, of one ray and of several, after as many steps as there could be.
 #[test]
 fn a_tree_with_circles_is_left() {
-    let whole = [-1.0, -1.0, 1.0, 1.0];
-    let node = |left: u32, right: u32| Node {
-        planes: [whole; 3],
-        left: NodeRef::inner(left),
-        right: NodeRef::inner(right),
+    let node = Node {
+        planes: [[-1.0, -1.0, 1.0, 1.0]; 3],
+        left: NodeRef::inner(1),
+        right: NodeRef::inner(1),
         ..Node::zeroed()
     };
-    // The first ray alone meets the second node, which only leads to itself.
-    let mut first = node(1, 0);
-    first.planes[0] = [-1.0, -1.0, -0.5, 1.0];
-    let mut nodes = vec![node(1, 1); 3000];
-    nodes[0] = first;
-    let sources = (PlainNodes(&nodes), LeafTriangles(&[]));
-    let ray = |x: f32| Ray::new([x, 0.0, 0.9], [0.0, 0.0, -1.0]);
-    let first = PreparedRay::new(&ray(-0.52), 0);
+    let nodes = vec![node; 3000];
+    let (nodes, triangles) = (PlainNodes(&nodes), LeafTriangles(&[]));
+    let limit = nodes.step_limit();
+    let ray = |i: u8| Ray::new([f32::from(i) * 0.01, 0.0, 0.9], [0.0, 0.0, -1.0]);
+    let rays = [0, 1, 2, 3, 4, 5, 6, 7].map(ray);
+    let first = PreparedRay::new(&rays[0], 0);
     let lane = Lane {
         rule: Except::NOTHING,
-        collector: Counted::new(ClosestHit::new(first.t_max)),
+        collector: ClosestHit::new(first.t_max),
     };
-    let mut alone = lane;
     let mut stacks: PacketStacks<NodeRef, Each<8>> = PacketStacks::EMPTY;
-    trace_alone(
-        &mut stacks.alone,
-        &sources.0,
-        &sources.1,
-        &first,
-        &mut alone,
-    );
-    let limit = sources.0.step_limit();
-    assert_eq!(alone.collector.node_count, limit);
-    let mut rays = [ray(-0.49); 8];
-    rays[0] = ray(-0.52);
+    let counted = Opened(nodes, Cell::new(0));
+    let mut alone = lane;
+    trace_alone(&mut stacks.alone, &counted, &triangles, &first, &mut alone);
+    assert_eq!(counted.1.replace(0), limit);
     let mut prepared = PreparedRays::NOTHING;
     prepared.prepare(&rays, 0);
     let mut packet = [lane; 8];
     trace_packet(
         &mut stacks,
-        &sources.0,
-        &sources.1,
+        &counted,
+        &triangles,
         &mut prepared,
         &mut packet,
     );
-    let steps: u32 = packet.iter().map(|lane| lane.collector.node_count).sum();
-    assert!(limit <= steps && steps <= 8 * limit, "{steps}");
+    assert_eq!(counted.1.get(), limit);
 }
 
 /// The check is checked: hits of the neighbour's ray are found out.

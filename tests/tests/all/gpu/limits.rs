@@ -5,6 +5,7 @@ use super::trace::{Answers, rays_at};
 use slimbvh::generate::{default_scene, soup};
 use slimbvh::gpu::{self, AdapterChoice, AdapterError, Gpu, GpuError, adapters, wgpu};
 use slimbvh::{BuildConfig, CodeBits, RenderSettings};
+use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_tests::gpu::{done, gpu, gpu_with_limits, own_gpu};
 use slimbvh_tests::{CODE_BITS, build};
 
@@ -37,17 +38,20 @@ fn meshes_too_large_for_the_device_are_refused_and_smaller_ones_are_built() {
     let Some(gpu) = short_sighted() else { return };
     let refused = too_large(gpu::Mesh::upload(&gpu, &soup(30_000, 1)));
     assert_eq!(refused, ("the vertices", 30_000 * 36, BINDING, MIB));
+    // As many nodes as there could be: one for each triangle beyond a leaf's.
+    let most_nodes = (MIB / 64) as u32;
+    let most_triangles = most_nodes + LEAF_SIZE;
     for code_bits in CODE_BITS {
         let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
         let mut bvh = gpu::Bvh::new();
-        let large = done(gpu::Mesh::upload(&gpu, &soup(16_389, 1)));
+        let large = done(gpu::Mesh::upload(&gpu, &soup(most_triangles + 1, 1)));
         let mut frame = gpu.frame();
         let refused = too_large(builder.build(&mut frame, &large, &mut bvh));
-        assert_eq!(refused, ("the nodes", 16_385 * 64, BINDING, MIB));
+        assert_eq!(refused, ("the nodes", MIB + 64, BINDING, MIB));
         assert_eq!((builder.scratch_bytes(), bvh.bytes()), (0, 0));
 
         // The largest that fits.
-        let small = soup(16_388, 1);
+        let small = soup(most_triangles, 1);
         let uploaded = done(gpu::Mesh::upload(&gpu, &small));
         done(builder.build(&mut frame, &uploaded, &mut bvh));
         let again = too_large(builder.build(&mut frame, &large, &mut bvh));
