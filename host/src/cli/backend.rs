@@ -88,6 +88,20 @@ pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
     Ok(Chosen::Cpu)
 }
 
+/// Whether something is too large for the GPU.
+pub fn is_too_large(error: &anyhow::Error) -> bool {
+    #[cfg(feature = "gpu")]
+    return matches!(
+        error.downcast_ref(),
+        Some(slimbvh::gpu::GpuError::TooLarge { .. })
+    );
+    #[cfg(not(feature = "gpu"))]
+    {
+        let _ = error;
+        false
+    }
+}
+
 /// Whether the CPU may do what the GPU could not.
 #[cfg(feature = "gpu")]
 pub fn is_the_gpus_fault(error: &anyhow::Error) -> bool {

@@ -1,6 +1,7 @@
 //! `slimbvh bench`.
 
 mod cross;
+mod exponent;
 mod facts;
 mod findings;
 mod likeness;
@@ -37,20 +38,26 @@ Examples:
   slimbvh bench --quick
   slimbvh bench --quick --out report
   slimbvh bench model.glb terrain --out report --threads 4
-  slimbvh bench --quick --backend cpu,gpu --out report";
+  slimbvh bench --quick --backend cpu,gpu --out report
+  slimbvh bench --scaling --out growth";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct BenchArguments {
     /// Scene files, or names: default, shiny, doll, toasters, 24-cell, teapot, knot, sphere, flake, terrain, grid, soup, slivers
-    #[arg(value_name = "SCENE", default_value = "default")]
+    #[arg(
+        value_name = "SCENE",
+        default_value = "default",
+        default_value_if("scaling", "true", None)
+    )]
     scenes: Vec<String>,
 
     /// Half a minute for the default scene on two cores: small pictures, few repeats
     #[arg(long)]
     quick: bool,
 
-    /// Measure as well how costs grow with triangles, rays, lights and threads, on a generated terrain
+    /// Measure how costs grow on a generated terrain with triangles (1,000 to 10 million), rays (to 100 million), lights (to
+    /// 64) and threads: two minutes on two cores, some seconds with --quick, which ends earlier; scenes only if they are named
     #[arg(long)]
     scaling: bool,
 

@@ -1,9 +1,6 @@
 //! Instructions of a child process, counted by Valgrind.
 
-use super::child;
-use super::jobs::Job;
 use anyhow::{Context, Result, bail, ensure};
-use slimbvh::reduce::Reduce;
 use std::io::ErrorKind;
 use std::process::Command;
 
@@ -26,21 +23,20 @@ pub fn check() -> Result<()> {
     }
 }
 
-/// Counts what a child process executes that makes some frames of a job, or only loads its scene.
-pub fn instructions(job: &Job, mode: Option<Reduce>, made: u32) -> Result<Counted> {
+/// Counts what this program executes as a child process with these arguments. `what` is its name in errors.
+pub fn instructions(arguments: &[String], what: &str) -> Result<Counted> {
     let program = std::env::current_exe().context("cannot find this program")?;
     let output = Command::new("valgrind")
         .args(["--tool=cachegrind", "--cache-sim=no"])
         .arg("--cachegrind-out-file=/dev/null")
         .arg(program)
-        .args(child::arguments(job, mode, made))
+        .args(arguments)
         // Reading files would start as many threads as there are cores.
         .env("RAYON_NUM_THREADS", "1")
         .output()
         .context("cannot start valgrind")?;
     let log = String::from_utf8_lossy(&output.stderr);
-    let (scene, view) = (job.scene.name, job.view.name);
-    ensure!(output.status.success(), "{scene}, {view} failed:\n{log}");
+    ensure!(output.status.success(), "{what} failed:\n{log}");
     let count = total(&log).with_context(|| format!("valgrind counted nothing:\n{log}"))?;
     Ok(Counted {
         instructions: count,

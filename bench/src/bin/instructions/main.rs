@@ -1,8 +1,13 @@
-//! Counts the instructions of frames with `--reduce auto`, `off` and `on`: whether the plan is ever slower than no plan.
-//! Exit codes: 0 done, 1 the median of auto against off is above the limit, 2 usage or input.
+//! Counts the instructions of frames with `--reduce auto`, `off` and `on`: whether the plan is ever slower than no plan. With
+//! `--growth` those of builds: whether they grow as the mesh does.
+//! Exit codes: 0 done, 1 the median of auto against off, or an exponent, is above the limit, 2 usage or input.
 
 mod child;
 mod count;
+// The fit of `slimbvh bench --scaling`.
+#[path = "../../../../host/src/cli/bench/exponent.rs"]
+mod exponent;
+mod growth;
 mod jobs;
 mod options;
 mod report;
@@ -19,15 +24,15 @@ const LIMIT: f64 = 1.03;
 
 fn main() -> ExitCode {
     let mut arguments = std::env::args().skip(1).peekable();
-    let result = if arguments.peek().is_some_and(|first| first == child::WORD) {
-        child::run(arguments.skip(1)).map(|()| true)
-    } else {
-        run(arguments)
+    let result = match arguments.peek().map(String::as_str) {
+        Some(child::WORD) => child::run(arguments.skip(1)).map(|()| None),
+        Some(growth::WORD) => growth::run(arguments.skip(1)).map(|()| None),
+        _ => run(arguments),
     };
     match result {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => {
-            eprintln!("SLOWER: the median is above {LIMIT}");
+        Ok(None) => ExitCode::SUCCESS,
+        Ok(Some(fault)) => {
+            eprintln!("{fault}");
             ExitCode::from(1)
         }
         Err(error) => {
@@ -37,39 +42,57 @@ fn main() -> ExitCode {
     }
 }
 
-/// Returns whether the median is within the limit.
-fn run(arguments: impl Iterator<Item = String>) -> Result<bool> {
+/// Returns what is above its limit.
+fn run(arguments: impl Iterator<Item = String>) -> Result<Option<String>> {
     let options = Options::parse(arguments)?;
     if options.help {
         println!("{}", options::USAGE);
-        return Ok(true);
+        return Ok(None);
     }
     count::check()?;
-    let jobs = jobs::jobs(&options)?;
-    ensure!(!jobs.is_empty(), "no scene to measure with");
-    let rows: Vec<Row> = jobs.par_iter().map(measure).collect::<Result<_>>()?;
-    let (text, median) = report::report(&rows, &options)?;
+    let (text, fault) = if options.growth {
+        let (text, is_within) = growth::record(&options)?;
+        let fault = format!(
+            "FASTER THAN THE MESH: an exponent is above {}",
+            growth::LIMIT
+        );
+        (text, (!is_within).then_some(fault))
+    } else {
+        let (text, median) = frames(&options)?;
+        let fault = format!("SLOWER: the median is above {LIMIT}");
+        (text, (median > LIMIT).then_some(fault))
+    };
     print!("{text}");
     if let Some(path) = &options.out {
         std::fs::write(path, &text).with_context(|| format!("cannot write {path:?}"))?;
     }
-    Ok(median <= LIMIT)
+    Ok(fault)
+}
+
+/// Frames of all jobs, and the median ratio.
+fn frames(options: &Options) -> Result<(String, f64)> {
+    let jobs = jobs::jobs(options)?;
+    ensure!(!jobs.is_empty(), "no scene to measure with");
+    let rows: Vec<Row> = jobs.par_iter().map(measure).collect::<Result<_>>()?;
+    report::report(&rows, options)
 }
 
 /// All modes of a job.
 fn measure(job: &Job) -> Result<Row> {
-    let loading = count::instructions(job, None, 0)?.instructions;
+    let what = format!("{}, {}", job.scene.name, job.view.name);
+    let counted = |mode, made| count::instructions(&child::arguments(job, mode, made), &what);
+    let loading = counted(None, 0)?.instructions;
     let mut row = Row {
         job: *job,
         counts: [0; 3],
         said: String::new(),
     };
     for (mode, count) in MODES.iter().zip(&mut row.counts) {
-        let first = count::instructions(job, Some(*mode), 1)?;
+        let first = counted(Some(*mode), 1)?;
         *count = first.instructions - loading;
         // Each further frame takes the same: one tells.
         if job.view.frame_count > 1 {
-            let both = count::instructions(job, Some(*mode), 2)?;
+            let both = counted(Some(*mode), 2)?;
             let further = both.instructions - first.instructions;
             *count += u64::from(job.view.frame_count - 1) * further;
         }
@@ -77,6 +100,6 @@ fn measure(job: &Job) -> Result<Row> {
             row.said = first.said;
         }
     }
-    eprintln!("{}, {}: {:.4}", job.scene.name, job.view.name, row.ratio());
+    eprintln!("{what}: {:.4}", row.ratio());
     Ok(row)
 }

@@ -6,8 +6,9 @@ use slimbvh_bench::meshes::SCENES_VARIABLE;
 
 /// What `--help` prints.
 pub const USAGE: &str = "\
-instructions [--out FILE] [SCENE...]
+instructions [--out FILE] [--growth | SCENE...]
   --out FILE  also write the tables to FILE
+  --growth    count builds over terrains of 1,000 to 10,000,000 triangles, not frames
   SCENE...    only these scenes (default all)";
 
 /// The command line, parsed.
@@ -16,6 +17,8 @@ pub struct Options {
     pub help: bool,
     /// Where to write the record.
     pub out: Option<String>,
+    /// Count builds as the mesh grows, not frames.
+    pub growth: bool,
     /// Names of the scenes, or empty for all.
     scenes: Vec<String>,
 }
@@ -26,17 +29,22 @@ impl Options {
         let mut options = Self {
             help: false,
             out: None,
+            growth: false,
             scenes: Vec::new(),
         };
         while let Some(argument) = arguments.next() {
             match argument.as_str() {
                 "--help" | "-h" => options.help = true,
                 "--out" => options.out = Some(arguments.next().context("--out needs a file")?),
+                "--growth" => options.growth = true,
                 name if SCENES.iter().any(|scene| scene.name == name) => {
                     options.scenes.push(argument);
                 }
                 _ => bail!("there is no option or scene {argument:?}\n{USAGE}"),
             }
+        }
+        if options.growth && !options.scenes.is_empty() {
+            bail!("--growth takes no scene\n{USAGE}");
         }
         Ok(options)
     }
@@ -49,10 +57,11 @@ impl Options {
     /// The command that makes this record again, without paths of this machine.
     pub fn command(&self) -> String {
         let mut words = Vec::new();
-        if std::env::var_os(SCENES_VARIABLE).is_some() {
+        if !self.growth && std::env::var_os(SCENES_VARIABLE).is_some() {
             words.push(format!("{SCENES_VARIABLE}=scenes"));
         }
         words.push("cargo run --release --bin instructions --".into());
+        words.extend(self.growth.then(|| "--growth".to_owned()));
         words.extend(self.scenes.iter().map(|scene| format!("{scene:?}")));
         if let Some(out) = &self.out {
             let path = std::path::Path::new(out);

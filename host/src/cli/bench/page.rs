@@ -62,7 +62,11 @@ pub fn page(report: &Report) -> Result<String> {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\
          <title>slimbvh bench</title><style>\n{STYLE}</style></head><body>\n"
     );
-    html += "<h1>slimbvh bench</h1>\n<p class=\"soft\">One knob at a time around the default, then those crossed that are worth it.</p>\n<dl>";
+    html += "<h1>slimbvh bench</h1>\n";
+    if !report.records.is_empty() {
+        html += "<p class=\"soft\">One knob at a time around the default, then those crossed that are worth it.</p>\n";
+    }
+    html += "<dl>";
     // Writing to a string cannot fail.
     for (name, value) in report.head() {
         let _ = write!(html, "<dt>{name}</dt><dd>{}</dd>", escaped(&value));
@@ -148,9 +152,11 @@ fn growth(html: &mut String, report: &Report) -> Result<()> {
     for series in &report.scaling {
         let (of, place) = (series.of, series.backend.to_uppercase());
         let svg = plots::growth(series)?;
+        let left_out = series.left_out.as_deref().map(escaped);
+        let left_out = left_out.map_or(String::new(), |why| format!("<br/>{why}"));
         let _ = writeln!(
             html,
-            "<figure><figcaption><b>{of}</b> on the {place}</figcaption>{svg}</figure>"
+            "<figure><figcaption><b>{of}</b> on the {place}{left_out}</figcaption>{svg}</figure>"
         );
     }
     *html += "</div>\n<h3>Exponents</h3>\n";

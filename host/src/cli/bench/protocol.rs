@@ -13,8 +13,14 @@ pub struct Protocol {
     pub mirror_depth: u32,
     /// How many setups with several knobs moved are tried at most.
     pub crossed: usize,
-    /// How many terrains, each with four times as many triangles as the one before, costs are measured on as they grow.
+    /// How many terrains, each with √10 times as many triangles as the one before, costs are measured on as they grow.
     pub terrains: usize,
+    /// Width and height of pictures where rays or lights grow.
+    pub small_size: [u32; 2],
+    /// Samples a pixel where rays grow.
+    pub samples: &'static [u32],
+    /// Up to how many lights.
+    pub lights: usize,
 }
 
 impl Protocol {
@@ -23,7 +29,10 @@ impl Protocol {
         rounds: 5,
         mirror_depth: 4,
         crossed: 12,
-        terrains: 6,
+        terrains: 9,
+        small_size: [400, 256],
+        samples: &[1, 3, 10, 32, 100, 316, 1000],
+        lights: 64,
     };
 
     /// For half a minute.
@@ -31,7 +40,10 @@ impl Protocol {
         size: [320, 180],
         rounds: 3,
         crossed: 6,
-        terrains: 4,
+        terrains: 5,
+        small_size: [160, 90],
+        samples: &[1, 2, 4, 8],
+        lights: 16,
         ..Self::FULL
     };
 }

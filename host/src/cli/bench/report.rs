@@ -5,7 +5,7 @@ use super::measure::SceneRecord;
 use super::page::page;
 use super::protocol::Protocol;
 use super::row::{Row, csv};
-use super::scaling::{Exponent, Series};
+use super::scaling::{LONG_MS, LONG_ROUNDS, MOST_COUNTED_SAMPLES, Series};
 use crate::cli::measure::table::{Table, wrap};
 use crate::cli::output::{self, things};
 use anyhow::{Context, Result};
@@ -71,34 +71,66 @@ impl Report {
 
     /// What must be known to read the figures.
     pub fn head(&self) -> Vec<(&'static str, String)> {
-        let [width, height] = self.protocol.size;
         let version = match &self.commit {
             Some(commit) => format!("{}, {commit}", self.version),
             None => self.version.into(),
         };
         let mut head = vec![("command", self.command.clone()), ("version", version)];
         head.extend(self.machines.iter().cloned());
-        head.push((
-            "pictures",
-            format!("{width}×{height} pixels, one sample each; from the mesh to the picture, trees included"),
-        ));
-        head.push((
-            "times",
-            format!(
-                "medians of {} after one that does not count; each setup takes turns with the default, and ratios are medians of those of \
-                 each turn",
-                things(self.protocol.rounds, "picture")
-            ),
-        ));
-        head.push((
-            "counts",
-            "of box tests, triangle tests and bytes, by the traversal itself, over all rays of the picture".into(),
-        ));
-        head.push((
-            "errors",
-            "beside the picture of one tree over all triangles with nothing in a codec; tolerances are pixels of 1280×720".into(),
-        ));
+        if !self.records.is_empty() {
+            head.extend(self.of_scenes());
+        }
+        if !self.scaling.is_empty() {
+            head.push(("growth", self.of_growth()));
+        }
         head
+    }
+
+    /// What figures of scenes are.
+    fn of_scenes(&self) -> [(&'static str, String); 4] {
+        let [width, height] = self.protocol.size;
+        let rounds = things(self.protocol.rounds, "picture");
+        [
+            (
+                "pictures",
+                format!("{width}×{height} pixels, one sample each; from the mesh to the picture, trees included"),
+            ),
+            (
+                "times",
+                format!(
+                    "medians of {rounds} after one that does not count; each setup takes turns with the default, and ratios are medians \
+                     of those of each turn"
+                ),
+            ),
+            (
+                "counts",
+                "of box tests, triangle tests and bytes, by the traversal itself, over all rays of the picture".into(),
+            ),
+            (
+                "errors",
+                "beside the picture of one tree over all triangles with nothing in a codec; tolerances are pixels of 1280×720".into(),
+            ),
+        ]
+    }
+
+    /// What figures of growth are.
+    fn of_growth(&self) -> String {
+        let [width, height] = self.protocol.size;
+        let [small_width, small_height] = self.protocol.small_size;
+        let rounds = things(self.protocol.rounds, "picture");
+        let long = match self.protocol.rounds > LONG_ROUNDS {
+            true => format!(
+                ", of {LONG_ROUNDS} where one takes more than {} s",
+                LONG_MS / 1e3
+            ),
+            false => String::new(),
+        };
+        format!(
+            "one whole tree over a terrain, nothing in a codec; pictures of {width}×{height} pixels with more triangles or threads, of \
+             {small_width}×{small_height} with more lights, and with more rays from the eye by samples a pixel; medians of {rounds} after \
+             one that does not count{long}; bytes a ray over at most \
+             {MOST_COUNTED_SAMPLES} samples a pixel"
+        )
     }
 
     pub fn rows_of<'a>(&'a self, scene: &'a SceneRecord) -> impl Iterator<Item = &'a Row> {
@@ -141,14 +173,7 @@ impl Report {
             }
         }
         for series in &self.scaling {
-            let grows = |it: &Exponent| format!("{} {:.2}", it.cost, it.exponent);
-            let all: Vec<String> = series.exponents.iter().map(grows).collect();
-            let (of, place) = (series.of, series.backend.to_uppercase());
-            let _ = writeln!(
-                text,
-                "\nwith more {of} on the {place} costs grow as to these powers: {}",
-                all.join(", ")
-            );
+            let _ = write!(text, "\n{}", series.table().text());
         }
         text
     }

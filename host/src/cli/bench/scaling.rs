@@ -1,14 +1,16 @@
 //! How costs grow.
 
+use super::exponent::exponent;
 use super::facts::Facts;
 use super::machine::open;
 use super::prepared::Prepared;
 use super::protocol::Protocol;
 use super::setup::Setup;
 use super::times::Times;
-use crate::cli::backend::Chosen;
+use crate::cli::backend::{Chosen, is_too_large};
 use crate::cli::measure::rounds::Rounds;
-use crate::cli::output;
+use crate::cli::measure::table::Table;
+use crate::cli::output::{self, count};
 use anyhow::Result;
 use serde::Serialize;
 use slimbvh::{Light, RenderSettings, Scene, generate};
@@ -21,15 +23,21 @@ pub struct Series {
     pub of: &'static str,
     pub points: Vec<Point>,
     pub exponents: Vec<Exponent>,
+    /// Why there are no larger amounts, where the GPU takes none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub left_out: Option<String>,
 }
 
 /// Costs at one amount. Times are medians in milliseconds.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Point {
     pub amount: usize,
+    /// How many pictures the medians are of.
+    pub rounds: usize,
     pub build_ms: f64,
     pub primary_ms: f64,
     pub shadow_ms: f64,
+    /// Counted over at most [`MOST_COUNTED_SAMPLES`] a pixel.
     pub bytes_per_ray: f64,
     pub resident_bytes: usize,
 }
@@ -39,6 +47,46 @@ pub struct Point {
 pub struct Exponent {
     pub cost: &'static str,
     pub exponent: f64,
+}
+
+impl Series {
+    /// For a terminal.
+    pub fn table(&self) -> Table {
+        let cells = |point: &Point| {
+            vec![
+                count(point.amount),
+                format!("{:.2}", point.build_ms),
+                format!("{:.2}", point.primary_ms),
+                format!("{:.2}", point.shadow_ms),
+                format!("{:.0}", point.bytes_per_ray),
+                format!("{:.0}", point.resident_bytes as f64 / 1024.0),
+                point.rounds.to_string(),
+            ]
+        };
+        let powers = self.exponents.iter();
+        let powers = powers.map(|it| format!("{} {:.2}", it.cost, it.exponent));
+        let powers: Vec<String> = powers.collect();
+        let mut notes = vec![format!(
+            "costs grow as to these powers: {}",
+            powers.join(", ")
+        )];
+        notes.extend(self.left_out.clone());
+        Table {
+            title: format!("more {} on the {}", self.of, self.backend.to_uppercase()),
+            notes,
+            word_columns: 0,
+            head: vec![
+                self.of,
+                "build ms",
+                "primary ms",
+                "shadow ms",
+                "bytes/ray",
+                "KiB",
+                "pictures",
+            ],
+            rows: self.points.iter().map(cells).collect(),
+        }
+    }
 }
 
 /// A cost by name.
@@ -53,24 +101,25 @@ pub const COSTS: [Cost; 5] = [
     ("bytes of the tree", |point| point.resident_bytes as f64),
 ];
 
-/// Cells along a side of a terrain of about 1,000 triangles, four times as many, and so on to a million.
-const CELLS: [u32; 6] = [23, 45, 90, 181, 362, 724];
+/// Cells along a side of a terrain of about 1,000 triangles, √10 times as many, and so on to 10 million.
+const CELLS: [u32; 9] = [22, 40, 71, 126, 224, 398, 707, 1265, 2236];
 
-/// Cells of the terrain where something else grows.
-const USUAL_CELLS: u32 = 181;
+/// Cells of the terrain where something else grows: about 100,000 triangles.
+const USUAL_CELLS: u32 = 224;
 
-/// Up to how many lights.
-const MOST_LIGHTS: usize = 16;
+/// Samples a pixel whose bytes are counted.
+pub const MOST_COUNTED_SAMPLES: u32 = 10;
+
+/// A picture that takes longer is made at most [`LONG_ROUNDS`] times after the one that does not count.
+pub const LONG_MS: f64 = 2000.0;
+pub const LONG_ROUNDS: u32 = 3;
 
 /// Measures one whole tree over a terrain while triangles, rays, lights, and on cores threads grow.
 pub fn measure(chosen: &Chosen, protocol: &Protocol, threads: usize) -> Result<Vec<Series>> {
-    let _progress = output::spinner("measuring how costs grow".into());
-    let point = |amount, scene: &Scene, size, threads| {
-        let settings = RenderSettings {
-            size,
-            mirror_depth: 0,
-            ..RenderSettings::default()
-        };
+    let usual = terrain(USUAL_CELLS, 1);
+    let large = settings(protocol.size, 1);
+    let small = settings(protocol.small_size, 1);
+    let at = |amount, scene: &Scene, settings, threads| {
         point(
             amount,
             (scene, settings),
@@ -78,45 +127,73 @@ pub fn measure(chosen: &Chosen, protocol: &Protocol, threads: usize) -> Result<V
             (protocol.rounds, threads),
         )
     };
-    let size = protocol.size;
+    let backend = super::machine::name(chosen);
     let cells = CELLS.iter().take(protocol.terrains);
-    let triangles = cells.map(|&cells| {
-        let scene = terrain(cells, 1);
-        point(scene.mesh.indices.len(), &scene, size, threads)
-    });
-    let triangles: Vec<Point> = triangles.collect::<Result<_>>()?;
+    let triangles: Vec<usize> = cells
+        .map(|&cells| 2 * (cells as usize) * (cells as usize))
+        .collect();
+    let of_triangles = series((backend, "triangles"), &triangles, |amount| {
+        let cells = (amount / 2).isqrt() as u32;
+        at(amount, &terrain(cells, 1), large, threads)
+    })?;
 
-    let usual = terrain(USUAL_CELLS, 1);
-    let shares = [8, 4, 2, 1].map(|share| size.map(|side| side / share));
-    let rays = shares.iter().map(|&size| {
-        let count = (size[0] * size[1]) as usize;
-        point(count, &usual, size, threads)
-    });
-    let rays: Vec<Point> = rays.collect::<Result<_>>()?;
+    let pixels = (protocol.small_size[0] * protocol.small_size[1]) as usize;
+    let samples = protocol.samples.iter();
+    let rays: Vec<usize> = samples.map(|&samples| samples as usize * pixels).collect();
+    let of_rays = series((backend, "rays"), &rays, |amount| {
+        let samples = (amount / pixels) as u32;
+        let settings = settings(protocol.small_size, samples);
+        at(amount, &usual, settings, threads)
+    })?;
 
-    let counts = doubled(MOST_LIGHTS);
-    let lights = counts.iter().map(|&count| {
-        let scene = terrain(USUAL_CELLS, count);
-        point(count, &scene, size, threads)
-    });
-    let lights: Vec<Point> = lights.collect::<Result<_>>()?;
+    let of_lights = series((backend, "lights"), &doubled(protocol.lights), |count| {
+        at(count, &terrain(USUAL_CELLS, count), small, threads)
+    })?;
 
-    let mut all = vec![("triangles", triangles), ("rays", rays), ("lights", lights)];
+    let mut all = vec![of_triangles, of_rays, of_lights];
     if matches!(chosen, Chosen::Cpu) && threads > 1 {
         let counts = doubled(threads);
-        let own = counts
-            .iter()
-            .map(|&count| point(count, &usual, size, count));
-        all.push(("threads", own.collect::<Result<_>>()?));
+        all.push(series((backend, "threads"), &counts, |count| {
+            at(count, &usual, large, count)
+        })?);
     }
-    let backend = super::machine::name(chosen);
-    let series = all.into_iter().map(|(of, points)| Series {
+    Ok(all)
+}
+
+/// Measures at all amounts, or up to the first that is too large for the GPU.
+fn series(
+    (backend, of): (&'static str, &'static str),
+    amounts: &[usize],
+    point: impl Fn(usize) -> Result<Point>,
+) -> Result<Series> {
+    let _progress = output::spinner(format!("measuring how costs grow with {of}"));
+    let (mut points, mut left_out) = (Vec::new(), None);
+    for &amount in amounts {
+        match point(amount) {
+            Ok(point) => points.push(point),
+            Err(error) if is_too_large(&error) => {
+                left_out = Some(format!("{}: {error:#}", count(amount)));
+                break;
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(Series {
         backend,
         of,
         exponents: exponents(&points),
         points,
-    });
-    Ok(series.collect())
+        left_out,
+    })
+}
+
+fn settings(size: [u32; 2], sample_count: u32) -> RenderSettings {
+    RenderSettings {
+        size,
+        sample_count,
+        mirror_depth: 0,
+        ..RenderSettings::default()
+    }
 }
 
 /// 1, 2, 4 and so on, and the last.
@@ -151,23 +228,25 @@ fn terrain(cells: u32, light_count: usize) -> Scene {
 
 fn point(
     amount: usize,
-    (scene, settings): (&Scene, RenderSettings),
+    (scene, mut settings): (&Scene, RenderSettings),
     chosen: &Chosen,
-    (round_count, threads): (u32, usize),
+    (most_rounds, threads): (u32, usize),
 ) -> Result<Point> {
     let prepared = Prepared::new(Setup::plain(threads), scene, settings);
     let mut machine = open(chosen, &prepared)?;
-    let mut rounds: Rounds<Times> = Rounds::default();
-    for round in 0..=round_count {
-        let times = machine.frame()?;
-        if round > 0 {
-            rounds.0.push(times);
-        }
-    }
+    let first = machine.frame()?;
+    let round_count = match first.frame() > LONG_MS {
+        true => most_rounds.min(LONG_ROUNDS),
+        false => most_rounds,
+    };
+    let rounds = (0..round_count).map(|_| machine.frame());
+    let rounds: Rounds<Times> = Rounds(rounds.collect::<Result<_>>()?);
     drop(machine);
-    let facts = Facts::new(&prepared)?;
+    settings.sample_count = settings.sample_count.min(MOST_COUNTED_SAMPLES);
+    let facts = Facts::new(&Prepared::new(Setup::plain(threads), scene, settings))?;
     Ok(Point {
         amount,
+        rounds: rounds.0.len(),
         build_ms: rounds.median(|times| times.build),
         primary_ms: rounds.median(|times| times.primary),
         shadow_ms: rounds.median(|times| times.shadow),
@@ -179,49 +258,15 @@ fn point(
 fn exponents(points: &[Point]) -> Vec<Exponent> {
     let fitted = COSTS.map(|(cost, of)| {
         let pairs = points.iter().map(|point| [point.amount as f64, of(point)]);
-        let exponent = slope(pairs)?;
+        let exponent = exponent(pairs)?;
         Some(Exponent { cost, exponent })
     });
     fitted.into_iter().flatten().collect()
 }
 
-/// The slope of the line that fits the logarithms of pairs above 0 best, by least squares; none for fewer than two amounts.
-fn slope(pairs: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
-    let above = pairs.filter(|[x, y]| *x > 0.0 && *y > 0.0);
-    let logs: Vec<[f64; 2]> = above.map(|pair| pair.map(f64::ln)).collect();
-    let count = logs.len() as f64;
-    let mean = [0, 1].map(|i: usize| logs.iter().map(|pair| pair[i]).sum::<f64>() / count);
-    let products = |i: usize| {
-        let terms = logs
-            .iter()
-            .map(|pair| (pair[0] - mean[0]) * (pair[i] - mean[i]));
-        terms.sum::<f64>()
-    };
-    let [square, product] = [products(0), products(1)];
-    (square > 0.0).then(|| product / square)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn slopes_are_exponents() {
-        let power = |exponent: f64| [1.0, 2.0, 8.0, 64.0].map(|x: f64| [x, 3.0 * x.powf(exponent)]);
-        for exponent in [-0.5, 0.0, 1.0, 1.75] {
-            let found = slope(power(exponent).into_iter()).unwrap();
-            assert!((found - exponent).abs() < 1e-12, "{found}");
-        }
-        // By hand: (0, 0), (1, 1), (2, 3) in logarithms has 3/2.
-        let [e, e2] = [1.0f64, 2.0].map(f64::exp);
-        let found = slope([[1.0, 1.0], [e, e], [e2, 3f64.exp()]].into_iter()).unwrap();
-        assert!((found - 1.5).abs() < 1e-12);
-        assert_eq!(slope([[2.0, 1.0]].into_iter()), None);
-        assert_eq!(
-            slope([[2.0, 1.0], [2.0, 3.0], [0.0, 1.0]].into_iter()),
-            None
-        );
-    }
 
     #[test]
     fn amounts_are_doubled_up_to_the_last() {
@@ -231,9 +276,34 @@ mod tests {
     }
 
     #[test]
+    fn triangles_go_from_a_thousand_to_ten_million() {
+        assert_eq!(CELLS.len(), Protocol::FULL.terrains);
+        for (i, cells) in CELLS.into_iter().enumerate() {
+            let triangles = 2 * (cells as usize).pow(2);
+            let expected = 10f64.powf(3.0 + 0.5 * i as f64);
+            let ratio = triangles as f64 / expected;
+            assert!((ratio - 1.0).abs() < 0.035, "{triangles}");
+            assert_eq!((triangles / 2).isqrt(), cells as usize);
+        }
+    }
+
+    #[test]
+    fn rays_go_from_a_tenth_of_a_million_to_a_hundred() {
+        let [width, height] = Protocol::FULL.small_size;
+        let rays = |samples: &u32| f64::from(width * height * samples);
+        let samples = Protocol::FULL.samples;
+        assert!(samples.iter().map(rays).all(|rays| rays < 1.1e8));
+        assert!(samples.first().map(rays).unwrap() < 1.1e5);
+        assert!(samples.last().map(rays).unwrap() >= 1e8);
+    }
+
+    #[test]
     fn more_triangles_are_more_bytes() {
         let protocol = Protocol {
             size: [64, 40],
+            small_size: [32, 20],
+            samples: &[1, 2, 30],
+            lights: 4,
             rounds: 1,
             terrains: 2,
             ..Protocol::QUICK
@@ -241,15 +311,66 @@ mod tests {
         let all = measure(&Chosen::Cpu, &protocol, 2).unwrap();
         let names: Vec<&str> = all.iter().map(|series| series.of).collect();
         assert_eq!(names, ["triangles", "rays", "lights", "threads"]);
-        let [triangles, rays, ..] = &all[..] else {
+        let [triangles, rays, lights, threads] = &all[..] else {
             unreachable!("there are four");
         };
         let bytes = triangles.exponents[4];
         assert!((bytes.exponent - 1.0).abs() < 0.1, "{bytes:?}");
-        let amounts: Vec<usize> = rays.points.iter().map(|point| point.amount).collect();
-        assert_eq!(amounts, [8 * 5, 16 * 10, 32 * 20, 64 * 40]);
+        let amounts = |series: &Series| -> Vec<usize> {
+            series.points.iter().map(|point| point.amount).collect()
+        };
+        assert_eq!(amounts(triangles), [968, 3200]);
+        assert_eq!(amounts(rays), [640, 1280, 19_200]);
+        assert_eq!(amounts(lights), [1, 2, 4]);
+        assert_eq!(amounts(threads), [1, 2]);
         for series in &all {
             assert!(series.points.iter().all(|point| point.primary_ms > 0.0));
+            assert!(series.points.iter().all(|point| point.rounds == 1));
         }
+        // Fewer samples tell the bytes of a ray.
+        let [_, few, many] = &rays.points[..] else {
+            unreachable!("there are three");
+        };
+        assert!((many.bytes_per_ray / few.bytes_per_ray - 1.0).abs() < 0.05);
+        let text = rays.table().text();
+        assert!(text.starts_with("more rays on the CPU\n"), "{text}");
+        assert!(text.contains("\n  19,200  "), "{text}");
+    }
+
+    #[test]
+    fn a_fault_that_is_not_the_size_ends_it() {
+        let fail = |_| anyhow::bail!("no");
+        assert!(series(("cpu", "rays"), &[1, 2], fail).is_err());
+    }
+
+    /// What a GPU takes is kept, and why there is no more is told.
+    #[cfg(feature = "gpu")]
+    #[test]
+    fn too_large_a_mesh_ends_a_series() {
+        let point = |amount| {
+            if amount > 2 {
+                return Err(anyhow::Error::new(slimbvh::gpu::GpuError::TooLarge {
+                    what: "nodes",
+                    bytes: 9,
+                    limit: "max_buffer_size",
+                    limit_bytes: 8,
+                    adapter: "small".into(),
+                    advice: "none",
+                }));
+            }
+            Ok(Point {
+                amount,
+                rounds: 1,
+                build_ms: 1.0,
+                primary_ms: 1.0,
+                shadow_ms: 1.0,
+                bytes_per_ray: 1.0,
+                resident_bytes: 1,
+            })
+        };
+        let series = series(("gpu", "triangles"), &[1, 2, 3000, 4000], point).unwrap();
+        assert_eq!(series.points.len(), 2);
+        let text = series.table().text();
+        assert!(text.contains("3,000: nodes would take 9 bytes"), "{text}");
     }
 }

@@ -18,6 +18,9 @@ const TINY: Protocol = Protocol {
     mirror_depth: 2,
     crossed: 2,
     terrains: 2,
+    small_size: [24, 16],
+    samples: &[1, 4],
+    lights: 4,
 };
 
 fn report() -> Report {

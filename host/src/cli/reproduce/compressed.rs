@@ -16,7 +16,7 @@ mod targets;
 mod tests;
 
 use super::{check_places, hand_out, scenes_folder};
-use crate::cli::backend::{BackendArguments, Chosen, choose};
+use crate::cli::backend::{BackendArguments, Chosen, choose, is_too_large};
 use crate::cli::{ThreadArguments, output};
 use anyhow::Result;
 use clap::{Args, ValueEnum};
@@ -124,20 +124,6 @@ fn measure_all(
         }
     }
     Ok((records, left_out))
-}
-
-/// Whether a scene is too large for the GPU.
-fn is_too_large(error: &anyhow::Error) -> bool {
-    #[cfg(feature = "gpu")]
-    return matches!(
-        error.downcast_ref(),
-        Some(slimbvh::gpu::GpuError::TooLarge { .. })
-    );
-    #[cfg(not(feature = "gpu"))]
-    {
-        let _ = error;
-        false
-    }
 }
 
 impl SceneName {

@@ -70,3 +70,38 @@ fn a_page_a_table_and_json_of_a_tiny_scene() {
     assert_eq!(size, [320, 180]);
     assert!(pixels.iter().any(|byte| *byte != pixels[0]));
 }
+
+/// Where no scene is named, only growth is measured.
+#[test]
+fn growth_by_itself() {
+    let folder = Folder::new();
+    let arguments = [
+        "bench",
+        "--quick",
+        "--scaling",
+        "--threads",
+        "1",
+        "--out",
+        "growth",
+    ];
+    let text = folder.succeed(arguments);
+    for part in [
+        "more triangles on the CPU",
+        "100,352",
+        "more lights on the CPU",
+    ] {
+        assert!(text.contains(part), "{part} is not in {text}");
+    }
+    assert!(!text.contains("errors") && !text.contains("NaN"), "{text}");
+    let report = parse(&String::from_utf8(folder.read("growth/bench.json")).unwrap());
+    assert_eq!(report["rows"].as_array().map(Vec::len), Some(0));
+    let scaling = report["scaling"].as_array().unwrap();
+    let all = ["triangles", "rays", "lights"];
+    assert_eq!(scaling.iter().map(|it| &it["of"]).collect::<Vec<_>>(), all);
+    for point in scaling[0]["points"].as_array().unwrap() {
+        assert!(
+            number(point, "build_ms") > 0.0 && number(point, "rounds") == 3.0,
+            "{point}"
+        );
+    }
+}

@@ -41,7 +41,7 @@ pub fn growth(series: &Series) -> Result<String> {
             .axis_style(INK)
             .bold_line_style(FAINT.mix(0.4))
             .light_line_style(TRANSPARENT)
-            .x_labels(4)
+            .x_labels(5)
             .y_labels(5)
             .x_label_formatter(&label)
             .y_label_formatter(&label)
