@@ -255,7 +255,7 @@ fn a_tree_with_circles_is_left() {
     let nodes = vec![node; 3000];
     let (nodes, triangles) = (PlainNodes(&nodes), LeafTriangles(&[]));
     let limit = nodes.step_limit();
-    let ray = |i: u8| Ray::new([f32::from(i) * 0.01, 0.0, 0.9], [0.0, 0.0, -1.0]);
+    let ray = |i: u8| Ray::new([f32::from(i) * 0.005, 0.0, 0.9], [0.0, 0.0, -1.0]);
     let rays = [0, 1, 2, 3, 4, 5, 6, 7].map(ray);
     let first = PreparedRay::new(&rays[0], 0);
     let lane = Lane {
