@@ -14,6 +14,7 @@ use crate::cli::output::{count, things};
 use crate::cli::reproduce::sheet::Sheet;
 use crate::cli::reproduce::verdicts::Verdict;
 use serde::Serialize;
+use slimbvh_core::node::LEAF_SIZE;
 
 /// Everything that was measured.
 #[derive(Serialize)]
@@ -114,8 +115,10 @@ impl Report {
         ));
         head.push((
             "plain",
-            "nodes of 64 bytes with both children's boxes, leaves of up to 4 triangles, 40 bytes a triangle: what all else is compared with"
-                .into(),
+            format!(
+                "nodes of 64 bytes with both children's boxes, leaves of up to {LEAF_SIZE} triangles, 40 bytes a triangle: what all else is \
+                 compared with"
+            ),
         ));
         head.push((
             "NODE",
