@@ -2,7 +2,8 @@
 
 use crate::ray::Hit;
 
-/// The limit where no hit can change the answer: no t is below it. A ray that has it is done.
+/// The limit where no hit can change the answer: no t is below it. A ray that has it is done, unless its
+/// range begins there.
 pub const FINAL: f32 = f32::MIN;
 
 /// Gathers hits, and says how far away a hit still matters.

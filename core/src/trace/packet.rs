@@ -30,7 +30,7 @@ fn limits<W: Wide<LANES>, R, C: Collector, const LANES: usize>(packet: &[Lane<R,
     W::from_array(from_fn(|i| packet[i].collector.limit()))
 }
 
-/// Memory for a packet, and for rays that leave it. It need not be cleared in between.
+/// Memory for a packet, and for rays that walk alone. It need not be cleared in between.
 #[derive(Clone, Copy)]
 pub struct PacketStacks<C: Cursor, W: Lanes> {
     together: Stack<C, Entries<W>>,
@@ -131,7 +131,7 @@ impl<W: Lanes> Enter for Entries<W> {
     };
 }
 
-/// Rays whose axes have the same order.
+/// Rays that walk together.
 struct Together<'a, R, C, W: Wide<LANES>, const LANES: usize> {
     rays: &'a PreparedRays<W, LANES>,
     packet: &'a mut [Lane<R, C>; LANES],

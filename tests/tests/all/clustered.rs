@@ -8,6 +8,7 @@ use slimbvh::{
 use slimbvh_core::classify::{Reach, Sides};
 use slimbvh_core::cluster::depth_bound;
 use slimbvh_core::frustum::Frustum;
+use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::orientation::Target;
 use slimbvh_tests::oracle::brute::Parts;
 use slimbvh_tests::rays::some_rays;
@@ -118,7 +119,7 @@ fn buffers_are_used_again_and_a_refit_keeps_the_tree() {
     let mut bvh = Bvh::default();
     for mesh in [
         soup(30_000, 1),
-        soup(5, 2),
+        soup(LEAF_SIZE + 1, 2),
         Mesh::default(),
         soup(3, 4),
         soup(40_000, 5),

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 use slimbvh::generate::{soup, sphere_flake, terrain};
 use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, Mesh};
+use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_tests::strategies::{any_mesh, mesh_of};
 use slimbvh_tests::{CODE_BITS, build, cases};
 
@@ -47,7 +48,7 @@ fn thread_count_changes_no_bit() {
 fn builder_buffers_are_reused() {
     let meshes = [
         soup(30_000, 1),
-        soup(5, 2),
+        soup(LEAF_SIZE + 1, 2),
         Mesh::default(),
         sphere_flake(2, 2),
         soup(1, 4),

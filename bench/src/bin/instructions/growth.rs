@@ -1,7 +1,7 @@
 //! How the instructions of a build grow with the mesh.
 
 use super::count;
-use super::exponent::exponent;
+use super::exponent::{CELLS, exponent};
 use super::options::Options;
 use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
@@ -14,9 +14,6 @@ pub const WORD: &str = "--child-terrain";
 
 /// What the exponents may be.
 pub const LIMIT: f64 = 1.02;
-
-/// Cells along a terrain's side: 2 · cells² triangles, from a thousand to ten million.
-const CELLS: [u32; 9] = [22, 40, 71, 126, 224, 398, 707, 1265, 2236];
 
 /// In the order of the table.
 const CODES: [CodeBits; 2] = [CodeBits::Bits30, CodeBits::Bits63];
@@ -142,14 +139,5 @@ mod tests {
         let (text, is_within) = report(&rows([1, 2]), &options).unwrap();
         assert!(!is_within, "{text}");
         assert!(text.contains("**2.0000** with 63-bit"), "{text}");
-    }
-
-    #[test]
-    fn sizes_go_from_a_thousand_to_ten_million() {
-        let triangles = CELLS.map(|cells| 2.0 * f64::from(cells) * f64::from(cells));
-        for (i, triangles) in triangles.into_iter().enumerate() {
-            let expected = 10f64.powf(3.0 + 0.5 * i as f64);
-            assert!((triangles / expected - 1.0).abs() < 0.035, "{triangles}");
-        }
     }
 }

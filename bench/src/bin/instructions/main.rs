@@ -53,7 +53,7 @@ fn run(arguments: impl Iterator<Item = String>) -> Result<Option<String>> {
     let (text, fault) = if options.growth {
         let (text, is_within) = growth::record(&options)?;
         let fault = format!(
-            "FASTER THAN THE MESH: an exponent is above {}",
+            "GROWS FASTER THAN THE MESH: an exponent is above {}",
             growth::LIMIT
         );
         (text, (!is_within).then_some(fault))

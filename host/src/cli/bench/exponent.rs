@@ -1,4 +1,7 @@
-//! Powers that costs grow by.
+//! Powers that costs grow by, and over which meshes.
+
+/// Cells along a side of a terrain of about 1,000 triangles, √10 times as many, and so on to 10 million: 2 · cells² each.
+pub const CELLS: [u32; 9] = [22, 40, 71, 126, 224, 398, 707, 1265, 2236];
 
 /// The slope of the line that fits the logarithms of pairs above 0 best, by least squares; none for fewer than two amounts.
 pub fn exponent(pairs: impl Iterator<Item = [f64; 2]>) -> Option<f64> {

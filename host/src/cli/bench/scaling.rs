@@ -1,6 +1,6 @@
 //! How costs grow.
 
-use super::exponent::exponent;
+use super::exponent::{CELLS, exponent};
 use super::facts::Facts;
 use super::machine::open;
 use super::prepared::Prepared;
@@ -100,9 +100,6 @@ pub const COSTS: [Cost; 5] = [
     ("bytes a ray", |point| point.bytes_per_ray),
     ("bytes of the tree", |point| point.resident_bytes as f64),
 ];
-
-/// Cells along a side of a terrain of about 1,000 triangles, √10 times as many, and so on to 10 million.
-const CELLS: [u32; 9] = [22, 40, 71, 126, 224, 398, 707, 1265, 2236];
 
 /// Cells of the terrain where something else grows: about 100,000 triangles.
 const USUAL_CELLS: u32 = 224;

@@ -161,7 +161,7 @@ fn one_flipped_bit_of_what_a_kernel_reads_is_found() {
 fn single_nodes_are_those_of_core() {
     let Some(gpu) = gpu() else { return };
     for count in 0..=LEAF_SIZE {
-        let codes = [5u32, 6, 7, 8];
+        let codes: [u32; LEAF_SIZE as usize] = std::array::from_fn(|i| 5 + i as u32);
         let total = [count, 0, 0, 0];
         let stored = Dispatch {
             kernel: Kernel::topology_kept_30,

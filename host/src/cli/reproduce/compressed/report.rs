@@ -165,12 +165,12 @@ impl Report {
             Place::Cores => {
                 "figures of the paper, on a GTX 970 of 2014, which reads what its caches miss; ours are of this machine's cores, which have \
                  little to gain from less traffic and decode without help. Its tree has one triangle a leaf, so most of what it reads is \
-                 nodes; ours has a third as many nodes, and reads triangles as well. Compare ratios of counts, not times"
+                 nodes; ours has a quarter as many nodes, and reads triangles as well. Compare ratios of counts, not times"
             }
             Place::Software => {
                 "figures of the paper, on a GTX 970 of 2014; ours are of a CPU that plays a GPU, which has little to gain from less traffic, \
                  and whose times say little: rendering is not judged. The paper's tree has one triangle a leaf, so most of what it reads is \
-                 nodes; ours has a third as many nodes, and reads triangles as well. Compare ratios of counts, not times"
+                 nodes; ours has a quarter as many nodes, and reads triangles as well. Compare ratios of counts, not times"
             }
             Place::Gpu => {
                 "figures of the paper, on a GTX 970 of 2014. Its tree has one triangle a leaf, so most of what it reads is nodes; ours has a \
