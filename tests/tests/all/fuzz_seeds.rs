@@ -55,6 +55,9 @@ fn the_seeds_of_saved_hierarchies_are_read() {
         let seed = std::fs::read(folder.join(codec)).expect("a seed");
         let read = slimbvh::file::read(&seed);
         let count = read.map(|saved| saved.bvh.node_count());
-        assert!(count.as_ref().is_ok_and(|&count| count > 1), "{codec}: {count:?}");
+        assert!(
+            count.as_ref().is_ok_and(|&count| count > 1),
+            "{codec}: {count:?}"
+        );
     }
 }
