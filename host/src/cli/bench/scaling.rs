@@ -49,6 +49,13 @@ pub struct Exponent {
     pub exponent: f64,
 }
 
+impl Exponent {
+    /// In hundredths, without a sign where that is none.
+    pub fn text(&self) -> String {
+        format!("{:.2}", (self.exponent * 100.0).round() / 100.0 + 0.0)
+    }
+}
+
 impl Series {
     /// For a terminal.
     pub fn table(&self) -> Table {
@@ -64,7 +71,7 @@ impl Series {
             ]
         };
         let powers = self.exponents.iter();
-        let powers = powers.map(|it| format!("{} {:.2}", it.cost, it.exponent));
+        let powers = powers.map(|it| format!("{} {}", it.cost, it.text()));
         let powers: Vec<String> = powers.collect();
         let mut notes = vec![format!(
             "costs grow as to these powers: {}",
@@ -264,6 +271,15 @@ fn exponents(points: &[Point]) -> Vec<Exponent> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn nothing_has_no_sign() {
+        let text = |exponent| Exponent { cost: "", exponent }.text();
+        assert_eq!(
+            [-0.004, 0.004, -0.006, 1.234].map(text),
+            ["0.00", "0.00", "-0.01", "1.23"]
+        );
+    }
 
     #[test]
     fn amounts_are_doubled_up_to_the_last() {

@@ -2,7 +2,7 @@
 
 use super::super::findings::share;
 use super::super::row::Row;
-use super::super::scaling::{COSTS, Series};
+use super::super::scaling::{COSTS, Exponent, Series};
 use super::escaped;
 use std::fmt::Write;
 
@@ -133,7 +133,7 @@ pub fn exponents(all: &[Series]) -> String {
         let _ = write!(html, "<tr><th>{}, {place}</th>", series.of);
         for (cost, _) in COSTS {
             let fitted = series.exponents.iter().find(|it| it.cost == cost);
-            let cell = fitted.map_or(String::new(), |it| format!("{:.2}", it.exponent));
+            let cell = fitted.map_or(String::new(), Exponent::text);
             let _ = write!(html, "<td>{cell}</td>");
         }
         html += "</tr>\n";
