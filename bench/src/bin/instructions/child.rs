@@ -24,13 +24,18 @@ pub fn arguments(job: &Job, mode: Option<Reduce>, made: u32) -> Vec<String> {
     [&[WORD.to_owned()][..], &words].concat()
 }
 
-/// Does what it is told. Prints what was decided.
-pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
+/// The arguments of a child process.
+pub fn numbers<const N: usize>(arguments: impl Iterator<Item = String>) -> Result<[usize; N]> {
     let numbers: Result<Vec<usize>, _> = arguments.map(|word| word.parse()).collect();
     let numbers = numbers.context("numbers are expected")?;
-    let [scene, view, mode, made] = numbers[..] else {
-        anyhow::bail!("four numbers are expected");
-    };
+    let count = numbers.len();
+    let numbers = numbers.try_into().ok();
+    numbers.with_context(|| format!("{N} numbers are expected, not {count}"))
+}
+
+/// Does what it is told. Prints what was decided.
+pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
+    let [scene, view, mode, made] = numbers(arguments)?;
     let job = Job {
         scene: *SCENES.get(scene).context("no such scene")?,
         view: *VIEWS.get(view).context("no such view")?,

@@ -1,5 +1,6 @@
 //! How the instructions of a build grow with the mesh.
 
+use super::child;
 use super::count;
 use super::exponent::{CELLS, exponent};
 use super::options::Options;
@@ -28,14 +29,10 @@ struct Row {
 /// The child: generates a terrain of so many cells a side, and builds over it with the codes of this place in [`CODES`], or
 /// not at all.
 pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
-    let numbers: Result<Vec<u32>, _> = arguments.map(|word| word.parse()).collect();
-    let numbers = numbers.context("numbers are expected")?;
-    let [cells, code] = numbers[..] else {
-        anyhow::bail!("two numbers are expected");
-    };
+    let [cells, code] = child::numbers(arguments)?;
     let triangles = slimbvh_bench::pool(1)?.install(|| -> Result<usize> {
-        let mesh = generate::terrain(10.0, cells, 1);
-        let Some(&code_bits) = CODES.get(code as usize) else {
+        let mesh = generate::terrain(10.0, cells as u32, 1);
+        let Some(&code_bits) = CODES.get(code) else {
             return Ok(mesh.indices.len());
         };
         Ok(Builder::new(code_bits.into())

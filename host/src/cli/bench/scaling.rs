@@ -232,11 +232,11 @@ fn terrain(cells: u32, light_count: usize) -> Scene {
 
 fn point(
     amount: usize,
-    (scene, mut settings): (&Scene, RenderSettings),
+    (scene, settings): (&Scene, RenderSettings),
     chosen: &Chosen,
     (most_rounds, threads): (u32, usize),
 ) -> Result<Point> {
-    let prepared = Prepared::new(Setup::plain(threads), scene, settings);
+    let mut prepared = Prepared::new(Setup::plain(threads), scene, settings);
     let mut machine = open(chosen, &prepared)?;
     let first = machine.frame()?;
     let round_count = match first.frame() > LONG_MS {
@@ -246,8 +246,8 @@ fn point(
     let rounds = (0..round_count).map(|_| machine.frame());
     let rounds: Rounds<Times> = Rounds(rounds.collect::<Result<_>>()?);
     drop(machine);
-    settings.sample_count = settings.sample_count.min(MOST_COUNTED_SAMPLES);
-    let facts = Facts::new(&Prepared::new(Setup::plain(threads), scene, settings))?;
+    prepared.settings.sample_count = settings.sample_count.min(MOST_COUNTED_SAMPLES);
+    let facts = Facts::new(&prepared)?;
     Ok(Point {
         amount,
         rounds: rounds.0.len(),

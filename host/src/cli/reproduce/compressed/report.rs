@@ -132,7 +132,7 @@ impl Report {
              and triangles take 16, 28 or 40 bytes as each leaf needs"
                 .into(),
         ));
-        head.push(("printed", self.printed().into()));
+        head.push(("printed", self.printed()));
         if self.place.is_gpu() {
             head.push(("counted", self.counted()));
         }
@@ -160,23 +160,26 @@ impl Report {
     }
 
     /// What the paper's figures are, beside ours.
-    const fn printed(&self) -> &'static str {
-        match self.place {
-            Place::Cores => {
-                "figures of the paper, on a GTX 970 of 2014, which reads what its caches miss; ours are of this machine's cores, which have \
-                 little to gain from less traffic and decode without help. Its tree has one triangle a leaf, so most of what it reads is \
-                 nodes; ours has a quarter as many nodes, and reads triangles as well. Compare ratios of counts, not times"
-            }
-            Place::Software => {
-                "figures of the paper, on a GTX 970 of 2014; ours are of a CPU that plays a GPU, which has little to gain from less traffic, \
-                 and whose times say little: rendering is not judged. The paper's tree has one triangle a leaf, so most of what it reads is \
-                 nodes; ours has a quarter as many nodes, and reads triangles as well. Compare ratios of counts, not times"
-            }
-            Place::Gpu => {
-                "figures of the paper, on a GTX 970 of 2014. Its tree has one triangle a leaf, so most of what it reads is nodes; ours has a \
-                 third as many nodes, and reads triangles as well. Compare ratios, not times"
-            }
-        }
+    fn printed(&self) -> String {
+        let (ours, whose, what) = match self.place {
+            Place::Cores => (
+                ", which reads what its caches miss; ours are of this machine's cores, which have little to gain from less traffic and \
+                 decode without help",
+                "Its",
+                "ratios of counts",
+            ),
+            Place::Software => (
+                "; ours are of a CPU that plays a GPU, which has little to gain from less traffic, and whose times say little: rendering \
+                 is not judged",
+                "The paper's",
+                "ratios of counts",
+            ),
+            Place::Gpu => ("", "Its", "ratios"),
+        };
+        format!(
+            "figures of the paper, on a GTX 970 of 2014{ours}. {whose} tree has one triangle a leaf, so most of what it reads is nodes; \
+             ours has a quarter as many nodes, and reads triangles as well. Compare {what}, not times"
+        )
     }
 
     /// What was counted where, and how far both agree.
