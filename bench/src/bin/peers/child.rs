@@ -4,7 +4,7 @@ use crate::peers::asked;
 use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 use slimbvh::Ray;
-use slimbvh::stress::{Effort, cases, rays};
+use slimbvh_lab::stress::{Effort, cases, rays};
 use slimbvh_bench::tracers::tracers;
 use slimbvh_bench::{Answer, Input, Tracer};
 use std::any::Any;
