@@ -7,6 +7,7 @@ mod animate;
 pub mod backend;
 mod build;
 mod info;
+mod median;
 pub mod options;
 pub mod output;
 mod picture;
@@ -16,6 +17,8 @@ pub mod reduce;
 pub mod render;
 #[doc(hidden)]
 pub mod storage;
+
+pub use median::median;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser, Subcommand};

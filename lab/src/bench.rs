@@ -1,7 +1,6 @@
 //! `slimbvh-lab bench`.
 
 mod cross;
-mod exponent;
 mod facts;
 mod findings;
 mod likeness;
@@ -20,9 +19,7 @@ mod setup;
 mod tests;
 mod times;
 
-#[cfg(feature = "gpu")]
-use super::measure::machine::adapter;
-use super::measure::machine::processor;
+use crate::measure::machine::describe;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use measure::measure;
@@ -117,7 +114,7 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
             scaling.extend(scaling::measure(place, &protocol, threads)?);
         }
         let measured = Measured { records, scaling };
-        let machines = places.iter().map(|place| describe(place, threads));
+        let machines = places.iter().map(describe);
         let (command, machines) = (arguments.command(), machines.collect());
         Ok(Report::new(command, machines, protocol, threads, measured))
     };
@@ -126,18 +123,6 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
     match &arguments.out {
         Some(folder) => report.write(folder),
         None => Ok(()),
-    }
-}
-
-/// What was measured on, by backend.
-fn describe(place: &Chosen, threads: usize) -> (&'static str, String) {
-    match place {
-        Chosen::Cpu => {
-            let threads = output::things(threads, "thread");
-            ("cpu", format!("{}, {threads}", processor()))
-        }
-        #[cfg(feature = "gpu")]
-        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => ("gpu", adapter(gpu)),
     }
 }
 

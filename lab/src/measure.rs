@@ -1,6 +1,7 @@
 //! What all that measures shares: rounds, machines by name, counted traversal, tables.
 
 pub(crate) mod counts;
+pub mod exponent;
 pub mod machine;
 pub(crate) mod paths;
 pub mod rounds;

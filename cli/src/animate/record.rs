@@ -97,12 +97,6 @@ impl Times {
     }
 }
 
-/// The middle one, the greater of two.
-pub fn median(column: &mut [f64]) -> f64 {
-    column.sort_unstable_by(f64::total_cmp);
-    column.get(column.len() / 2).copied().unwrap_or(0.0)
-}
-
 /// The largest one.
 pub fn worst(column: &mut [f64]) -> f64 {
     column.iter().copied().fold(0.0, f64::max)

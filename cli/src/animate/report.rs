@@ -1,7 +1,8 @@
 //! What an animation tells of itself.
 
 use super::AnimateArguments;
-use super::record::{Record, Sums, Times, median, ms, worst};
+use super::record::{Record, Sums, Times, ms, worst};
+use crate::median;
 use crate::output::{count, things};
 use clap::ValueEnum;
 use serde::Serialize;

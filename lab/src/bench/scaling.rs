@@ -1,12 +1,12 @@
 //! How costs grow.
 
-use super::exponent::{CELLS, exponent};
 use super::facts::Facts;
 use super::machine::open;
 use super::prepared::Prepared;
 use super::protocol::Protocol;
 use super::setup::Setup;
 use super::times::Times;
+use crate::measure::exponent::{CELLS, exponent};
 use crate::measure::rounds::Rounds;
 use crate::measure::table::Table;
 use anyhow::Result;

@@ -1,5 +1,8 @@
 //! What measures, by name.
 
+use slimbvh_cli::backend::Chosen;
+use slimbvh_cli::output::things;
+
 /// The processor's name, as Linux tells it.
 #[must_use]
 pub fn processor() -> String {
@@ -12,9 +15,21 @@ pub fn processor() -> String {
     )
 }
 
+/// A backend's name, and what it runs on, in words.
+pub(crate) fn describe(chosen: &Chosen) -> (&'static str, String) {
+    match chosen {
+        Chosen::Cpu => {
+            let threads = things(rayon::current_num_threads(), "thread");
+            ("cpu", format!("{}, {threads}", processor()))
+        }
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => ("gpu", adapter(gpu)),
+    }
+}
+
 /// A GPU's name, and whether it is one.
 #[cfg(feature = "gpu")]
-pub fn adapter(gpu: &slimbvh::gpu::Gpu) -> String {
+fn adapter(gpu: &slimbvh::gpu::Gpu) -> String {
     let name = gpu.name();
     match gpu.device().adapter_info().device_type {
         wgpu::DeviceType::Cpu => {

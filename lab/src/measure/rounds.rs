@@ -1,5 +1,7 @@
 //! The same measured again and again.
 
+pub use slimbvh_cli::median;
+
 use serde::Serialize;
 
 /// What was measured in each round. What is compared is measured in turn within each round, so that what slows the machine
@@ -11,15 +13,15 @@ pub struct Rounds<T>(pub Vec<T>);
 impl<T> Rounds<T> {
     /// The middle one, or the mean of the two in the middle; NaN if there are none.
     pub fn median(&self, of: impl Fn(&T) -> f64) -> f64 {
-        median(self.0.iter().map(of).collect())
+        median(&mut self.0.iter().map(of).collect::<Vec<_>>())
     }
 
     /// From the least to the most, as a share of the median.
     pub fn spread(&self, of: impl Fn(&T) -> f64) -> f64 {
-        let values: Vec<f64> = self.0.iter().map(of).collect();
+        let mut values: Vec<f64> = self.0.iter().map(of).collect();
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let most = values.iter().copied().fold(0.0, f64::max);
-        (most - least) / median(values)
+        (most - least) / median(&mut values)
     }
 
     /// The median over rounds of how many times as much this is as others of the same rounds.
@@ -30,17 +32,7 @@ impl<T> Rounds<T> {
         of_other: impl Fn(&U) -> f64,
     ) -> f64 {
         let pairs = self.0.iter().zip(&others.0);
-        median(pairs.map(|(a, b)| of(a) / of_other(b)).collect())
-    }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    match values.len() {
-        0 => f64::NAN,
-        count if count % 2 == 1 => values[middle],
-        _ => (values[middle - 1] + values[middle]) / 2.0,
+        median(&mut pairs.map(|(a, b)| of(a) / of_other(b)).collect::<Vec<_>>())
     }
 }
 

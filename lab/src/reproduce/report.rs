@@ -1,14 +1,13 @@
 //! The whole report: for people, for a file, and as JSON.
 
-use super::ReducedArguments;
+use super::SceneName;
 use super::measure::SceneRecord;
+use super::options::Options;
 use super::protocol::Protocol;
 use super::sheet::Sheet;
 use super::tables::tables;
 use super::verdicts::{Verdict, verdicts};
-#[cfg(feature = "gpu")]
-use crate::measure::machine::adapter;
-use crate::measure::machine::processor;
+use crate::measure::machine::describe;
 use serde::Serialize;
 use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::output::{count, things};
@@ -32,25 +31,19 @@ const PAPER: &str = "Wong, Cheng, Lii: Reduced BVHs for GPU Ray Tracing, CGIV 20
 
 impl Report {
     pub fn new(
-        arguments: &ReducedArguments,
+        options: &Options<SceneName>,
         chosen: &Chosen,
         protocol: Protocol,
         scenes: Vec<SceneRecord>,
     ) -> Self {
-        let (backend, adapter) = match chosen {
-            Chosen::Cpu => ("cpu", None),
-            #[cfg(feature = "gpu")]
-            Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => ("gpu", Some(adapter(gpu))),
-        };
-        let threads = rayon::current_num_threads();
-        let cores = || format!("{}, {}", processor(), things(threads, "thread"));
+        let (backend, machine) = describe(chosen);
         Self {
             paper: PAPER,
-            command: arguments.command(),
-            quick: arguments.quick,
+            command: options.command("reduced"),
+            quick: options.quick,
             backend,
-            machine: adapter.unwrap_or_else(cores),
-            threads,
+            machine,
+            threads: rayon::current_num_threads(),
             protocol,
             verdicts: verdicts(&scenes, backend == "gpu"),
             scenes,

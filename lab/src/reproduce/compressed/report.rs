@@ -1,14 +1,13 @@
 //! The whole report: for people, for a file, and as JSON.
 
-use super::CompressedArguments;
+use super::SceneName;
 use super::bench::{Likeness, Place};
 use super::measure::SceneRecord;
 use super::protocol::Protocol;
 use super::tables::tables;
 use super::targets::verdicts;
-#[cfg(feature = "gpu")]
-use crate::measure::machine::adapter;
-use crate::measure::machine::processor;
+use crate::measure::machine::describe;
+use crate::reproduce::options::Options;
 use crate::reproduce::sheet::Sheet;
 use crate::reproduce::verdicts::Verdict;
 use serde::Serialize;
@@ -46,26 +45,20 @@ const PAPER: &str = "A paper on the compression of BVH and mesh on the GPU, afte
 
 impl Report {
     pub fn new(
-        arguments: &CompressedArguments,
+        options: &Options<SceneName>,
         chosen: &Chosen,
         protocol: Protocol,
         (scenes, left_out): (Vec<SceneRecord>, Vec<LeftOut>),
     ) -> Self {
-        let threads = rayon::current_num_threads();
-        let cores = || format!("{}, {}", processor(), things(threads, "thread"));
-        let (backend, adapter) = match chosen {
-            Chosen::Cpu => ("cpu", None),
-            #[cfg(feature = "gpu")]
-            Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => ("gpu", Some(adapter(gpu))),
-        };
+        let (backend, machine) = describe(chosen);
         let place = Place::of(chosen);
         Self {
             paper: PAPER,
-            command: arguments.command(),
-            quick: arguments.quick,
+            command: options.command("compressed"),
+            quick: options.quick,
             backend,
-            machine: adapter.unwrap_or_else(cores),
-            threads,
+            machine,
+            threads: rayon::current_num_threads(),
             protocol,
             verdicts: verdicts(&scenes, place),
             scenes,

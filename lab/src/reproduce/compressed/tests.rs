@@ -136,7 +136,7 @@ fn what_the_gpu_does_not_take_is_left_out_and_all_else_measured() {
         aimed_rays: 2000,
         mirror_depth: 2,
     };
-    let parse = |words: &[&str]| Line::parse_from(words).arguments;
+    let parse = |words: &[&str]| Line::parse_from(words).arguments.options;
     let named = parse(&["compressed", "--only", "bunny"]);
     let refused = measure_all(&named, &chosen, &protocol);
     let error = refused.map(|_| ()).unwrap_err();

@@ -4,6 +4,7 @@
 pub const CELLS: [u32; 9] = [22, 40, 71, 126, 224, 398, 707, 1265, 2236];
 
 /// The slope of the line that fits the logarithms of pairs above 0 best, by least squares; none for fewer than two amounts.
+#[must_use]
 pub fn exponent(pairs: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
     let above = pairs.filter(|[x, y]| *x > 0.0 && *y > 0.0);
     let logs: Vec<[f64; 2]> = above.map(|pair| pair.map(f64::ln)).collect();
