@@ -3,12 +3,14 @@
 
 pub mod analysis;
 pub mod animate;
+pub mod backend;
 mod bvh;
 mod codec;
 mod coded;
 mod cpu;
 #[cfg(feature = "scenes")]
 pub mod file;
+mod frame;
 #[cfg(feature = "scenes")]
 pub mod generate;
 #[cfg(feature = "gpu")]
@@ -26,12 +28,14 @@ mod tolerance;
 pub mod topology;
 mod wide;
 
+pub use backend::{Backend, Change, Output};
 pub use bvh::{Bvh, TreeError};
 pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
 pub use cpu::{
-    BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree,
-    TreeKind, Trees, Turns,
+    BuildConfig, Builder, CodeBits, Cpu, CpuError, Decisions, Division, RefitError, Renderer,
+    Subset, Tree, TreeKind, Trees,
 };
+pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};

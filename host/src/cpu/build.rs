@@ -2,6 +2,7 @@
 
 use super::cluster::Clustering;
 use super::decode::decode;
+use super::divide::Division;
 use super::encode::Encoder;
 use super::order::{Order, gather_again, scene_bounds};
 use super::refit::{fill_boxes, fill_pyramid};
@@ -102,6 +103,7 @@ pub struct Builder {
     connections: Connections,
     pyramid: Vec<PyramidBox>,
     encoder: Encoder,
+    division: Division,
 }
 
 impl Builder {
@@ -302,6 +304,11 @@ impl Builder {
         };
         self.fit(&mut stages, bvh);
         stages
+    }
+
+    /// Finds a set as [`Division::divide`] does, in memory that is kept.
+    pub(super) fn divide(&mut self, mesh: &Mesh, reach: &Reach) -> Stages {
+        self.division.divide(mesh, reach)
     }
 
     /// Moves a hierarchy's boxes to where the mesh's vertices are now; the triangles must be those that it was built over.
