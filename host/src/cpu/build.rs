@@ -1,11 +1,13 @@
 //! Builds and refits on the CPU.
 
+use super::bounds::scene_bounds;
+use super::classify::Division;
 use super::cluster::Clustering;
 use super::decode::decode;
-use super::divide::Division;
 use super::encode::Encoder;
-use super::order::{Order, gather_again, scene_bounds};
+use super::order::Order;
 use super::refit::{fill_boxes, fill_pyramid};
+use super::snap::gather_again;
 use super::topology::Connections;
 use crate::codec::{MeshCodec, NodeCodec, most_triangles};
 use crate::{Bvh, Mesh, MeshError, Stages};
