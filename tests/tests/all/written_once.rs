@@ -22,16 +22,16 @@ const STAGES: &[Stage] = &[
         what: "box of all triangles, the scene's power of two",
         core: &["bounds", "aabb"],
         shaders: &["bounds"],
-        cpu: &["order"],
-        gpu: &["build/record"],
+        cpu: &["bounds"],
+        gpu: &["bounds"],
     },
     Stage {
         name: "morton",
         what: "cell of each triangle's box centre, 30 or 63 bits, integers only",
         core: &["morton", "lattice"],
         shaders: &["morton"],
-        cpu: &["order"],
-        gpu: &["build/record"],
+        cpu: &["morton", "order"],
+        gpu: &["morton", "build/record"],
     },
     Stage {
         name: "sort",
@@ -46,7 +46,7 @@ const STAGES: &[Stage] = &[
         what: "exclusive prefix sums",
         core: &["scan"],
         shaders: &["scan"],
-        cpu: &["sort", "select"],
+        cpu: &["scan"],
         gpu: &["scan"],
     },
     Stage {
@@ -62,15 +62,15 @@ const STAGES: &[Stage] = &[
         what: "which triangles rays of one origin may hit",
         core: &["classify", "orientation", "frustum"],
         shaders: &["classify"],
-        cpu: &["order", "select"],
-        gpu: &["build/record", "facing"],
+        cpu: &["classify"],
+        gpu: &["classify", "sides"],
     },
     Stage {
         name: "compact",
         what: "the items whose bit is set",
         core: &["compact"],
         shaders: &["compact"],
-        cpu: &["select"],
+        cpu: &["compact"],
         gpu: &["compact"],
     },
     Stage {
@@ -78,8 +78,8 @@ const STAGES: &[Stage] = &[
         what: "triangles in leaf order, scaled to magnitude 1",
         core: &["snap", "triangle"],
         shaders: &["snap"],
-        cpu: &["order"],
-        gpu: &["build/record"],
+        cpu: &["snap"],
+        gpu: &["snap"],
     },
     Stage {
         name: "cluster",
@@ -95,7 +95,7 @@ const STAGES: &[Stage] = &[
         core: &["topology", "node"],
         shaders: &["topology"],
         cpu: &["topology", "cluster"],
-        gpu: &["build/record"],
+        gpu: &["topology"],
     },
     Stage {
         name: "refit",
@@ -103,7 +103,7 @@ const STAGES: &[Stage] = &[
         core: &["refit"],
         shaders: &["refit"],
         cpu: &["refit"],
-        gpu: &["build/record"],
+        gpu: &["refit"],
     },
     Stage {
         name: "encode",
@@ -135,8 +135,8 @@ const STAGES: &[Stage] = &[
         what: "from samples to rays, and to pixels",
         core: &["camera", "sampling", "color"],
         shaders: &["camera"],
-        cpu: &["render", "paint"],
-        gpu: &["render/wave", "render/target"],
+        cpu: &["camera"],
+        gpu: &["camera"],
     },
     Stage {
         name: "trace",
@@ -156,24 +156,24 @@ const STAGES: &[Stage] = &[
             "watertight",
         ],
         shaders: &["trace", "trace/store", "trace/coded"],
-        cpu: &["lanes", "packets", "render"],
-        gpu: &["trace", "trace/paths", "render/wave"],
+        cpu: &["trace", "lanes", "packets"],
+        gpu: &["trace", "trace/paths"],
     },
     Stage {
         name: "shade",
         what: "light, shadow rays, mirrors, glass",
         core: &["shade", "light", "surface", "material"],
         shaders: &["shade"],
-        cpu: &["render"],
-        gpu: &["render/wave"],
+        cpu: &["shade", "render"],
+        gpu: &["shade", "render/wave"],
     },
     Stage {
         name: "view",
         what: "normals, primitives, depth, heat",
         core: &["view"],
         shaders: &["view"],
-        cpu: &["paint"],
-        gpu: &["render"],
+        cpu: &["view"],
+        gpu: &["view"],
     },
 ];
 
@@ -276,6 +276,22 @@ fn the_table_of_stages_is_that_of_the_code() {
         found == expected,
         "the table of stages is out of date; UPDATE_GOLDEN=1 rewrites it:\n{expected}"
     );
+}
+
+/// The pass of a stage stands in the file of its name, on the CPU and on the GPU. Trees are clustered on the CPU only.
+#[test]
+fn passes_bear_the_name_of_their_stage() {
+    for stage in STAGES {
+        for (folder, files) in [("cpu", stage.cpu), ("gpu", stage.gpu)] {
+            if (stage.name, folder) == ("cluster", "gpu") {
+                assert!(files.is_empty());
+                continue;
+            }
+            assert_eq!(files.first(), Some(&stage.name), "{folder}");
+            let code = code(&format!("host/src/{folder}"), &[stage.name]);
+            assert!(!code.is_empty(), "{folder}/{}.rs is empty", stage.name);
+        }
+    }
 }
 
 /// No entry point is left out of the table, and none of it is gone.
