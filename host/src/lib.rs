@@ -3,9 +3,6 @@
 
 pub mod analysis;
 pub mod animate;
-mod bvh;
-mod codec;
-mod coded;
 mod cpu;
 #[cfg(feature = "scenes")]
 pub mod file;
@@ -28,10 +25,9 @@ pub mod stress;
 mod text;
 mod tolerance;
 pub mod topology;
+mod tree;
 mod wide;
 
-pub use bvh::{Bvh, TreeError};
-pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
 pub use cpu::{
     BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree,
     TreeKind, Trees, Turns,
@@ -42,3 +38,6 @@ pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
+pub use tree::{
+    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, TreeError, check_codecs, sah_cost,
+};

@@ -129,11 +129,11 @@ impl StorageArguments {
         let nodes = match (self.nodes.codec(), kind) {
             (Some(codec), _) => codec,
             (None, MeshKind::F32) => NodeCodec::F32,
-            (None, MeshKind::Leaf10) => NodeCodec::Printed,
+            (None, MeshKind::Leaf10) => NodeCodec::Paper10,
             (None, MeshKind::Lattice) => NodeCodec::Lattice(LatticeBits::Q10),
         };
         match kind {
-            MeshKind::Leaf10 if nodes != NodeCodec::Printed => {
+            MeshKind::Leaf10 if nodes != NodeCodec::Paper10 => {
                 bail!("--mesh leaf10 goes with --nodes printed")
             }
             MeshKind::Lattice if !matches!(nodes, NodeCodec::Lattice(_)) => {
@@ -250,7 +250,7 @@ pub fn mesh_bytes(mesh: &Mesh) -> usize {
 pub fn names((nodes, mesh): (NodeCodec, MeshCodec)) -> [&'static str; 2] {
     let nodes = match nodes {
         NodeCodec::F32 => "f32",
-        NodeCodec::Printed => "printed",
+        NodeCodec::Paper10 => "printed",
         NodeCodec::Lattice(LatticeBits::Q4) => "q4",
         NodeCodec::Lattice(LatticeBits::Q6) => "q6",
         NodeCodec::Lattice(LatticeBits::Q8) => "q8",
@@ -282,7 +282,7 @@ impl Nodes {
         let bits = match self {
             Self::Auto => return None,
             Self::F32 => return Some(NodeCodec::F32),
-            Self::Printed => return Some(NodeCodec::Printed),
+            Self::Printed => return Some(NodeCodec::Paper10),
             Self::Q4 => LatticeBits::Q4,
             Self::Q6 => LatticeBits::Q6,
             Self::Q8 => LatticeBits::Q8,

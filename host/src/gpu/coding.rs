@@ -27,8 +27,8 @@ impl Coding {
         let is_f32 = config.mesh == MeshCodec::F32;
         Ok(match config.nodes {
             NodeCodec::F32 => None,
-            NodeCodec::Printed if is_f32 => Some(Self::PrintedF32),
-            NodeCodec::Printed => Some(Self::PrintedLeaf10),
+            NodeCodec::Paper10 if is_f32 => Some(Self::PrintedF32),
+            NodeCodec::Paper10 => Some(Self::PrintedLeaf10),
             NodeCodec::Lattice(LatticeBits::Q10) if is_f32 => Some(Self::Q10F32),
             NodeCodec::Lattice(LatticeBits::Q10) => Some(Self::Q10Lattice),
             NodeCodec::Lattice(LatticeBits::Q21) if is_f32 => Some(Self::Q21F32),

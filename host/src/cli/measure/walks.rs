@@ -207,7 +207,7 @@ impl<'a> Stored<'a> {
 pub fn node_bytes(codec: NodeCodec) -> usize {
     match codec {
         NodeCodec::F32 => size_of::<Node>(),
-        NodeCodec::Printed => size_of::<PrintedNode>(),
+        NodeCodec::Paper10 => size_of::<PrintedNode>(),
         NodeCodec::Lattice(bits) => 4 * node_words(bits.count()),
     }
 }

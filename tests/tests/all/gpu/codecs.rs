@@ -23,8 +23,8 @@ const Q21: NodeCodec = NodeCodec::Lattice(LatticeBits::Q21);
 pub fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
     let lattice = MeshCodec::Lattice { step_exponent };
     [
-        (NodeCodec::Printed, MeshCodec::F32),
-        (NodeCodec::Printed, MeshCodec::Leaf10),
+        (NodeCodec::Paper10, MeshCodec::F32),
+        (NodeCodec::Paper10, MeshCodec::Leaf10),
         (Q10, MeshCodec::F32),
         (Q10, lattice),
         (Q21, MeshCodec::F32),

@@ -257,8 +257,8 @@ fn faults_of_boxes_are_found() {
 /// All trees in codecs that there are.
 fn coded() -> Vec<Bvh> {
     let mut all = vec![
-        built(NodeCodec::Printed, MeshCodec::F32),
-        built(NodeCodec::Printed, MeshCodec::Leaf10),
+        built(NodeCodec::Paper10, MeshCodec::F32),
+        built(NodeCodec::Paper10, MeshCodec::Leaf10),
     ];
     let on_lattice = MeshCodec::Lattice {
         step_exponent: STEP,
