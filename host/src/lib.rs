@@ -10,18 +10,14 @@ pub mod file;
 pub mod generate;
 #[cfg(feature = "gpu")]
 pub mod gpu;
-mod mesh;
-#[cfg(feature = "cli")]
+#[cfg(feature = "lab")]
 #[doc(hidden)]
-pub mod options;
-#[cfg(feature = "stress")]
-pub mod oracle;
+pub mod internals;
+mod mesh;
 mod picture;
 pub mod reduce;
 pub mod scene;
 mod stages;
-#[cfg(feature = "stress")]
-pub mod stress;
 mod text;
 mod tolerance;
 pub mod topology;

@@ -10,7 +10,7 @@ use anyhow::{Context, Result, anyhow};
 use options::Options;
 use peers::Peers;
 use serde::Serialize;
-use slimbvh::stress::{Row, cases, run as ask};
+use slimbvh_lab::stress::{Row, cases, run as ask};
 use std::process::ExitCode;
 
 /// What `slimbvh stress --with FILE` reads, and how to make it again.

@@ -2,7 +2,7 @@
 
 use crate::peers::asked;
 use anyhow::{Context, Result, bail, ensure};
-use slimbvh::stress::{Effort, cases};
+use slimbvh_lab::stress::{Effort, cases};
 use std::time::Duration;
 
 /// What `--help` prints.
