@@ -4,8 +4,7 @@
 pub mod analysis;
 pub mod animate;
 mod cpu;
-#[cfg(feature = "scenes")]
-pub mod file;
+mod dvec3;
 #[cfg(feature = "scenes")]
 pub mod generate;
 #[cfg(feature = "gpu")]
@@ -22,7 +21,6 @@ mod text;
 mod tolerance;
 pub mod topology;
 mod tree;
-mod wide;
 
 pub use cpu::{
     BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree,

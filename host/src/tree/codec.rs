@@ -210,9 +210,9 @@ impl MeshCodec {
     pub fn with_step(self, step_exponent: Option<i32>) -> Self {
         match self {
             Self::F32 | Self::Leaf10 => self,
-            Self::Lattice { .. } => step_exponent.map_or(Self::F32, |step_exponent| {
-                Self::Lattice { step_exponent }
-            }),
+            Self::Lattice { .. } => {
+                step_exponent.map_or(Self::F32, |step_exponent| Self::Lattice { step_exponent })
+            }
         }
     }
 

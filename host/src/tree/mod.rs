@@ -21,8 +21,8 @@ mod validate;
 mod visitor;
 
 pub use bvh::Bvh;
-pub(crate) use codec::{by_bits, most_triangles, tagged, tags};
 pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
+pub(crate) use codec::{by_bits, most_triangles, tagged, tags};
 pub use cost::sah_cost;
 pub use error::TreeError;
 pub(crate) use lattice::{LatticeMesh, LatticeTree};

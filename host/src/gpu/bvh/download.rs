@@ -83,7 +83,10 @@ impl Bvh {
         let (root, word_count) = match root {
             Some([root, words]) => {
                 let root: Vec<RootWords> = root.read(gpu)?;
-                (root.first().copied().unwrap_or_default(), first(words.read(gpu)?))
+                (
+                    root.first().copied().unwrap_or_default(),
+                    first(words.read(gpu)?),
+                )
             }
             None => Default::default(),
         };
