@@ -14,9 +14,10 @@ use self::paper10::encode_paper10;
 use self::tree::Tree;
 use super::refit::fill_boxes;
 use super::topology::Connections;
-use crate::tree::{
-    LatticeMesh, LatticeTree, MeshCodec, NodeCodec, Paper10Mesh, Paper10Tree, PlainTree, StoredTree,
-};
+use crate::tree::lattice::{LatticeMesh, LatticeTree};
+use crate::tree::paper10::{Paper10Mesh, Paper10Tree};
+use crate::tree::plain::PlainTree;
+use crate::tree::{MeshCodec, NodeCodec, StoredTree};
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::encode::{FINEST_STEP, LeafWidth, scaled_step};
 use slimbvh_core::refit::PyramidBox;

@@ -3,8 +3,7 @@
 use super::codec::{MeshCodec, NodeCodec};
 use super::packets::{ButOne, filter_of};
 use super::sah_cost;
-use super::stacks::{Stacks, with_stacks};
-use super::stored::StoredTree;
+use super::stored::{Stacks, StoredTree, with_stacks};
 use super::visitor::{Alone, Shared, Watched};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
@@ -123,7 +122,7 @@ impl Bvh {
         match self.stored.as_plain() {
             Some(_) => self.clone(),
             None => Self {
-                stored: StoredTree::Plain(self.stored.decode()),
+                stored: self.stored.decode().into(),
                 ..*self
             },
         }

@@ -2,7 +2,7 @@
 
 use super::bvh::Bvh;
 use super::lanes::{LANES, Numbers};
-use super::stacks::with_stacks;
+use super::stored::with_stacks;
 use super::visitor::Together;
 use rayon::prelude::*;
 use slimbvh_core::classify::{Except, Facing, Sides};

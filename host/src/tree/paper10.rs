@@ -4,8 +4,7 @@ use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
 use super::lanes::Numbers;
 use super::sources::{StoredNodes, StoredTriangles, is_in_scene, triangle_in};
-use super::stacks::Stacks;
-use super::stored::{List, ListReader, Lists, StoredTree};
+use super::stored::{List, ListReader, Lists, Stacks, StoredTree};
 use super::visitor::TreeVisitor;
 use slimbvh_core::encode::{
     PrintedBox, PrintedCursor, PrintedNode, PrintedNodes, PrintedTriangle, PrintedTriangles,

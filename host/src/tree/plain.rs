@@ -2,8 +2,7 @@
 
 use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
-use super::stacks::{Stacks, with_stacks};
-use super::stored::{List, ListReader, Lists, StoredTree};
+use super::stored::{List, ListReader, Lists, Stacks, StoredTree, with_stacks};
 use super::visitor::TreeVisitor;
 use slimbvh_core::classify::Except;
 use slimbvh_core::encode::RootWords;

@@ -1,7 +1,7 @@
 //! What every way to store a tree says of its nodes and triangles, to the traversal and to walks over all of it.
 
 use super::lanes::Numbers;
-use super::stacks::Stacks;
+use super::stored::Stacks;
 use slimbvh_core::trace::{
     LeafTriangles, NodeSource, PacketStacks, Place, PlainNodes, TriangleSource,
 };

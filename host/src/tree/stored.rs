@@ -1,14 +1,17 @@
-//! The stored tree, an enum of the ways to store one.
+//! The stored tree, an enum of the ways to store one, and the traversal's stacks for each.
 
 use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
+use super::lanes::Numbers;
 use super::lattice::LatticeTree;
 use super::paper10::Paper10Tree;
 use super::plain::PlainTree;
 use super::visitor::TreeVisitor;
 use bytemuck::Pod;
-use slimbvh_core::LeafTriangle;
-use slimbvh_core::encode::RootWords;
+use slimbvh_core::encode::{LatticeCursor, PrintedCursor, RootWords};
+use slimbvh_core::trace::PacketStacks;
+use slimbvh_core::{LeafTriangle, NodeRef};
+use std::cell::RefCell;
 
 /// Nodes and triangles of a tree, in the way in which they are stored.
 #[derive(Clone, Debug)]
@@ -19,6 +22,12 @@ pub enum StoredTree {
     Lattice(LatticeTree),
     /// Nodes, and perhaps triangles, in 10 bits, as a paper has them.
     Paper10(Paper10Tree),
+}
+
+impl From<PlainTree> for StoredTree {
+    fn from(tree: PlainTree) -> Self {
+        Self::Plain(tree)
+    }
 }
 
 impl Default for StoredTree {
@@ -89,6 +98,31 @@ impl StoredTree {
             NodeCodec::Paper10 => Self::Paper10(Paper10Tree::read(mesh, root, reader)?),
         })
     }
+}
+
+/// Stacks for each kind of nodes.
+pub struct Stacks {
+    pub plain: PacketStacks<NodeRef, Numbers>,
+    pub paper10: PacketStacks<PrintedCursor, Numbers>,
+    pub lattice: PacketStacks<LatticeCursor, Numbers>,
+}
+
+impl Stacks {
+    /// All empty.
+    pub const EMPTY: Self = Self {
+        plain: PacketStacks::EMPTY,
+        paper10: PacketStacks::EMPTY,
+        lattice: PacketStacks::EMPTY,
+    };
+}
+
+thread_local! {
+    static STACKS: RefCell<Stacks> = const { RefCell::new(Stacks::EMPTY) };
+}
+
+/// Calls a function with the thread's own stacks.
+pub fn with_stacks<R>(run: impl FnOnce(&mut Stacks) -> R) -> R {
+    STACKS.with_borrow_mut(run)
 }
 
 /// Answers of each way to store a tree about its two lists.

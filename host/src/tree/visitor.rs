@@ -3,7 +3,7 @@
 use super::lanes::{LANES, Numbers};
 use super::packets::{ButOne, Packet};
 use super::sources::{StoredNodes, StoredTriangles};
-use super::stacks::Stacks;
+use super::stored::Stacks;
 use slimbvh_core::Hit;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{

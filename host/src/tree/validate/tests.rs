@@ -2,7 +2,10 @@
 
 use super::*;
 use crate::generate::icosphere;
-use crate::tree::{LatticeMesh, LatticeTree, Paper10Mesh, PlainTree, StoredTree};
+use crate::tree::StoredTree;
+use crate::tree::lattice::{LatticeMesh, LatticeTree};
+use crate::tree::paper10::Paper10Mesh;
+use crate::tree::plain::PlainTree;
 use crate::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec};
 use glam::Vec3;
 use slimbvh_core::classify::Except;
