@@ -1,4 +1,4 @@
-#![doc = include_str!("../../README.md")]
+#![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 
 pub mod analysis;
@@ -35,3 +35,8 @@ pub use tolerance::Tolerance;
 pub use tree::{
     Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, TreeError, check_codecs, sah_cost,
 };
+
+/// The examples of the repository's README.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
