@@ -3,12 +3,8 @@
 
 pub mod analysis;
 pub mod animate;
-mod bvh;
-mod codec;
-mod coded;
 mod cpu;
-#[cfg(feature = "scenes")]
-pub mod file;
+mod dvec3;
 #[cfg(feature = "scenes")]
 pub mod generate;
 #[cfg(feature = "gpu")]
@@ -24,10 +20,8 @@ mod stages;
 mod text;
 mod tolerance;
 pub mod topology;
-mod wide;
+mod tree;
 
-pub use bvh::{Bvh, TreeError};
-pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
 pub use cpu::{
     BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree,
     TreeKind, Trees, Turns,
@@ -38,6 +32,9 @@ pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
+pub use tree::{
+    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, TreeError, check_codecs, sah_cost,
+};
 
 /// The examples of the repository's README.
 #[cfg(doctest)]

@@ -3,7 +3,7 @@
 use crate::reduce::ReduceArguments;
 use anyhow::Result;
 use slimbvh::reduce::{Asked, Plan, Reduce, Saving, Seams, Survey, survey};
-use slimbvh::{BuildConfig, MeshCodec, RenderSettings, Scene};
+use slimbvh::{BuildConfig, RenderSettings, Scene};
 use std::time::Duration;
 
 /// What stays as it is from frame to frame.
@@ -39,7 +39,7 @@ impl<'a> Planner<'a> {
             still,
             picture_count,
             survey: None,
-            moves_triangles: config.mesh == MeshCodec::Leaf10,
+            moves_triangles: config.mesh.moves_vertices(),
         };
         let asked = planner.asked(scene);
         if planner.plain(scene)?.is_none() {

@@ -3,12 +3,9 @@
 mod build;
 mod cluster;
 mod decide;
-mod decode;
 mod divide;
 mod encode;
-pub(crate) mod lanes;
 mod order;
-pub(crate) mod packets;
 mod paint;
 mod refit;
 mod render;
@@ -19,7 +16,6 @@ mod trees;
 
 pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset, TreeKind};
 pub use decide::Decisions;
-pub(crate) use decode::decode;
 pub use divide::Division;
 pub(crate) use order::scene_bounds;
 pub use render::Renderer;

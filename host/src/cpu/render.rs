@@ -2,9 +2,9 @@
 
 use super::paint::{paint_depth, paint_heat, resolve};
 use super::trees::{NoTurns, Tree, Trees, Turns};
-use crate::cpu::packets::Question;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::ViewError;
+use crate::tree::Question;
 use crate::{Bvh, Scene};
 use rayon::prelude::*;
 use slimbvh_core::camera::Camera as CoreCamera;

@@ -1,7 +1,6 @@
 //! Which hierarchy rays of each kind are traced through.
 
-use crate::Bvh;
-use crate::cpu::packets::{Asked, Question};
+use crate::tree::{Bvh, PacketQuery, Question};
 use slimbvh_core::classify::Sides;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
@@ -75,12 +74,12 @@ impl<'a> Tree<'a> {
         rays: impl Iterator<Item = (usize, Ray, u32)>,
         answer: impl FnMut(usize, Hit),
     ) {
-        let all = Asked {
+        let query = PacketQuery {
             question,
             exponent: 0,
             target: self.rule,
         };
-        self.bvh.ask(&all, rays, answer);
+        self.bvh.trace_rays(&query, rays, answer);
     }
 }
 

@@ -199,7 +199,7 @@ fn corners_of_ten_bits_are_compared_in_any_order() {
     let mut moves = Vec::new();
     for codes in [CodeBits::Bits30, CodeBits::Bits63] {
         let setup = Setup {
-            nodes: NodeCodec::Printed,
+            nodes: NodeCodec::Paper10,
             mesh: Triangles::Leaf10,
             codes,
             ..Setup::plain(2)

@@ -74,7 +74,7 @@ proptest! {
     #[test]
     fn coded_nodes_answer_as_plain_ones_do(mesh in any_mesh(), recipes in some_rays(16)) {
         let plain = clustered(&mesh, CodeBits::Bits30);
-        for nodes in [NodeCodec::Printed, NodeCodec::Lattice(LatticeBits::Q4), NodeCodec::Lattice(LatticeBits::Q10)] {
+        for nodes in [NodeCodec::Paper10, NodeCodec::Lattice(LatticeBits::Q4), NodeCodec::Lattice(LatticeBits::Q10)] {
             let coded = build_as(&mesh, BuildConfig { nodes, ..config(CodeBits::Bits30) });
             let decoded = coded.decoded();
             prop_assert_eq!(decoded.leaf_triangles(), plain.leaf_triangles());

@@ -15,7 +15,7 @@ use slimbvh_tests::{CODE_BITS, build, build_as, cases};
 /// All codecs of nodes but that in full.
 pub fn node_codecs() -> Vec<NodeCodec> {
     let lattice = LatticeBits::ALL.into_iter().map(NodeCodec::Lattice);
-    [NodeCodec::Printed].into_iter().chain(lattice).collect()
+    [NodeCodec::Paper10].into_iter().chain(lattice).collect()
 }
 
 fn config(nodes: NodeCodec, mesh: MeshCodec) -> BuildConfig {
@@ -116,7 +116,7 @@ proptest! {
             });
             let root = RootWords::of_printed(&node_bounds(0, nodes, &codec));
             for (nodes, alone) in [
-                (NodeCodec::Printed, (printed, root)),
+                (NodeCodec::Paper10, (printed, root)),
                 (NodeCodec::Lattice(LatticeBits::Q4), alone_on_lattice::<4, 3>(nodes)),
                 (NodeCodec::Lattice(LatticeBits::Q10), alone_on_lattice::<10, 4>(nodes)),
                 (NodeCodec::Lattice(LatticeBits::Q21), alone_on_lattice::<21, 7>(nodes)),
@@ -177,7 +177,7 @@ proptest! {
     #[test]
     fn printed_leaves_answer_as_the_decoded_mesh_does(mesh in any_mesh(), recipes in some_rays(24)) {
         let plain = build_as(&mesh, BuildConfig::default());
-        let coded = build_as(&mesh, config(NodeCodec::Printed, MeshCodec::Leaf10));
+        let coded = build_as(&mesh, config(NodeCodec::Paper10, MeshCodec::Leaf10));
         let decoded = coded.decoded();
         prop_assert_eq!(fault(plain.nodes(), decoded.nodes()), None);
         prop_assert_eq!(stray(&decoded), None);
@@ -209,7 +209,7 @@ proptest! {
         prop_assert!(builder.refit(&moved, &mut plain).is_ok());
         let lattice = MeshCodec::Lattice { step_exponent };
         let q10 = NodeCodec::Lattice(LatticeBits::Q10);
-        for config in [config(NodeCodec::Printed, MeshCodec::F32), config(q10, MeshCodec::F32), config(q10, lattice)] {
+        for config in [config(NodeCodec::Paper10, MeshCodec::F32), config(q10, MeshCodec::F32), config(q10, lattice)] {
             let mut builder = Builder::new(config);
             let mut coded = build_as(&mesh, config);
             prop_assert!(builder.refit(&moved, &mut coded).is_ok());

@@ -99,7 +99,7 @@ fn codecs() -> Vec<BuildConfig> {
     let lattice = |bits| NodeCodec::Lattice(bits);
     let nodes = [
         NodeCodec::F32,
-        NodeCodec::Printed,
+        NodeCodec::Paper10,
         lattice(LatticeBits::Q10),
         lattice(LatticeBits::Q21),
     ];
@@ -115,7 +115,7 @@ fn codecs() -> Vec<BuildConfig> {
         ..BuildConfig::default()
     });
     all.push(BuildConfig {
-        nodes: NodeCodec::Printed,
+        nodes: NodeCodec::Paper10,
         mesh: MeshCodec::Leaf10,
         ..BuildConfig::default()
     });

@@ -1,7 +1,7 @@
 //! Saved hierarchies: what is read answers as what was written, and every tree that is built is sound.
 
 use proptest::prelude::*;
-use slimbvh::file::{read, write};
+use slimbvh::scene::slim::{read, write};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, NodeCodec, Scene, Subset};
 use slimbvh_core::classify::{Reach, Sides};
 use slimbvh_core::frustum::Frustum;
@@ -14,8 +14,8 @@ use slimbvh_tests::{CODE_BITS, build_as, cases};
 fn codecs(step_exponent: i32) -> Vec<(NodeCodec, MeshCodec)> {
     let mut all = vec![
         (NodeCodec::F32, MeshCodec::F32),
-        (NodeCodec::Printed, MeshCodec::F32),
-        (NodeCodec::Printed, MeshCodec::Leaf10),
+        (NodeCodec::Paper10, MeshCodec::F32),
+        (NodeCodec::Paper10, MeshCodec::Leaf10),
     ];
     for nodes in LatticeBits::ALL.map(NodeCodec::Lattice) {
         all.push((nodes, MeshCodec::F32));

@@ -9,11 +9,9 @@ use super::layout::{
 use super::records::{
     CameraRecord, HierarchyRecord, LightRecord, MaterialRecord, PartRecord, SceneRecord,
 };
-use crate::coded::{CodedNodes, CodedTriangles};
-use crate::{Aabb, Bvh, Scene};
+use crate::tree::{self, Bvh};
+use crate::{Aabb, Scene};
 use bytemuck::Pod;
-use slimbvh_core::encode::{PrintedNode, PrintedTriangle};
-use slimbvh_core::{LeafTriangle, Node};
 use std::borrow::Cow;
 use std::io::Write;
 
@@ -47,6 +45,7 @@ pub fn write(
     let scenes = [scene_record(scene, framing)];
     let hierarchies = [HierarchyRecord::from(bvh)];
     let mesh = &scene.mesh;
+    let [nodes, triangles] = bvh.stored.lists().lists();
     let lists = [
         List::of(Section::Vertices, &mesh.vertices),
         List::of(Section::Indices, &mesh.indices),
@@ -63,8 +62,8 @@ pub fn write(
         List::of(Section::Lights, &lights),
         List::of(Section::Scene, &scenes),
         List::of(Section::Hierarchy, &hierarchies),
-        nodes(bvh),
-        triangles(bvh),
+        List::stored(Section::Nodes, nodes),
+        List::stored(Section::Triangles, triangles),
     ];
     write_lists(&lists, &mut to)
 }
@@ -93,26 +92,13 @@ impl<'a> List<'a> {
             bytes: to_bytes(items),
         }
     }
-}
 
-fn nodes(bvh: &Bvh) -> List<'_> {
-    let section = Section::Nodes;
-    match bvh.coded.as_ref().map(|coded| &coded.nodes) {
-        None => List::of::<Node>(section, &bvh.nodes),
-        Some(CodedNodes::Printed { nodes, .. }) => List::of::<PrintedNode>(section, nodes),
-        Some(CodedNodes::Lattice { bits, words, .. }) => List {
-            item_bytes: bits.words() * size_of::<u32>(),
-            ..List::of::<u32>(section, words)
-        },
-    }
-}
-
-fn triangles(bvh: &Bvh) -> List<'_> {
-    let section = Section::Triangles;
-    match bvh.coded.as_ref().map(|coded| &coded.triangles) {
-        None | Some(CodedTriangles::F32) => List::of::<LeafTriangle>(section, &bvh.triangles),
-        Some(CodedTriangles::Leaf10(triangles)) => List::of::<PrintedTriangle>(section, triangles),
-        Some(CodedTriangles::Lattice(words)) => List::of::<u32>(section, words),
+    fn stored(section: Section, list: tree::List<'a>) -> Self {
+        Self {
+            section,
+            item_bytes: list.item_bytes,
+            bytes: to_bytes(list.words),
+        }
     }
 }
 

@@ -1,14 +1,14 @@
 //! Questions of many rays, of which some walk together ([`slimbvh_core::trace::trace_packet`]).
 
-use crate::Bvh;
-use crate::bvh::facing;
-use crate::coded::{Together, with_stacks};
-use crate::cpu::lanes::{LANES, Numbers};
+use super::bvh::Bvh;
+use super::lanes::{LANES, Numbers};
+use super::stored::with_stacks;
+use super::visitor::Together;
 use rayon::prelude::*;
 use slimbvh_core::classify::{Except, Facing, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
-use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Rule, trace_packet};
+use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Rule};
 
 /// Which triangles count for a ray: those that count for all, but one.
 #[derive(Clone, Copy, Debug)]
@@ -33,8 +33,22 @@ impl Rule for ButOne<'_> {
     }
 }
 
-/// Rays, and what they ask.
-pub type AskedPacket<'a> = [Lane<ButOne<'a>, ClosestOrAny>; LANES];
+/// The filter of all rays of a query: without a target, no triangle faces away.
+pub fn filter_of(target: Option<(Sides, Target)>) -> Facing {
+    let everything = Sides {
+        components: &[],
+        sides: &[],
+    };
+    let (sides, target) = target.unwrap_or((everything, Target::position([0.0; 3])));
+    Facing {
+        skip: NO_PRIMITIVE,
+        sides,
+        target,
+    }
+}
+
+/// The filters and collectors of a packet's rays.
+pub type Packet<'a> = [Lane<ButOne<'a>, ClosestOrAny>; LANES];
 
 /// Rays that a task takes at once.
 const BLOCK: usize = 512;
@@ -46,9 +60,9 @@ pub enum Question {
     Any,
 }
 
-/// What all rays have in common.
+/// What all rays of a query have in common.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked<'a> {
+pub struct PacketQuery<'a> {
     pub question: Question,
     /// Of the power of two that brings rays to the scene's magnitude: 0 where they are there.
     pub exponent: i32,
@@ -78,8 +92,8 @@ impl Bvh {
     /// # Panics
     /// If there are fewer places for hits than rays.
     pub fn closest_hits_of_block(&self, rays: &[Ray], hits: &mut [Hit]) {
-        let all = self.asked(Question::Closest);
-        self.ask(&all, numbered(rays), |i, hit| hits[i] = hit);
+        let query = self.query(Question::Closest);
+        self.trace_rays(&query, numbered(rays), |i, hit| hits[i] = hit);
     }
 
     /// [`Bvh::any_hits`] on this thread, as [`Bvh::closest_hits_of_block`].
@@ -87,26 +101,26 @@ impl Bvh {
     /// # Panics
     /// If there are fewer places for answers than rays.
     pub fn any_hits_of_block(&self, rays: &[Ray], found: &mut [bool]) {
-        let all = self.asked(Question::Any);
-        self.ask(&all, numbered(rays), |i, hit| found[i] = hit.is_hit());
+        let query = self.query(Question::Any);
+        self.trace_rays(&query, numbered(rays), |i, hit| found[i] = hit.is_hit());
     }
 
-    fn asked(&self, question: Question) -> Asked<'static> {
-        Asked {
+    fn query(&self, question: Question) -> PacketQuery<'static> {
+        PacketQuery {
             question,
             exponent: self.scene_exponent(),
             target: None,
         }
     }
 
-    /// Asks for rays, each with a number and a primitive that does not count, and tells each answer with its ray's number.
-    pub(crate) fn ask(
+    /// Traces rays, each with a number and a primitive that does not count, and calls back with each ray's number and hit.
+    pub(crate) fn trace_rays(
         &self,
-        all: &Asked,
+        query: &PacketQuery,
         rays: impl Iterator<Item = (usize, Ray, u32)>,
         mut answer: impl FnMut(usize, Hit),
     ) {
-        let rule = facing(all.target);
+        let rule = filter_of(query.target);
         let nothing = Lane {
             rule: ButOne::new(&rule, NO_PRIMITIVE),
             collector: ClosestOrAny::any(0.0),
@@ -124,9 +138,9 @@ impl Bvh {
                 numbers[i] = number;
                 count += 1;
             }
-            prepared.prepare(&asked, all.exponent);
+            prepared.prepare(&asked, query.exponent);
             for (lane, t_max) in packet.iter_mut().zip(prepared.t_max()) {
-                lane.collector = match all.question {
+                lane.collector = match query.question {
                     Question::Closest => ClosestOrAny::closest(*t_max),
                     Question::Any => ClosestOrAny::any(*t_max),
                 };
@@ -138,13 +152,13 @@ impl Bvh {
         }
     }
 
-    fn trace(&self, rays: &mut PreparedRays<Numbers, LANES>, packet: &mut AskedPacket) {
-        with_stacks(|stacks| match &self.coded {
-            Some(coded) => coded.walk(&self.triangles, Together(rays, packet), stacks),
-            None => {
-                let (nodes, triangles) = (self.node_source(), self.triangle_source());
-                trace_packet(&mut stacks.plain, &nodes, &triangles, rays, packet);
-            }
+    fn trace(&self, rays: &mut PreparedRays<Numbers, LANES>, packet: &mut Packet) {
+        with_stacks(|stacks| {
+            self.stored.visit(Together {
+                stacks,
+                rays,
+                packet,
+            });
         });
     }
 }
@@ -185,7 +199,7 @@ mod tests {
                 Ray::new(from, [0, 1, 2].map(|axis| to[axis] - from[axis]))
             };
             let rays: Vec<Ray> = offsets.iter().enumerate().map(ray).collect();
-            for nodes in [NodeCodec::F32, NodeCodec::Printed, NodeCodec::Lattice(LatticeBits::Q10)] {
+            for nodes in [NodeCodec::F32, NodeCodec::Paper10, NodeCodec::Lattice(LatticeBits::Q10)] {
                 let bvh = Builder::new(BuildConfig { nodes, ..BuildConfig::default() }).build(&mesh);
                 let bvh = bvh.map_err(|error| TestCaseError::fail(error.to_string()))?;
                 let (mut hits, mut found) = (Vec::new(), Vec::new());

@@ -1,8 +1,11 @@
 //! Planted faults: each kind is found, in plain trees and in trees in codecs.
 
 use super::*;
-use crate::coded::{CodedNodes, CodedTriangles};
 use crate::generate::icosphere;
+use crate::tree::StoredTree;
+use crate::tree::lattice::{LatticeMesh, LatticeTree};
+use crate::tree::paper10::Paper10Mesh;
+use crate::tree::plain::PlainTree;
 use crate::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec};
 use glam::Vec3;
 use slimbvh_core::classify::Except;
@@ -34,6 +37,21 @@ fn plain() -> Bvh {
     built(NodeCodec::F32, MeshCodec::F32)
 }
 
+/// Nodes and triangles of a plain tree.
+fn lists(bvh: &mut Bvh) -> &mut PlainTree {
+    match &mut bvh.stored {
+        StoredTree::Plain(plain) => plain,
+        _ => panic!("the tree is plain"),
+    }
+}
+
+fn on_lattice(bvh: &mut Bvh) -> &mut LatticeTree {
+    match &mut bvh.stored {
+        StoredTree::Lattice(tree) => tree,
+        _ => panic!("the tree is on a lattice"),
+    }
+}
+
 /// What is found after a plain tree is spoilt.
 #[track_caller]
 fn found(spoil: impl Fn(&mut Bvh)) -> TreeError {
@@ -45,14 +63,14 @@ fn found(spoil: impl Fn(&mut Bvh)) -> TreeError {
 /// The first node with children of this kind.
 fn with_children(bvh: &Bvh, leaves: [bool; 2]) -> usize {
     let is_of_kind = |node: &Node| [node.left.is_leaf(), node.right.is_leaf()] == leaves;
-    let place = bvh.nodes.iter().position(is_of_kind);
+    let place = bvh.nodes().iter().position(is_of_kind);
     place.expect("the tree has all kinds of nodes")
 }
 
 #[test]
 fn faults_beside_the_nodes_are_found() {
     assert_eq!(Bvh::default().validate(), Err(TreeError::NoRoot));
-    assert_eq!(found(|bvh| bvh.nodes.clear()), TreeError::NoRoot);
+    assert_eq!(found(|bvh| lists(bvh).nodes.clear()), TreeError::NoRoot);
     assert_eq!(found(|bvh| bvh.bounds = None), TreeError::Bounds);
     let nan = |bvh: &mut Bvh| {
         if let Some(bounds) = &mut bvh.bounds {
@@ -75,12 +93,12 @@ fn faults_beside_the_nodes_are_found() {
 #[test]
 fn faults_of_links_are_found() {
     let bvh = plain();
-    let count = bvh.nodes.len() as u32;
+    let count = bvh.nodes().len() as u32;
     for leaves in [[false, false], [false, true], [true, false]] {
         let node = with_children(&bvh, leaves);
         for child in [0, 1, count - 1, count, u32::MAX >> 1] {
             let spoil = |bvh: &mut Bvh, is_left: bool| {
-                let node = &mut bvh.nodes[node];
+                let node = &mut lists(bvh).nodes[node];
                 let link = if is_left {
                     &mut node.left
                 } else {
@@ -108,16 +126,18 @@ fn faults_of_links_are_found() {
     // Whole nodes twice, exchanged, or in nobody's reach.
     let both = with_children(&bvh, [false, false]);
     let swap = found(|bvh| {
-        let node = &mut bvh.nodes[both];
+        let node = &mut lists(bvh).nodes[both];
         std::mem::swap(&mut node.left, &mut node.right);
     });
     assert!(matches!(swap, TreeError::ChildOutOfPlace { .. }));
-    let orphan = found(|bvh| bvh.nodes.push(Node::EMPTY));
+    let orphan = found(|bvh| lists(bvh).nodes.push(Node::EMPTY));
     assert!(matches!(
         orphan,
         TreeError::NoParent { .. } | TreeError::ChildOutOfPlace { .. }
     ));
-    let cut = found(|bvh| bvh.nodes.truncate(bvh.nodes.len() - 1));
+    let cut = found(|bvh| {
+        lists(bvh).nodes.pop();
+    });
     assert!(matches!(cut, TreeError::ChildOutOfPlace { .. }));
 }
 
@@ -125,8 +145,8 @@ fn faults_of_links_are_found() {
 fn faults_of_leaves_are_found() {
     let bvh = plain();
     let node = with_children(&bvh, [true, true]);
-    let left = bvh.nodes[node].left;
-    let with_left = |leaf| found(|bvh| bvh.nodes[node].left = leaf);
+    let left = bvh.nodes()[node].left;
+    let with_left = |leaf| found(|bvh| lists(bvh).nodes[node].left = leaf);
     let (first, count) = (left.first(), left.count());
     for (leaf, is_size) in [
         (NodeRef::leaf(first, 0), true),
@@ -140,20 +160,22 @@ fn faults_of_leaves_are_found() {
             other => panic!("{other}"),
         }
     }
-    let node_with_two = (bvh.nodes.iter())
+    let node_with_two = bvh
+        .nodes()
+        .iter()
         .position(|node| node.left.is_leaf() && node.left.count() > 1 && !node.right.is_leaf());
     let node_with_two = node_with_two.expect("there is one");
     let short = found(|bvh| {
-        let left = &mut bvh.nodes[node_with_two].left;
+        let left = &mut lists(bvh).nodes[node_with_two].left;
         *left = NodeRef::leaf(left.first(), left.count() - 1);
     });
     assert!(matches!(short, TreeError::LeafOutOfPlace { .. }), "{short}");
     let late = found(|bvh| {
         // All boxes hold all.
-        for node in &mut bvh.nodes {
+        for node in &mut lists(bvh).nodes {
             node.planes = [[-1.0, -1.0, 1.0, 1.0]; 3];
         }
-        bvh.nodes[node].left = NodeRef::leaf(first + 1, count);
+        lists(bvh).nodes[node].left = NodeRef::leaf(first + 1, count);
     });
     assert!(
         matches!(
@@ -162,26 +184,31 @@ fn faults_of_leaves_are_found() {
         ),
         "{late}"
     );
-    let fewer = found(|bvh| bvh.triangles.truncate(bvh.triangles.len() - 1));
+    let fewer = found(|bvh| {
+        lists(bvh).triangles.pop();
+    });
     assert!(matches!(fewer, TreeError::PlaceCount { .. }));
     let more = found(|bvh| {
-        let last = bvh.triangles[0];
-        bvh.triangles.push(last);
+        let triangles = &mut lists(bvh).triangles;
+        triangles.push(triangles[0]);
         bvh.mesh_triangle_count += 1;
     });
     assert!(matches!(more, TreeError::PlaceCount { .. }));
-    let run = found(|bvh| bvh.nodes[node].last += 1);
+    let run = found(|bvh| lists(bvh).nodes[node].last += 1);
     assert!(matches!(run, TreeError::WrongRun { .. }));
-    let run = found(|bvh| bvh.nodes[0].first = 1);
+    let run = found(|bvh| lists(bvh).nodes[0].first = 1);
     assert!(matches!(run, TreeError::WrongRun { node: 0, .. }));
 }
 
 #[test]
 fn faults_of_triangles_are_found() {
-    let twice = found(|bvh| bvh.triangles[7].primitive = bvh.triangles[6].primitive);
+    let twice = found(|bvh| {
+        let triangles = &mut lists(bvh).triangles;
+        triangles[7].primitive = triangles[6].primitive;
+    });
     assert!(matches!(twice, TreeError::BadPrimitive { .. }));
     for primitive in [320, 383, u32::MAX] {
-        let beyond = found(|bvh| bvh.triangles[7].primitive = primitive);
+        let beyond = found(|bvh| lists(bvh).triangles[7].primitive = primitive);
         assert_eq!(
             beyond,
             TreeError::BadPrimitive {
@@ -191,15 +218,15 @@ fn faults_of_triangles_are_found() {
         );
     }
     for x in [f32::NAN, f32::INFINITY, -f32::INFINITY] {
-        let error = found(|bvh| bvh.triangles[9].vertices[4] = x);
+        let error = found(|bvh| lists(bvh).triangles[9].vertices[4] = x);
         assert_eq!(error, TreeError::NotFinite { place: 9 });
     }
     // Inside of the box, but elsewhere: only the mesh tells.
     let mut bvh = plain();
-    let [a, b] = [0, 3].map(|i| bvh.triangles[9].vertices[i]);
-    bvh.triangles[9].vertices[0] = 0.5 * (a + b);
+    let vertices = &mut lists(&mut bvh).triangles[9].vertices;
+    vertices[0] = 0.5 * (vertices[0] + vertices[3]);
     assert_eq!(bvh.validate(), Ok(()));
-    let primitive = bvh.triangles[9].primitive;
+    let primitive = bvh.leaf_triangles()[9].primitive;
     let error = TreeError::OtherCorners {
         place: 9,
         primitive,
@@ -227,11 +254,11 @@ fn another_mesh_is_found() {
 #[test]
 fn faults_of_boxes_are_found() {
     let sound = plain();
-    for node in 0..sound.nodes.len() {
+    for node in 0..sound.nodes().len() {
         for (axis, lane) in (0..3).flat_map(|axis| (0..4).map(move |lane| (axis, lane))) {
             let with = |change: &dyn Fn(f32) -> f32| {
                 let mut bvh = sound.clone();
-                let plane = &mut bvh.nodes[node].planes[axis][lane];
+                let plane = &mut lists(&mut bvh).nodes[node].planes[axis][lane];
                 *plane = change(*plane);
                 bvh.validate()
             };
@@ -257,8 +284,8 @@ fn faults_of_boxes_are_found() {
 /// All trees in codecs that there are.
 fn coded() -> Vec<Bvh> {
     let mut all = vec![
-        built(NodeCodec::Printed, MeshCodec::F32),
-        built(NodeCodec::Printed, MeshCodec::Leaf10),
+        built(NodeCodec::Paper10, MeshCodec::F32),
+        built(NodeCodec::Paper10, MeshCodec::Leaf10),
     ];
     let on_lattice = MeshCodec::Lattice {
         step_exponent: STEP,
@@ -285,7 +312,7 @@ fn each_bit_of_coded_trees_is_looked_at() {
         all.collect()
     };
     let all_of = |bvh: &Bvh| -> Vec<Hit> {
-        let (_, triangles) = crate::cpu::decode(bvh.coded.as_ref().expect("it is coded"), &[]);
+        let triangles = bvh.stored.decode().triangles;
         let nodes = BruteForce(triangles.len() as u32);
         let triangles = LeafTriangles(&triangles);
         let all = rays.iter().map(|ray| {
@@ -320,28 +347,34 @@ fn each_bit_of_coded_trees_is_looked_at() {
 
 /// Words of nodes, and of triangles that are coded.
 fn words(bvh: &Bvh) -> (usize, usize) {
-    let coded = bvh.coded.as_ref().expect("it is coded");
-    (coded.nodes.bytes() / 4, coded.triangles.bytes() / 4)
+    let [nodes, triangles] = bvh.stored().map(|bytes| bytes.len() / 4);
+    let is_full = bvh.codecs().1 == MeshCodec::F32;
+    (nodes, if is_full { 0 } else { triangles })
 }
 
 fn flip(bvh: &mut Bvh, is_node: bool, bit: usize) {
-    let coded = bvh.coded.as_mut().expect("it is coded");
-    let words: &mut [u32] = match (is_node, &mut coded.nodes, &mut coded.triangles) {
-        (true, CodedNodes::Printed { nodes, .. }, _) => bytemuck::cast_slice_mut(nodes),
-        (true, CodedNodes::Lattice { words, .. }, _) => words,
-        (false, _, CodedTriangles::Leaf10(triangles)) => bytemuck::cast_slice_mut(triangles),
-        (false, _, CodedTriangles::Lattice(words)) => words,
-        (false, _, CodedTriangles::F32) => &mut [],
+    let words: &mut [u32] = match (is_node, &mut bvh.stored) {
+        (true, StoredTree::Paper10(tree)) => bytemuck::cast_slice_mut(&mut tree.nodes),
+        (true, StoredTree::Lattice(tree)) => &mut tree.words,
+        (false, StoredTree::Paper10(tree)) => match &mut tree.triangles {
+            Paper10Mesh::Leaf10(triangles) => bytemuck::cast_slice_mut(triangles),
+            Paper10Mesh::Full(_) => &mut [],
+        },
+        (false, StoredTree::Lattice(tree)) => match &mut tree.triangles {
+            LatticeMesh::Lattice { words, .. } => words,
+            LatticeMesh::Full(_) => &mut [],
+        },
+        (_, StoredTree::Plain(_)) => &mut [],
     };
     words[bit / 32] ^= 1 << (bit % 32);
 }
 
 #[test]
 fn faults_of_coded_trees_are_found() {
-    let on_lattice = MeshCodec::Lattice {
+    let codec = MeshCodec::Lattice {
         step_exponent: STEP,
     };
-    let sound = built(NodeCodec::Lattice(LatticeBits::Q10), on_lattice);
+    let sound = built(NodeCodec::Lattice(LatticeBits::Q10), codec);
     let found = |spoil: &dyn Fn(&mut Bvh)| {
         let mut bvh = sound.clone();
         spoil(&mut bvh);
@@ -349,14 +382,8 @@ fn faults_of_coded_trees_are_found() {
     };
     let root_of = |change: &dyn Fn(&mut slimbvh_core::lattice::LatticeBox, &mut i32)| {
         found(&|bvh| {
-            if let Some(CodedNodes::Lattice {
-                root,
-                step_exponent,
-                ..
-            }) = bvh.coded.as_mut().map(|coded| &mut coded.nodes)
-            {
-                change(root, step_exponent);
-            }
+            let tree = on_lattice(bvh);
+            change(&mut tree.root, &mut tree.step_exponent);
         })
     };
     assert_eq!(root_of(&|_, _| {}), Ok(()));
@@ -378,18 +405,14 @@ fn faults_of_coded_trees_are_found() {
     let nodes = sound.node_count();
     for node in 1..nodes {
         let error = found(&|bvh| {
-            if let Some(CodedNodes::Lattice { words, .. }) =
-                bvh.coded.as_mut().map(|coded| &mut coded.nodes)
-            {
-                let (all, _) = words.as_chunks_mut::<4>();
-                let links: Links = links_of::<10, 4>(&all[0]);
-                let mut bare = all[node];
-                bare[0] = 0;
-                for word in &mut bare[1..] {
-                    *word &= (1 << 22) - 1;
-                }
-                all[node] = with_links::<10, 4>(bare, links);
+            let (all, _) = on_lattice(bvh).words.as_chunks_mut::<4>();
+            let links: Links = links_of::<10, 4>(&all[0]);
+            let mut bare = all[node];
+            bare[0] = 0;
+            for word in &mut bare[1..] {
+                *word &= (1 << 22) - 1;
             }
+            all[node] = with_links::<10, 4>(bare, links);
         });
         assert!(
             matches!(error, Err(TreeError::ChildOutOfPlace { .. })),
@@ -397,8 +420,8 @@ fn faults_of_coded_trees_are_found() {
         );
     }
     let fewer = found(&|bvh| {
-        if let Some(coded) = &mut bvh.coded {
-            coded.triangle_count -= 1;
+        if let LatticeMesh::Lattice { count, .. } = &mut on_lattice(bvh).triangles {
+            *count -= 1;
         }
     });
     assert!(matches!(fewer, Err(TreeError::LeafCount { .. })));

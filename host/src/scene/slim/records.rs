@@ -1,10 +1,9 @@
 //! Parts, materials, cameras, lights and what stands beside lists, as the file has them.
 
-use crate::coded::{Coded, CodedNodes, CodedTriangles};
-use crate::{AreaShape, Bvh, Camera, LatticeBits, Light, Material, Projection};
+use crate::tree::{Bvh, MeshCodec, NodeCodec, StoredTree, tagged, tags};
+use crate::{AreaShape, Camera, Light, Material, Projection};
 use bytemuck::{Pod, Zeroable};
-use slimbvh_core::encode::PrintedBox;
-use slimbvh_core::lattice::LatticeBox;
+use slimbvh_core::encode::RootWords;
 use slimbvh_core::{Aabb, Vec3};
 
 /// A part. 16 bytes.
@@ -281,14 +280,14 @@ const _: () = assert!(size_of::<SceneRecord>() == 64);
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub struct HierarchyRecord {
-    /// Bytes 0–3: 0 in full, 1 printed, 2 on the lattice.
+    /// Bytes 0–3: the tag of their codec.
     nodes: u32,
     /// Bytes 4–7: of a plane on the lattice, else 0.
     bits: u32,
-    /// Bytes 8–11: 0 in full, 1 in 10 bits, 2 on the lattice.
+    /// Bytes 8–11: the tag of their codec.
     triangles: u32,
     /// Bytes 12–15.
-    triangle_count: u32,
+    pub triangle_count: u32,
     /// Bytes 16–19.
     mesh_triangle_count: u32,
     /// Bytes 20–23.
@@ -299,7 +298,7 @@ pub struct HierarchyRecord {
     step_exponent: i32,
     /// Bytes 32–63: the mesh's.
     bounds: BoxRecord,
-    /// Bytes 64–75: floats where nodes are printed, whole numbers on the lattice, else 0.
+    /// Bytes 64–75: floats or whole numbers, as the codec has them; 0 in full.
     root_min: [u32; 3],
     /// Bytes 76–79: zero.
     zero_1: u32,
@@ -313,111 +312,52 @@ pub struct HierarchyRecord {
 
 const _: () = assert!(size_of::<HierarchyRecord>() == 128);
 
-/// How lists of a hierarchy are stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lists {
-    /// Plain nodes, whole triangles.
-    Plain,
-    /// Printed nodes; whether triangles are in 10 bits.
-    Printed { is_leaf_10: bool },
-    /// Nodes on the lattice; whether triangles are too.
-    Lattice { bits: LatticeBits, is_mesh: bool },
-}
-
 impl From<&Bvh> for HierarchyRecord {
     fn from(bvh: &Bvh) -> Self {
-        let plain = Self {
+        let [nodes, bits, triangles] = tags(bvh.codecs());
+        let root = bvh.root_words().unwrap_or_default();
+        let ([a, b, c, _], [x, y, z, _]) = (root.low, root.high);
+        Self {
+            nodes,
+            bits,
+            triangles,
             triangle_count: bvh.triangle_count() as u32,
             mesh_triangle_count: bvh.mesh_triangle_count as u32,
             depth_bound: bvh.depth_bound,
             scene_exponent: bvh.scene_exponent,
+            step_exponent: root.step_exponent(),
             bounds: bvh.bounds.into(),
+            root_min: [a, b, c],
+            root_max: [x, y, z],
             ..Self::default()
-        };
-        let Some(coded) = &bvh.coded else {
-            return plain;
-        };
-        let triangles = match &coded.triangles {
-            CodedTriangles::F32 => 0,
-            CodedTriangles::Leaf10(_) => 1,
-            CodedTriangles::Lattice(_) => 2,
-        };
-        match &coded.nodes {
-            CodedNodes::Printed { root, .. } => Self {
-                nodes: 1,
-                triangles,
-                root_min: root.min.map(f32::to_bits),
-                root_max: root.max.map(f32::to_bits),
-                ..plain
-            },
-            CodedNodes::Lattice {
-                bits,
-                root,
-                step_exponent,
-                ..
-            } => Self {
-                nodes: 2,
-                bits: bits.count(),
-                triangles,
-                step_exponent: *step_exponent,
-                root_min: root.min.map(|x| x as u32),
-                root_max: root.max.map(|x| x as u32),
-                ..plain
-            },
         }
     }
 }
 
 impl HierarchyRecord {
     /// How its lists are stored; none where there is no such codec.
-    pub fn lists(&self) -> Option<Lists> {
-        match (self.nodes, self.triangles) {
-            (0, 0) => Some(Lists::Plain),
-            (1, triangles @ (0 | 1)) => Some(Lists::Printed {
-                is_leaf_10: triangles == 1,
-            }),
-            (2, triangles @ (0 | 2)) => {
-                let mut all = LatticeBits::ALL.into_iter();
-                let bits = all.find(|bits| bits.count() == self.bits)?;
-                let is_mesh = triangles == 2;
-                Some(Lists::Lattice { bits, is_mesh })
-            }
-            _ => None,
+    pub fn codecs(&self) -> Option<(NodeCodec, MeshCodec)> {
+        let tags = [self.nodes, self.bits, self.triangles];
+        tagged(tags, self.step_exponent.wrapping_sub(self.scene_exponent))
+    }
+
+    /// The root's box and the lattice's step.
+    pub fn root(&self) -> RootWords {
+        let ([a, b, c], [x, y, z]) = (self.root_min, self.root_max);
+        RootWords {
+            low: [a, b, c, self.step_exponent as u32],
+            high: [x, y, z, 0],
         }
     }
 
-    /// A hierarchy with empty lists.
-    pub fn empty(&self, lists: Lists) -> Bvh {
-        let nodes = match lists {
-            Lists::Plain => None,
-            Lists::Printed { .. } => Some(CodedNodes::Printed {
-                root: PrintedBox {
-                    min: self.root_min.map(f32::from_bits),
-                    max: self.root_max.map(f32::from_bits),
-                },
-                nodes: Vec::new(),
-            }),
-            Lists::Lattice { bits, .. } => Some(CodedNodes::Lattice {
-                bits,
-                root: LatticeBox {
-                    min: self.root_min.map(|x| x as i32),
-                    max: self.root_max.map(|x| x as i32),
-                },
-                step_exponent: self.step_exponent,
-                words: Vec::new(),
-            }),
-        };
+    /// The hierarchy, whose lists are stored so.
+    pub fn bvh(&self, stored: StoredTree) -> Bvh {
         Bvh {
+            stored,
             mesh_triangle_count: self.mesh_triangle_count as usize,
             bounds: (&self.bounds).into(),
             scene_exponent: self.scene_exponent,
             depth_bound: self.depth_bound,
-            coded: nodes.map(|nodes| Coded {
-                nodes,
-                triangles: CodedTriangles::F32,
-                triangle_count: self.triangle_count as usize,
-            }),
-            ..Bvh::default()
         }
     }
 }

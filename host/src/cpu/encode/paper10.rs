@@ -1,4 +1,4 @@
-//! Nodes and triangles in the printed codec.
+//! Nodes and triangles in the codec `paper10`.
 
 use super::tree::{Part, Tree, both};
 use slimbvh_core::NodeRef;
@@ -6,8 +6,8 @@ use slimbvh_core::encode::{
     BoxCodec, PrintedBox, PrintedCodec, PrintedNode, PrintedTriangle, encode_printed_triangle,
 };
 
-/// Codes a tree's nodes as printed, and its triangles, where there is room for them.
-pub(super) fn encode_printed(
+/// Codes a tree's nodes, and its triangles where the slice has room for them. Returns the root's box.
+pub(super) fn encode_paper10(
     tree: &Tree,
     nodes: &mut Vec<PrintedNode>,
     triangles: &mut [PrintedTriangle],
@@ -23,13 +23,13 @@ pub(super) fn encode_printed(
         first_triangle: 0,
         per_triangle: 1,
     };
-    printed(tree, part);
+    encode(tree, part);
     root
 }
 
 const CODEC: PrintedCodec = PrintedCodec { zero: 0 };
 
-fn printed(tree: &Tree, part: Part<PrintedNode, PrintedTriangle, PrintedBox>) {
+fn encode(tree: &Tree, part: Part<PrintedNode, PrintedTriangle, PrintedBox>) {
     let node = tree.node(part.node);
     let coded = CODEC.encode(&part.bounds, &node);
     part.nodes[part.node as usize - part.first_node] = coded.node;
@@ -38,7 +38,7 @@ fn printed(tree: &Tree, part: Part<PrintedNode, PrintedTriangle, PrintedBox>) {
     both(&node, parts, |part| {
         let child = NodeRef(part.node);
         if !child.is_leaf() {
-            printed(tree, part);
+            encode(tree, part);
             return;
         }
         let leaves = tree.leaves.iter().skip(child.first() as usize);

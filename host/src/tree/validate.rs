@@ -1,8 +1,10 @@
 //! Walks a hierarchy that is not to be trusted, and checks all that tracing, refits and codecs rely on.
 
+use super::bvh::Bvh;
 use super::error::TreeError;
-use super::view::{TreeView, Visit, is_in_scene};
-use crate::{Bvh, Mesh};
+use super::sources::{StoredNodes, StoredTriangles, is_in_scene};
+use super::visitor::TreeVisitor;
+use crate::Mesh;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::node::LEAF_SIZE;
@@ -84,43 +86,48 @@ impl Bvh {
     }
 
     fn walk(&self, mesh: Option<IndexedTriangles>) -> Result<(), TreeError> {
-        let mut check = Check {
-            bvh: self,
-            mesh,
-            outcome: Ok(()),
-        };
-        self.show(&mut check);
-        check.outcome
+        if self.node_count() == 0 {
+            return Err(TreeError::NoRoot);
+        }
+        self.stored.lists().check_root()?;
+        self.stored.visit(Check { bvh: self, mesh })
     }
 }
 
-/// Walks whatever is shown.
+/// Walks all of a tree.
 struct Check<'a> {
     bvh: &'a Bvh,
     mesh: Option<IndexedTriangles<'a>>,
-    outcome: Result<(), TreeError>,
 }
 
-impl Visit for Check<'_> {
-    fn visit<V: TreeView>(&mut self, view: &V) {
+impl TreeVisitor for Check<'_> {
+    type Output = Result<(), TreeError>;
+
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(
+        self,
+        nodes: &N,
+        triangles: &T,
+    ) -> Result<(), TreeError> {
         let word_count = self.bvh.mesh_triangle_count.div_ceil(64);
         let walk = Walk {
-            view,
+            nodes,
+            triangles,
             depth_bound: self.bvh.depth_bound,
             mesh: self.mesh,
             scale: PowerOfTwo::new(self.bvh.scene_exponent),
             mesh_triangle_count: self.bvh.mesh_triangle_count,
             is_there: (0..word_count).map(|_| AtomicU64::new(0)).collect(),
         };
-        self.outcome = walk.whole(self.bvh.triangle_count());
+        walk.whole(self.bvh.triangle_count())
     }
 }
 
 /// Nodes with fewer below them are not divided among threads.
 const TASK: u32 = 1024;
 
-struct Walk<'a, V> {
-    view: &'a V,
+struct Walk<'a, N, T> {
+    nodes: &'a N,
+    triangles: &'a T,
     depth_bound: u32,
     mesh: Option<IndexedTriangles<'a>>,
     scale: PowerOfTwo,
@@ -150,16 +157,11 @@ struct Child<B> {
     depth: u32,
 }
 
-impl<V: TreeView> Walk<'_, V> {
+impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
     fn whole(&self, triangle_count: usize) -> Result<(), TreeError> {
-        let node_count = self.view.node_count();
-        if node_count == 0 {
-            return Err(TreeError::NoRoot);
-        }
         // Indices of nodes have 31 bits.
-        let node_count = node_count.min(1 << 31) as u32;
-        self.view.check_root()?;
-        let root = self.view.root();
+        let node_count = self.nodes.count().min(1 << 31) as u32;
+        let root = self.nodes.root_box();
         let found = if triangle_count <= LEAF_SIZE as usize {
             self.single(&root, triangle_count as u32, node_count)?
         } else {
@@ -172,7 +174,7 @@ impl<V: TreeView> Walk<'_, V> {
                 expected: 0,
             });
         }
-        if found.places.end as usize != self.view.place_count() {
+        if found.places.end as usize != self.triangles.place_count() {
             return Err(self.place_count(found.places.end.into()));
         }
         if found.count as usize != triangle_count {
@@ -185,11 +187,11 @@ impl<V: TreeView> Walk<'_, V> {
     }
 
     /// A tree of one leaf: all on the root's left.
-    fn single(&self, root: &V::Box, count: u32, node_count: u32) -> Result<Found, TreeError> {
+    fn single(&self, root: &N::Box, count: u32, node_count: u32) -> Result<Found, TreeError> {
         if node_count > 1 {
             return Err(TreeError::NoParent { node: 1 });
         }
-        let ([left, right], [left_box, _]) = self.view.open(0, root);
+        let ([left, right], [left_box, _]) = self.nodes.open(0, root);
         if left != NodeRef::leaf(0, count) || right != NodeRef::NOTHING {
             return Err(TreeError::LeafSize {
                 node: 0,
@@ -220,7 +222,7 @@ impl<V: TreeView> Walk<'_, V> {
     fn node(
         &self,
         node: u32,
-        bounds: &V::Box,
+        bounds: &N::Box,
         below: Range<u32>,
         depth: u32,
     ) -> Result<Found, TreeError> {
@@ -231,7 +233,7 @@ impl<V: TreeView> Walk<'_, V> {
             });
         }
         let is_task = below.end - below.start >= TASK;
-        let ([left, right], [left_box, right_box]) = self.view.open(node, bounds);
+        let ([left, right], [left_box, right_box]) = self.nodes.open(node, bounds);
         let [left_below, right_below] = places(node, [left, right], below)?;
         let child = |child, bounds, below| Child {
             parent: node,
@@ -273,7 +275,7 @@ impl<V: TreeView> Walk<'_, V> {
     /// What a node says of its triangles, where it does.
     fn check_run(&self, node: u32, found: &Found) -> Result<(), TreeError> {
         let expected = [found.places.start, found.places.end.saturating_sub(1)];
-        match self.view.run(node) {
+        match self.nodes.run(node) {
             Some(run) if run != expected => Err(TreeError::WrongRun {
                 node,
                 first: run[0],
@@ -284,9 +286,9 @@ impl<V: TreeView> Walk<'_, V> {
     }
 
     /// Checks a child that is there, and that its box holds what is below it.
-    fn child(&self, it: Child<V::Box>) -> Result<Found, TreeError> {
+    fn child(&self, it: Child<N::Box>) -> Result<Found, TreeError> {
         let node = it.parent;
-        let stored = self.view.aabb(&it.bounds);
+        let stored = self.nodes.aabb(&it.bounds);
         if !is_in_scene(&stored) {
             return Err(TreeError::BadBox { node });
         }
@@ -302,7 +304,7 @@ impl<V: TreeView> Walk<'_, V> {
         }
     }
 
-    fn leaf(&self, node: u32, leaf: NodeRef, bounds: &V::Box) -> Result<Found, TreeError> {
+    fn leaf(&self, node: u32, leaf: NodeRef, bounds: &N::Box) -> Result<Found, TreeError> {
         let (first, count) = (leaf.first(), leaf.count());
         if !(1..=LEAF_SIZE).contains(&count) {
             return Err(TreeError::LeafSize {
@@ -311,8 +313,8 @@ impl<V: TreeView> Walk<'_, V> {
                 limit: LEAF_SIZE,
             });
         }
-        let end = u64::from(first) + u64::from(count) * u64::from(self.view.stride(bounds));
-        if end > self.view.place_count() as u64 {
+        let end = u64::from(first) + u64::from(count) * u64::from(self.triangles.stride(bounds));
+        if end > self.triangles.place_count() as u64 {
             return Err(self.place_count(end));
         }
         let mut exact = Aabb::EMPTY;
@@ -327,9 +329,9 @@ impl<V: TreeView> Walk<'_, V> {
     }
 
     /// Checks a leaf's triangle. Returns the box around it.
-    fn triangle(&self, place: (u32, u32), bounds: &V::Box) -> Result<Aabb, TreeError> {
-        let at = || place.0 + place.1 * self.view.stride(bounds);
-        let stored = self.view.triangle(place, bounds);
+    fn triangle(&self, place: (u32, u32), bounds: &N::Box) -> Result<Aabb, TreeError> {
+        let at = || place.0 + place.1 * self.triangles.stride(bounds);
+        let stored = self.triangles.triangle(place, bounds);
         if !stored.vertices.iter().all(|x| x.is_finite()) {
             return Err(TreeError::NotFinite { place: at() });
         }
@@ -343,7 +345,7 @@ impl<V: TreeView> Walk<'_, V> {
         }
         if let Some(mesh) = &self.mesh {
             let exact = leaf_triangle(primitive, mesh, &self.scale);
-            if !self.view.stores(place, bounds, &exact) {
+            if !self.triangles.stores(place, bounds, &exact) {
                 let place = at();
                 return Err(TreeError::OtherCorners { place, primitive });
             }
@@ -354,7 +356,7 @@ impl<V: TreeView> Walk<'_, V> {
     fn place_count(&self, end: u64) -> TreeError {
         TreeError::PlaceCount {
             end,
-            count: self.view.place_count(),
+            count: self.triangles.place_count(),
         }
     }
 }

@@ -1,7 +1,6 @@
 //! What tracing a tree costs.
 
-use crate::Node;
-use slimbvh_core::NodeRef;
+use slimbvh_core::{Node, NodeRef};
 
 /// What a ray that meets the root's box is expected to cost, at 1 for each node that it opens and 1 for each triangle that
 /// it tests: the surface area heuristic (MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990).

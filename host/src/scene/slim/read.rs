@@ -8,12 +8,12 @@ use super::layout::{
     checksum, from_bytes, whole,
 };
 use super::records::{
-    CameraRecord, HierarchyRecord, LightRecord, Lists, MaterialRecord, PartRecord, SceneRecord,
+    CameraRecord, HierarchyRecord, LightRecord, MaterialRecord, PartRecord, SceneRecord,
 };
 use super::write::scene_record;
-use crate::coded::{CodedNodes, CodedTriangles};
 use crate::text::excerpt;
-use crate::{Aabb, Bvh, Mesh, Part, Scene};
+use crate::tree::{Bvh, ListReader, StoredTree};
+use crate::{Aabb, Mesh, Part, Scene};
 use bytemuck::Pod;
 
 /// The scene and the hierarchy in a file's bytes, which may be mapped memory. Allocates no more than there are bytes, and a
@@ -270,41 +270,26 @@ fn hierarchy(file: &Sections) -> Result<Bvh, FileError> {
     let section = Section::Hierarchy;
     let record: HierarchyRecord = file.item(section)?;
     let fault = FileError::Record { section, item: 0 };
-    let lists = record.lists().ok_or(fault.clone())?;
-    let mut bvh = record.empty(lists);
-    if lists == Lists::Plain {
-        bvh.nodes = file.items(Section::Nodes)?;
-    }
-    let is_coded = matches!(
-        lists,
-        Lists::Printed { is_leaf_10: true } | Lists::Lattice { is_mesh: true, .. }
-    );
-    if !is_coded {
-        bvh.triangles = file.items(Section::Triangles)?;
-    }
-    if let Some(coded) = &mut bvh.coded {
-        match &mut coded.nodes {
-            CodedNodes::Printed { nodes, .. } => *nodes = file.items(Section::Nodes)?,
-            CodedNodes::Lattice { bits, words, .. } => {
-                let item_bytes = bits.words() * size_of::<u32>();
-                *words = from_bytes(file.bytes(Section::Nodes, item_bytes)?);
-            }
-        }
-        match lists {
-            Lists::Printed { is_leaf_10: true } => {
-                let triangles: Vec<_> = file.items(Section::Triangles)?;
-                coded.triangle_count = triangles.len();
-                coded.triangles = CodedTriangles::Leaf10(triangles);
-            }
-            Lists::Lattice { is_mesh: true, .. } => {
-                coded.triangles = CodedTriangles::Lattice(file.items(Section::Triangles)?);
-            }
-            _ => coded.triangle_count = bvh.triangles.len(),
-        }
-    }
+    let codecs = record.codecs().ok_or(fault.clone())?;
+    let count = record.triangle_count as usize;
+    let stored = StoredTree::read(codecs, &record.root(), count, &mut &*file)?;
+    let bvh = record.bvh(stored);
     if is_same(&HierarchyRecord::from(&bvh), &record) {
         Ok(bvh)
     } else {
         Err(fault)
+    }
+}
+
+impl ListReader for &Sections<'_> {
+    type Error = FileError;
+
+    fn nodes<T: Pod>(&mut self, per_node: usize) -> Result<Vec<T>, FileError> {
+        let bytes = self.bytes(Section::Nodes, per_node * size_of::<T>())?;
+        Ok(from_bytes(bytes))
+    }
+
+    fn triangles<T: Pod>(&mut self) -> Result<Vec<T>, FileError> {
+        self.items(Section::Triangles)
     }
 }

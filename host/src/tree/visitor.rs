@@ -1,0 +1,95 @@
+//! Visitors of a stored tree: code that is compiled once for each way to store nodes and triangles.
+
+use super::lanes::{LANES, Numbers};
+use super::packets::{ButOne, Packet};
+use super::sources::{StoredNodes, StoredTriangles};
+use super::stored::Stacks;
+use slimbvh_core::Hit;
+use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::trace::{
+    ClosestOrAny, Collector, Lane, PreparedRays, trace_alone, trace_packet, traverse_with,
+};
+
+/// Called with the concrete sources of nodes and triangles: [`StoredTree::visit`](super::StoredTree::visit).
+pub trait TreeVisitor {
+    /// What a visit returns.
+    type Output;
+
+    /// Visits a tree with these nodes and triangles.
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T)
+    -> Self::Output;
+}
+
+/// Traces one ray, for the closest hit or any, as its collector asks.
+pub struct Alone<'a, 'b> {
+    pub stacks: &'a mut Stacks,
+    pub ray: &'a PreparedRay,
+    pub lane: &'a mut Lane<ButOne<'b>, ClosestOrAny>,
+}
+
+impl TreeVisitor for Alone<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
+        let stack = &mut N::stacks(self.stacks).alone;
+        trace_alone(stack, nodes, triangles, self.ray, self.lane);
+    }
+}
+
+/// Traces several rays, for the closest hit or any, as their collectors ask.
+pub struct Together<'a, 'b> {
+    pub stacks: &'a mut Stacks,
+    pub rays: &'a mut PreparedRays<Numbers, LANES>,
+    pub packet: &'a mut Packet<'b>,
+}
+
+impl TreeVisitor for Together<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
+        let stacks = N::stacks(self.stacks);
+        trace_packet(stacks, nodes, triangles, self.rays, self.packet);
+    }
+}
+
+/// Traces one ray for any collector, at the price of a call for each node.
+pub struct Watched<'a, 'b> {
+    pub stacks: &'a mut Stacks,
+    pub ray: &'a PreparedRay,
+    pub rule: ButOne<'b>,
+    pub collector: &'a mut dyn Collector,
+}
+
+impl TreeVisitor for Watched<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
+        let stack = &mut N::stacks(self.stacks).alone;
+        let collector = &mut Shared(self.collector);
+        traverse_with(stack, nodes, triangles, self.ray, &self.rule, collector);
+    }
+}
+
+/// A collector behind a reference.
+pub struct Shared<'a>(pub &'a mut dyn Collector);
+
+impl Collector for Shared<'_> {
+    fn limit(&self) -> f32 {
+        self.0.limit()
+    }
+
+    fn offer(&mut self, hit: Hit) {
+        self.0.offer(hit);
+    }
+
+    fn count_node(&mut self) {
+        self.0.count_node();
+    }
+
+    fn count_triangle(&mut self) {
+        self.0.count_triangle();
+    }
+}
