@@ -10,16 +10,15 @@ use crate::animate::sah_cost;
 use crate::codec::{MeshCodec, NodeCodec};
 use crate::coded::{Alone, Coded, Shared, Stacks, Watched, with_stacks};
 use crate::cpu::decode;
-use crate::cpu::packets::ButOne;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
 use slimbvh_core::trace::{
     self, AnyHit, ClosestHit, ClosestOrAny, Collector, Lane, LeafTriangles, NearestHits,
-    PlainNodes, traverse, traverse_with,
+    PlainNodes, Skip, SkipAnd, traverse, traverse_with,
 };
 use slimbvh_core::{LeafTriangle, Node};
 
@@ -79,7 +78,7 @@ impl Bvh {
         let all = facing(None);
         let errand = Watched {
             ray: &prepared,
-            rule: ButOne::new(&all, NO_PRIMITIVE),
+            filter: SkipAnd::new(&all, NO_PRIMITIVE),
             collector: &mut collector,
         };
         with_stacks(|stacks| coded.walk(&self.triangles, errand, stacks));
@@ -89,7 +88,7 @@ impl Bvh {
     fn trace_coded(&self, coded: &Coded, ray: &PreparedRay, collector: ClosestOrAny) -> Hit {
         let all = facing(None);
         let mut lane = Lane {
-            rule: ButOne::new(&all, NO_PRIMITIVE),
+            filter: SkipAnd::new(&all, NO_PRIMITIVE),
             collector,
         };
         with_stacks(|stacks| coded.walk(&self.triangles, Alone(ray, &mut lane), stacks));
@@ -100,7 +99,7 @@ impl Bvh {
     fn trace_plain<C: Collector>(&self, ray: &PreparedRay, collector: &mut C) {
         let (nodes, triangles) = (self.node_source(), self.triangle_source());
         with_stacks(|Stacks { plain, .. }| {
-            let (stack, rule) = (&mut plain.alone, &Except::NOTHING);
+            let (stack, rule) = (&mut plain.alone, &Skip::NONE);
             traverse_with(stack, &nodes, &triangles, ray, rule, collector);
         });
     }
@@ -111,7 +110,7 @@ impl Bvh {
             let all = facing(None);
             let errand = Watched {
                 ray,
-                rule: ButOne::new(&all, skip),
+                filter: SkipAnd::new(&all, skip),
                 collector,
             };
             // The collector may ask this thread's stacks.
@@ -119,13 +118,7 @@ impl Bvh {
             coded.walk(&self.triangles, errand, &mut stacks);
         } else {
             let (nodes, triangles) = (self.node_source(), self.triangle_source());
-            traverse(
-                &nodes,
-                &triangles,
-                ray,
-                &Except(skip),
-                &mut Shared(collector),
-            );
+            traverse(&nodes, &triangles, ray, &Skip(skip), &mut Shared(collector));
         }
     }
 
@@ -272,13 +265,13 @@ impl Bvh {
 }
 
 /// The rule for many rays, and of all trees in codecs: where there is no target, no triangle faces away.
-pub(crate) fn facing(target: Option<(Sides, Target)>) -> Facing {
+pub(crate) fn facing(target: Option<(Sides, Target)>) -> FacingFilter {
     let everything = Sides {
         components: &[],
         sides: &[],
     };
     let (sides, target) = target.unwrap_or((everything, Target::position([0.0; 3])));
-    Facing {
+    FacingFilter {
         skip: NO_PRIMITIVE,
         sides,
         target,

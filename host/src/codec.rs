@@ -9,8 +9,8 @@ pub enum NodeCodec {
     /// 64 bytes: both children's boxes in full.
     #[default]
     F32,
-    /// 24 bytes: planes in 10 bits between those of the parent, by floats, as printed in the literature.
-    Printed,
+    /// 24 bytes: planes in 10 bits between those of the parent, by floats, as in the paper on compressed hierarchies.
+    Paper10,
     /// 12 to 28 bytes: planes counted from those of the parent, by integers.
     Lattice(LatticeBits),
 }
@@ -88,8 +88,8 @@ pub enum MeshCodec {
     /// 40 bytes: as they are, with their index.
     #[default]
     F32,
-    /// 16 bytes: 10 bits a coordinate in the leaf's box, as printed in the literature. Vertices move, each leaf's by itself:
-    /// surfaces crack. Goes with [`NodeCodec::Printed`].
+    /// 16 bytes: 10 bits a coordinate in the leaf's box, as in the paper on compressed hierarchies. Vertices move, each leaf's by itself:
+    /// surfaces crack. Goes with [`NodeCodec::Paper10`].
     Leaf10,
     /// 16, 28 or 40 bytes, as a leaf needs: exact, over a mesh whose vertices lie on a lattice ([`crate::Mesh::snap`]). Goes
     /// with [`NodeCodec::Lattice`].
@@ -112,8 +112,8 @@ pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum CodecError {
     /// Leaves are coded in boxes that other nodes do not have.
-    #[error("triangles of 10 bits in their leaf's box go with printed nodes only")]
-    Leaf10WithoutPrinted,
+    #[error("triangles of 10 bits in their leaf's box go with paper10 nodes only")]
+    Leaf10WithoutPaper10,
     /// The same.
     #[error("triangles on a lattice go with nodes on a lattice only")]
     LatticeWithout,
@@ -126,9 +126,9 @@ pub enum CodecError {
 pub const fn check_codecs(nodes: NodeCodec, mesh: MeshCodec) -> Result<(), CodecError> {
     match (nodes, mesh) {
         (_, MeshCodec::F32)
-        | (NodeCodec::Printed, MeshCodec::Leaf10)
+        | (NodeCodec::Paper10, MeshCodec::Leaf10)
         | (NodeCodec::Lattice(_), MeshCodec::Lattice { .. }) => Ok(()),
-        (_, MeshCodec::Leaf10) => Err(CodecError::Leaf10WithoutPrinted),
+        (_, MeshCodec::Leaf10) => Err(CodecError::Leaf10WithoutPaper10),
         (_, MeshCodec::Lattice { .. }) => Err(CodecError::LatticeWithout),
     }
 }
@@ -156,10 +156,10 @@ mod tests {
         for (nodes, mesh, fits) in [
             (NodeCodec::F32, MeshCodec::F32, true),
             (q10, MeshCodec::F32, true),
-            (NodeCodec::Printed, MeshCodec::Leaf10, true),
+            (NodeCodec::Paper10, MeshCodec::Leaf10, true),
             (q10, lattice, true),
             (NodeCodec::F32, lattice, false),
-            (NodeCodec::Printed, lattice, false),
+            (NodeCodec::Paper10, lattice, false),
             (q10, MeshCodec::Leaf10, false),
             (NodeCodec::F32, MeshCodec::Leaf10, false),
         ] {

@@ -2,16 +2,17 @@
 
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use crate::cpu::lanes::{LANES, Numbers};
-use crate::cpu::packets::{AskedPacket, ButOne};
+use crate::cpu::packets::AskedPacket;
+use slimbvh_core::classify::FacingFilter;
 use slimbvh_core::encode::{
-    LatticeCursor, LatticeNodes, LatticeTriangles, PrintedBox, PrintedCursor, PrintedNode,
-    PrintedNodes, PrintedTriangle, PrintedTriangles, RootWords,
+    LatticeCursor, LatticeNodes, LatticeTriangles, Paper10Box, Paper10Cursor, Paper10Node,
+    Paper10Nodes, Paper10Triangle, Paper10Triangles, RootWords,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, Collector, Lane, LeafTriangles, NodeSource, PacketStacks, PreparedRays,
+    ClosestOrAny, Collector, Lane, LeafTriangles, NodeSource, PacketStacks, PreparedRays, SkipAnd,
     TriangleSource, trace_alone, trace_packet, traverse_with,
 };
 use slimbvh_core::{LeafTriangle, NodeRef};
@@ -29,9 +30,9 @@ pub struct Coded {
 /// Inner nodes.
 #[derive(Clone, Debug)]
 pub enum CodedNodes {
-    Printed {
-        root: PrintedBox,
-        nodes: Vec<PrintedNode>,
+    Paper10 {
+        root: Paper10Box,
+        nodes: Vec<Paper10Node>,
     },
     Lattice {
         bits: LatticeBits,
@@ -47,14 +48,14 @@ pub enum CodedNodes {
 pub enum CodedTriangles {
     /// In full, where the hierarchy has them.
     F32,
-    Leaf10(Vec<PrintedTriangle>),
+    Leaf10(Vec<Paper10Triangle>),
     Lattice(Vec<u32>),
 }
 
 impl CodedNodes {
     pub fn count(&self) -> usize {
         match self {
-            Self::Printed { nodes, .. } => nodes.len(),
+            Self::Paper10 { nodes, .. } => nodes.len(),
             Self::Lattice { bits, words, .. } => words.len() / bits.words(),
         }
     }
@@ -62,7 +63,7 @@ impl CodedNodes {
     /// What is stored.
     pub fn stored(&self) -> &[u8] {
         match self {
-            Self::Printed { nodes, .. } => bytemuck::cast_slice(nodes),
+            Self::Paper10 { nodes, .. } => bytemuck::cast_slice(nodes),
             Self::Lattice { words, .. } => bytemuck::cast_slice(words),
         }
     }
@@ -70,7 +71,7 @@ impl CodedNodes {
     /// The root's box.
     pub fn root_words(&self) -> RootWords {
         match self {
-            Self::Printed { root, .. } => RootWords::of_printed(root),
+            Self::Paper10 { root, .. } => RootWords::of_paper10(root),
             Self::Lattice {
                 root,
                 step_exponent,
@@ -85,7 +86,7 @@ impl CodedNodes {
 
     pub fn held_bytes(&self) -> usize {
         match self {
-            Self::Printed { nodes, .. } => nodes.capacity() * size_of::<PrintedNode>(),
+            Self::Paper10 { nodes, .. } => nodes.capacity() * size_of::<Paper10Node>(),
             Self::Lattice { words, .. } => words.capacity() * size_of::<u32>(),
         }
     }
@@ -108,7 +109,7 @@ impl CodedTriangles {
     pub fn held_bytes(&self) -> usize {
         match self {
             Self::F32 => 0,
-            Self::Leaf10(triangles) => triangles.capacity() * size_of::<PrintedTriangle>(),
+            Self::Leaf10(triangles) => triangles.capacity() * size_of::<Paper10Triangle>(),
             Self::Lattice(words) => words.capacity() * size_of::<u32>(),
         }
     }
@@ -118,8 +119,8 @@ impl Coded {
     /// No nodes yet.
     pub const fn nothing() -> Self {
         Self {
-            nodes: CodedNodes::Printed {
-                root: PrintedBox::ZERO,
+            nodes: CodedNodes::Paper10 {
+                root: Paper10Box::ZERO,
                 nodes: Vec::new(),
             },
             triangles: CodedTriangles::F32,
@@ -134,10 +135,10 @@ impl Coded {
     /// Of a hierarchy whose scene has this exponent.
     pub fn codecs(&self, scene_exponent: i32) -> (NodeCodec, MeshCodec) {
         match (&self.nodes, &self.triangles) {
-            (CodedNodes::Printed { .. }, CodedTriangles::Leaf10(_)) => {
-                (NodeCodec::Printed, MeshCodec::Leaf10)
+            (CodedNodes::Paper10 { .. }, CodedTriangles::Leaf10(_)) => {
+                (NodeCodec::Paper10, MeshCodec::Leaf10)
             }
-            (CodedNodes::Printed { .. }, _) => (NodeCodec::Printed, MeshCodec::F32),
+            (CodedNodes::Paper10 { .. }, _) => (NodeCodec::Paper10, MeshCodec::F32),
             (
                 CodedNodes::Lattice {
                     bits,
@@ -159,17 +160,20 @@ impl Coded {
     /// Takes an errand to nodes and triangles. `plain` are the triangles where they are stored in full.
     pub fn walk(&self, plain: &[LeafTriangle], errand: impl Errand, stacks: &mut Stacks) {
         match (&self.nodes, &self.triangles) {
-            (CodedNodes::Printed { root, nodes }, triangles) => {
-                let nodes = PrintedNodes {
+            (CodedNodes::Paper10 { root, nodes }, triangles) => {
+                let nodes = Paper10Nodes {
                     nodes,
                     root: *root,
-                    zero: 0,
+                    opaque_zero: 0,
                 };
                 if let CodedTriangles::Leaf10(triangles) = triangles {
-                    let triangles = PrintedTriangles { triangles, zero: 0 };
-                    errand.run(&mut stacks.printed, &nodes, &triangles);
+                    let triangles = Paper10Triangles {
+                        triangles,
+                        opaque_zero: 0,
+                    };
+                    errand.run(&mut stacks.paper10, &nodes, &triangles);
                 } else {
-                    errand.run(&mut stacks.printed, &nodes, &LeafTriangles(plain));
+                    errand.run(&mut stacks.paper10, &nodes, &LeafTriangles(plain));
                 }
             }
             (CodedNodes::Lattice { bits, .. }, _) => {
@@ -182,7 +186,7 @@ impl Coded {
 /// What is to be done where nodes and triangles are, whatever they are.
 pub trait Errand {
     /// Does it.
-    fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
+    fn run<N: NodeSource, T: TriangleSource<N::Bounds>>(
         self,
         stacks: &mut PacketStacks<N::Cursor, Numbers>,
         nodes: &N,
@@ -193,12 +197,12 @@ pub trait Errand {
 /// The closest hit of one ray, or any, as its collector wants.
 pub struct Alone<'a, 'b>(
     pub &'a PreparedRay,
-    pub &'a mut Lane<ButOne<'b>, ClosestOrAny>,
+    pub &'a mut Lane<SkipAnd<'b, FacingFilter<'b>>, ClosestOrAny>,
 );
 
 impl Errand for Alone<'_, '_> {
     #[inline(always)]
-    fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
+    fn run<N: NodeSource, T: TriangleSource<N::Bounds>>(
         self,
         stacks: &mut PacketStacks<N::Cursor, Numbers>,
         nodes: &N,
@@ -216,7 +220,7 @@ pub struct Together<'a, 'b>(
 
 impl Errand for Together<'_, '_> {
     #[inline(always)]
-    fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
+    fn run<N: NodeSource, T: TriangleSource<N::Bounds>>(
         self,
         stacks: &mut PacketStacks<N::Cursor, Numbers>,
         nodes: &N,
@@ -229,13 +233,13 @@ impl Errand for Together<'_, '_> {
 /// Whatever else may be asked, at the price of a call for each node.
 pub struct Watched<'a, 'b> {
     pub ray: &'a PreparedRay,
-    pub rule: ButOne<'b>,
+    pub filter: SkipAnd<'b, FacingFilter<'b>>,
     pub collector: &'a mut dyn Collector,
 }
 
 impl Errand for Watched<'_, '_> {
     #[inline(always)]
-    fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
+    fn run<N: NodeSource, T: TriangleSource<N::Bounds>>(
         self,
         stacks: &mut PacketStacks<N::Cursor, Numbers>,
         nodes: &N,
@@ -247,7 +251,7 @@ impl Errand for Watched<'_, '_> {
             nodes,
             triangles,
             self.ray,
-            &self.rule,
+            &self.filter,
             collector,
         );
     }
@@ -286,7 +290,7 @@ fn lattice<const BITS: u32, const WORDS: usize>(
 /// Stacks for each kind of nodes.
 pub struct Stacks {
     pub plain: PacketStacks<NodeRef, Numbers>,
-    printed: PacketStacks<PrintedCursor, Numbers>,
+    paper10: PacketStacks<Paper10Cursor, Numbers>,
     lattice: PacketStacks<LatticeCursor, Numbers>,
 }
 
@@ -294,7 +298,7 @@ impl Stacks {
     /// Nothing waits.
     pub const NEW: Self = Self {
         plain: PacketStacks::EMPTY,
-        printed: PacketStacks::EMPTY,
+        paper10: PacketStacks::EMPTY,
         lattice: PacketStacks::EMPTY,
     };
 }

@@ -190,7 +190,7 @@ impl<V: TreeView> Walk<'_, V> {
             return Err(TreeError::NoParent { node: 1 });
         }
         let ([left, right], [left_box, _]) = self.view.open(0, root);
-        if left != NodeRef::leaf(0, count) || right != NodeRef::NOTHING {
+        if left != NodeRef::leaf(0, count) || right != NodeRef::EMPTY_LEAF {
             return Err(TreeError::LeafSize {
                 node: 0,
                 count: left.count(),

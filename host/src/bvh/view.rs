@@ -5,12 +5,12 @@ use crate::Bvh;
 use crate::codec::by_bits;
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use slimbvh_core::encode::{
-    LatticeFrame, LatticeTriangles, LeafWidth, PrintedBox, PrintedNode, PrintedTriangles,
-    decode_node, decode_printed_node, encode_printed_triangle, links_of,
+    LatticeBounds, LatticeTriangles, LeafWidth, Paper10Box, Paper10Node, Paper10Triangles,
+    decode_node, decode_paper10_node, encode_paper10_triangle, links_of,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
-use slimbvh_core::trace::{Place, TriangleSource};
+use slimbvh_core::trace::{LeafSlot, TriangleSource};
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef, Vec3};
 
 /// A hierarchy as it is stored. Whatever is in it, no question panics as long as nodes and places are in range.
@@ -72,12 +72,15 @@ impl Bvh {
 /// Shows what is stored in a codec. `full` are the triangles where they are stored in full.
 pub fn show_coded(coded: &Coded, full: &[LeafTriangle], visit: &mut impl Visit) {
     match (&coded.nodes, &coded.triangles) {
-        (CodedNodes::Printed { root, nodes }, triangles) => visit.visit(&PrintedView {
+        (CodedNodes::Paper10 { root, nodes }, triangles) => visit.visit(&Paper10View {
             nodes,
             root: *root,
             full,
             coded: match triangles {
-                CodedTriangles::Leaf10(triangles) => Some(PrintedTriangles { triangles, zero: 0 }),
+                CodedTriangles::Leaf10(triangles) => Some(Paper10Triangles {
+                    triangles,
+                    opaque_zero: 0,
+                }),
                 CodedTriangles::F32 | CodedTriangles::Lattice(_) => None,
             },
         }),
@@ -135,12 +138,12 @@ fn is_same(a: &LeafTriangle, b: &LeafTriangle) -> bool {
 fn coded_triangle<F: Copy>(
     source: &impl TriangleSource<F>,
     (first, number): (u32, u32),
-    frame: F,
+    bounds: F,
 ) -> LeafTriangle {
-    let place = Place {
+    let place = LeafSlot {
         first,
         number,
-        frame,
+        bounds,
     };
     let corners = source.corners(&place, [0, 1, 2]);
     let mut vertices = [0.0; 9];
@@ -204,16 +207,16 @@ impl TreeView for PlainView<'_> {
     }
 }
 
-/// Nodes of the printed codec.
-struct PrintedView<'a> {
-    nodes: &'a [PrintedNode],
-    root: PrintedBox,
+/// Nodes of the paper10 codec.
+struct Paper10View<'a> {
+    nodes: &'a [Paper10Node],
+    root: Paper10Box,
     full: &'a [LeafTriangle],
-    coded: Option<PrintedTriangles<'a>>,
+    coded: Option<Paper10Triangles<'a>>,
 }
 
-impl TreeView for PrintedView<'_> {
-    type Box = PrintedBox;
+impl TreeView for Paper10View<'_> {
+    type Box = Paper10Box;
 
     fn node_count(&self) -> usize {
         self.nodes.len()
@@ -224,7 +227,7 @@ impl TreeView for PrintedView<'_> {
             .map_or(self.full.len(), |coded| coded.triangles.len())
     }
 
-    fn root(&self) -> PrintedBox {
+    fn root(&self) -> Paper10Box {
         self.root
     }
 
@@ -236,11 +239,11 @@ impl TreeView for PrintedView<'_> {
         }
     }
 
-    fn open(&self, node: u32, bounds: &PrintedBox) -> ([NodeRef; 2], [PrintedBox; 2]) {
+    fn open(&self, node: u32, bounds: &Paper10Box) -> ([NodeRef; 2], [Paper10Box; 2]) {
         let node = &self.nodes[node as usize];
         (
             [node.left, node.right],
-            decode_printed_node(node, bounds, 0),
+            decode_paper10_node(node, bounds, 0),
         )
     }
 
@@ -248,30 +251,30 @@ impl TreeView for PrintedView<'_> {
         None
     }
 
-    fn aabb(&self, bounds: &PrintedBox) -> Aabb {
+    fn aabb(&self, bounds: &Paper10Box) -> Aabb {
         Aabb {
             min: Vec3::from_array(bounds.min),
             max: Vec3::from_array(bounds.max),
         }
     }
 
-    fn stride(&self, _: &PrintedBox) -> u32 {
+    fn stride(&self, _: &Paper10Box) -> u32 {
         1
     }
 
-    fn triangle(&self, place: (u32, u32), bounds: &PrintedBox) -> LeafTriangle {
+    fn triangle(&self, place: (u32, u32), bounds: &Paper10Box) -> LeafTriangle {
         match &self.coded {
             Some(coded) => coded_triangle(coded, place, *bounds),
             None => full_triangle(self.full, place),
         }
     }
 
-    fn stores(&self, place: (u32, u32), bounds: &PrintedBox, triangle: &LeafTriangle) -> bool {
+    fn stores(&self, place: (u32, u32), bounds: &Paper10Box, triangle: &LeafTriangle) -> bool {
         match &self.coded {
             // Its vertices moved, always in the same way.
             Some(coded) => {
                 let stored = coded.triangles.get((place.0 + place.1) as usize);
-                stored == Some(&encode_printed_triangle(triangle, bounds, 0))
+                stored == Some(&encode_paper10_triangle(triangle, bounds, 0))
             }
             None => is_same(&full_triangle(self.full, place), triangle),
         }
@@ -345,7 +348,7 @@ impl<const BITS: u32, const WORDS: usize> TreeView for LatticeView<'_, BITS, WOR
     fn triangle(&self, place: (u32, u32), bounds: &LatticeBox) -> LeafTriangle {
         match &self.coded {
             Some(coded) => {
-                let frame = LatticeFrame::new(bounds, self.step, [0, 1, 2]);
+                let frame = LatticeBounds::new(bounds, self.step, [0, 1, 2]);
                 coded_triangle(coded, place, frame)
             }
             None => full_triangle(self.full, place),

@@ -12,12 +12,12 @@ use slimbvh::{
 
 #[derive(Debug, Args)]
 pub struct StorageArguments {
-    /// How inner nodes are stored: in full, as printed in the literature (10 bits a plane), or in 4 to 21 bits on a lattice.
+    /// How inner nodes are stored: in full, as in the paper on compressed hierarchies (10 bits a plane), or in 4 to 21 bits on a lattice.
     /// The picture stays the same
     #[arg(long, value_enum, default_value_t = Nodes::Auto)]
     nodes: Nodes,
 
-    /// How triangles are stored: in full, in 10 bits in their leaf's box as printed in the literature (surfaces crack), or on
+    /// How triangles are stored: in full, in 10 bits in their leaf's box as in the paper on compressed hierarchies (surfaces crack), or on
     /// a lattice. Without it in full, or on a lattice where there is a --tolerance
     #[arg(long, value_enum)]
     mesh: Option<MeshKind>,
@@ -35,7 +35,7 @@ enum Nodes {
     /// 64 bytes
     F32,
     /// 24 bytes
-    Printed,
+    Paper10,
     /// 12 bytes
     Q4,
     /// 16 bytes
@@ -56,7 +56,7 @@ enum Nodes {
 enum MeshKind {
     /// 40 bytes a triangle
     F32,
-    /// 16 bytes a triangle; goes with printed nodes
+    /// 16 bytes a triangle; goes with paper10 nodes
     Leaf10,
     /// 16, 28 or 40 bytes a triangle, as each leaf needs; goes with nodes on a lattice
     Lattice,
@@ -129,12 +129,12 @@ impl StorageArguments {
         let nodes = match (self.nodes.codec(), kind) {
             (Some(codec), _) => codec,
             (None, MeshKind::F32) => NodeCodec::F32,
-            (None, MeshKind::Leaf10) => NodeCodec::Printed,
+            (None, MeshKind::Leaf10) => NodeCodec::Paper10,
             (None, MeshKind::Lattice) => NodeCodec::Lattice(LatticeBits::Q10),
         };
         match kind {
-            MeshKind::Leaf10 if nodes != NodeCodec::Printed => {
-                bail!("--mesh leaf10 goes with --nodes printed")
+            MeshKind::Leaf10 if nodes != NodeCodec::Paper10 => {
+                bail!("--mesh leaf10 goes with --nodes paper10")
             }
             MeshKind::Lattice if !matches!(nodes, NodeCodec::Lattice(_)) => {
                 bail!("--mesh lattice goes with --nodes q4 to q21")
@@ -250,7 +250,7 @@ pub fn mesh_bytes(mesh: &Mesh) -> usize {
 pub fn names((nodes, mesh): (NodeCodec, MeshCodec)) -> [&'static str; 2] {
     let nodes = match nodes {
         NodeCodec::F32 => "f32",
-        NodeCodec::Printed => "printed",
+        NodeCodec::Paper10 => "paper10",
         NodeCodec::Lattice(LatticeBits::Q4) => "q4",
         NodeCodec::Lattice(LatticeBits::Q6) => "q6",
         NodeCodec::Lattice(LatticeBits::Q8) => "q8",
@@ -282,7 +282,7 @@ impl Nodes {
         let bits = match self {
             Self::Auto => return None,
             Self::F32 => return Some(NodeCodec::F32),
-            Self::Printed => return Some(NodeCodec::Printed),
+            Self::Paper10 => return Some(NodeCodec::Paper10),
             Self::Q4 => LatticeBits::Q4,
             Self::Q6 => LatticeBits::Q6,
             Self::Q8 => LatticeBits::Q8,

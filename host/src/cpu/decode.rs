@@ -35,13 +35,13 @@ impl Decoder {
             let triangles = places.map(|place| view.triangle(place, bounds));
             self.triangles.extend(triangles);
             return match node.count() {
-                0 => NodeRef::NOTHING,
+                0 => NodeRef::EMPTY_LEAF,
                 count => NodeRef::leaf(first, count),
             };
         }
         let index = node.index() as usize;
         if index >= self.nodes.len() {
-            return NodeRef::NOTHING;
+            return NodeRef::EMPTY_LEAF;
         }
         let (children, boxes) = view.open(node.index(), bounds);
         let left = self.open(view, children[0], &boxes[0]);

@@ -5,19 +5,19 @@
 
 mod lattice;
 mod lattice_mesh;
-mod printed;
+mod paper10;
 mod tree;
 
 use self::lattice::encode_lattice;
 use self::lattice_mesh::encode_lattice_mesh;
-use self::printed::encode_printed;
+use self::paper10::encode_paper10;
 use self::tree::Tree;
 use super::topology::Connections;
 use crate::Bvh;
 use crate::codec::{MeshCodec, NodeCodec};
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use slimbvh_core::LeafTriangle;
-use slimbvh_core::encode::{LeafWidth, PrintedTriangle, scaled_step};
+use slimbvh_core::encode::{LeafWidth, Paper10Triangle, scaled_step};
 use slimbvh_core::refit::PyramidBox;
 
 /// Codes hierarchies, and keeps what was plain of them for the next.
@@ -66,9 +66,9 @@ impl Encoder {
         coded.triangle_count = leaves.len();
         match (nodes, mesh) {
             (NodeCodec::F32, _) => return,
-            (NodeCodec::Printed, _) => {
+            (NodeCodec::Paper10, _) => {
                 let mut nodes = match coded.nodes {
-                    CodedNodes::Printed { nodes, .. } => nodes,
+                    CodedNodes::Paper10 { nodes, .. } => nodes,
                     CodedNodes::Lattice { .. } => Vec::new(),
                 };
                 let mut triangles = match coded.triangles {
@@ -77,9 +77,9 @@ impl Encoder {
                 };
                 let is_leaf_10 = mesh == MeshCodec::Leaf10;
                 let count = if is_leaf_10 { leaves.len() } else { 0 };
-                triangles.resize(count, PrintedTriangle::default());
-                let root = encode_printed(&tree, &mut nodes, &mut triangles);
-                coded.nodes = CodedNodes::Printed { root, nodes };
+                triangles.resize(count, Paper10Triangle::default());
+                let root = encode_paper10(&tree, &mut nodes, &mut triangles);
+                coded.nodes = CodedNodes::Paper10 { root, nodes };
                 coded.triangles = match mesh {
                     MeshCodec::Leaf10 => CodedTriangles::Leaf10(triangles),
                     MeshCodec::F32 | MeshCodec::Lattice { .. } => CodedTriangles::F32,

@@ -5,36 +5,13 @@ use crate::bvh::facing;
 use crate::coded::{Together, with_stacks};
 use crate::cpu::lanes::{LANES, Numbers};
 use rayon::prelude::*;
-use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
-use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Rule, trace_packet};
-
-/// Which triangles count for a ray: those that count for all, but one.
-#[derive(Clone, Copy, Debug)]
-pub struct ButOne<'a> {
-    all: &'a Facing<'a>,
-    one: Except,
-}
-
-impl<'a> ButOne<'a> {
-    pub fn new(all: &'a Facing<'a>, skip: u32) -> Self {
-        Self {
-            all,
-            one: Except(skip),
-        }
-    }
-}
-
-impl Rule for ButOne<'_> {
-    #[inline(always)]
-    fn counts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool {
-        self.one.counts(primitive, corners, axes) && self.all.counts(primitive, corners, axes)
-    }
-}
+use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Skip, SkipAnd, trace_packet};
 
 /// Rays, and what they ask.
-pub type AskedPacket<'a> = [Lane<ButOne<'a>, ClosestOrAny>; LANES];
+pub type AskedPacket<'a> = [Lane<SkipAnd<'a, FacingFilter<'a>>, ClosestOrAny>; LANES];
 
 /// Rays that a task takes at once.
 const BLOCK: usize = 512;
@@ -106,21 +83,21 @@ impl Bvh {
         rays: impl Iterator<Item = (usize, Ray, u32)>,
         mut answer: impl FnMut(usize, Hit),
     ) {
-        let rule = facing(all.target);
+        let filter = facing(all.target);
         let nothing = Lane {
-            rule: ButOne::new(&rule, NO_PRIMITIVE),
+            filter: SkipAnd::new(&filter, NO_PRIMITIVE),
             collector: ClosestOrAny::any(0.0),
         };
         let mut packet = [nothing; LANES];
         let mut numbers = [0; LANES];
-        let mut prepared = PreparedRays::NOTHING;
+        let mut prepared = PreparedRays::EMPTY;
         let mut rays = rays.peekable();
         while rays.peek().is_some() {
-            let mut asked = [Ray::NOTHING; LANES];
+            let mut asked = [Ray::EMPTY; LANES];
             let mut count = 0;
             for (i, (number, ray, skip)) in rays.by_ref().take(LANES).enumerate() {
                 asked[i] = ray;
-                packet[i].rule.one = Except(skip);
+                packet[i].filter.skip = Skip(skip);
                 numbers[i] = number;
                 count += 1;
             }
@@ -185,7 +162,7 @@ mod tests {
                 Ray::new(from, [0, 1, 2].map(|axis| to[axis] - from[axis]))
             };
             let rays: Vec<Ray> = offsets.iter().enumerate().map(ray).collect();
-            for nodes in [NodeCodec::F32, NodeCodec::Printed, NodeCodec::Lattice(LatticeBits::Q10)] {
+            for nodes in [NodeCodec::F32, NodeCodec::Paper10, NodeCodec::Lattice(LatticeBits::Q10)] {
                 let bvh = Builder::new(BuildConfig { nodes, ..BuildConfig::default() }).build(&mesh);
                 let bvh = bvh.map_err(|error| TestCaseError::fail(error.to_string()))?;
                 let (mut hits, mut found) = (Vec::new(), Vec::new());

@@ -277,21 +277,21 @@ fn hierarchy(file: &Sections) -> Result<Bvh, FileError> {
     }
     let is_coded = matches!(
         lists,
-        Lists::Printed { is_leaf_10: true } | Lists::Lattice { is_mesh: true, .. }
+        Lists::Paper10 { is_leaf_10: true } | Lists::Lattice { is_mesh: true, .. }
     );
     if !is_coded {
         bvh.triangles = file.items(Section::Triangles)?;
     }
     if let Some(coded) = &mut bvh.coded {
         match &mut coded.nodes {
-            CodedNodes::Printed { nodes, .. } => *nodes = file.items(Section::Nodes)?,
+            CodedNodes::Paper10 { nodes, .. } => *nodes = file.items(Section::Nodes)?,
             CodedNodes::Lattice { bits, words, .. } => {
                 let item_bytes = bits.words() * size_of::<u32>();
                 *words = from_bytes(file.bytes(Section::Nodes, item_bytes)?);
             }
         }
         match lists {
-            Lists::Printed { is_leaf_10: true } => {
+            Lists::Paper10 { is_leaf_10: true } => {
                 let triangles: Vec<_> = file.items(Section::Triangles)?;
                 coded.triangle_count = triangles.len();
                 coded.triangles = CodedTriangles::Leaf10(triangles);

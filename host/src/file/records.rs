@@ -3,7 +3,7 @@
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use crate::{AreaShape, Bvh, Camera, LatticeBits, Light, Material, Projection};
 use bytemuck::{Pod, Zeroable};
-use slimbvh_core::encode::PrintedBox;
+use slimbvh_core::encode::Paper10Box;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::{Aabb, Vec3};
 
@@ -281,7 +281,7 @@ const _: () = assert!(size_of::<SceneRecord>() == 64);
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub struct HierarchyRecord {
-    /// Bytes 0–3: 0 in full, 1 printed, 2 on the lattice.
+    /// Bytes 0–3: 0 in full, 1 paper10, 2 on the lattice.
     nodes: u32,
     /// Bytes 4–7: of a plane on the lattice, else 0.
     bits: u32,
@@ -299,7 +299,7 @@ pub struct HierarchyRecord {
     step_exponent: i32,
     /// Bytes 32–63: the mesh's.
     bounds: BoxRecord,
-    /// Bytes 64–75: floats where nodes are printed, whole numbers on the lattice, else 0.
+    /// Bytes 64–75: floats where nodes are of paper10, whole numbers on the lattice, else 0.
     root_min: [u32; 3],
     /// Bytes 76–79: zero.
     zero_1: u32,
@@ -318,8 +318,8 @@ const _: () = assert!(size_of::<HierarchyRecord>() == 128);
 pub enum Lists {
     /// Plain nodes, whole triangles.
     Plain,
-    /// Printed nodes; whether triangles are in 10 bits.
-    Printed { is_leaf_10: bool },
+    /// Nodes of the paper10 codec; whether triangles are in 10 bits.
+    Paper10 { is_leaf_10: bool },
     /// Nodes on the lattice; whether triangles are too.
     Lattice { bits: LatticeBits, is_mesh: bool },
 }
@@ -343,7 +343,7 @@ impl From<&Bvh> for HierarchyRecord {
             CodedTriangles::Lattice(_) => 2,
         };
         match &coded.nodes {
-            CodedNodes::Printed { root, .. } => Self {
+            CodedNodes::Paper10 { root, .. } => Self {
                 nodes: 1,
                 triangles,
                 root_min: root.min.map(f32::to_bits),
@@ -373,7 +373,7 @@ impl HierarchyRecord {
     pub fn lists(&self) -> Option<Lists> {
         match (self.nodes, self.triangles) {
             (0, 0) => Some(Lists::Plain),
-            (1, triangles @ (0 | 1)) => Some(Lists::Printed {
+            (1, triangles @ (0 | 1)) => Some(Lists::Paper10 {
                 is_leaf_10: triangles == 1,
             }),
             (2, triangles @ (0 | 2)) => {
@@ -390,8 +390,8 @@ impl HierarchyRecord {
     pub fn empty(&self, lists: Lists) -> Bvh {
         let nodes = match lists {
             Lists::Plain => None,
-            Lists::Printed { .. } => Some(CodedNodes::Printed {
-                root: PrintedBox {
+            Lists::Paper10 { .. } => Some(CodedNodes::Paper10 {
+                root: Paper10Box {
                     min: self.root_min.map(f32::from_bits),
                     max: self.root_max.map(f32::from_bits),
                 },

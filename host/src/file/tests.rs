@@ -21,8 +21,8 @@ fn configs() -> Vec<BuildConfig> {
     let on_lattice = MeshCodec::Lattice { step_exponent: -12 };
     let mut codecs = vec![
         (NodeCodec::F32, MeshCodec::F32),
-        (NodeCodec::Printed, MeshCodec::F32),
-        (NodeCodec::Printed, MeshCodec::Leaf10),
+        (NodeCodec::Paper10, MeshCodec::F32),
+        (NodeCodec::Paper10, MeshCodec::Leaf10),
     ];
     for bits in lattice.map(NodeCodec::Lattice) {
         codecs.extend([(bits, MeshCodec::F32), (bits, on_lattice)]);
@@ -163,7 +163,7 @@ fn use_it(saved: &mut Saved, is_thorough: bool) {
     let decoded = bvh.decoded();
     assert_eq!(decoded.validate(), Ok(()));
     if bvh.triangle_count() == bvh.mesh_triangle_count() {
-        for nodes in [NodeCodec::Printed, NodeCodec::Lattice(LatticeBits::Q10)] {
+        for nodes in [NodeCodec::Paper10, NodeCodec::Lattice(LatticeBits::Q10)] {
             let config = BuildConfig {
                 nodes,
                 ..BuildConfig::default()

@@ -12,7 +12,7 @@ use super::records::{
 use crate::coded::{CodedNodes, CodedTriangles};
 use crate::{Aabb, Bvh, Scene};
 use bytemuck::Pod;
-use slimbvh_core::encode::{PrintedNode, PrintedTriangle};
+use slimbvh_core::encode::{Paper10Node, Paper10Triangle};
 use slimbvh_core::{LeafTriangle, Node};
 use std::borrow::Cow;
 use std::io::Write;
@@ -99,7 +99,7 @@ fn nodes(bvh: &Bvh) -> List<'_> {
     let section = Section::Nodes;
     match bvh.coded.as_ref().map(|coded| &coded.nodes) {
         None => List::of::<Node>(section, &bvh.nodes),
-        Some(CodedNodes::Printed { nodes, .. }) => List::of::<PrintedNode>(section, nodes),
+        Some(CodedNodes::Paper10 { nodes, .. }) => List::of::<Paper10Node>(section, nodes),
         Some(CodedNodes::Lattice { bits, words, .. }) => List {
             item_bytes: bits.words() * size_of::<u32>(),
             ..List::of::<u32>(section, words)
@@ -111,7 +111,7 @@ fn triangles(bvh: &Bvh) -> List<'_> {
     let section = Section::Triangles;
     match bvh.coded.as_ref().map(|coded| &coded.triangles) {
         None | Some(CodedTriangles::F32) => List::of::<LeafTriangle>(section, &bvh.triangles),
-        Some(CodedTriangles::Leaf10(triangles)) => List::of::<PrintedTriangle>(section, triangles),
+        Some(CodedTriangles::Leaf10(triangles)) => List::of::<Paper10Triangle>(section, triangles),
         Some(CodedTriangles::Lattice(words)) => List::of::<u32>(section, words),
     }
 }

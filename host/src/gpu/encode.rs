@@ -56,20 +56,20 @@ impl Encoder {
         recorder.stage("encode");
         let total = Uniform::Stored(&bvh.total);
         // What no compiler knows.
-        let zero = Uniform::Params([0; 4]);
+        let opaque_zero = Uniform::Params([0; 4]);
         let (plain, leaves) = (&bvh.nodes, &bvh.triangles);
         let (nodes, root) = (&coded.nodes, &coded.root);
         let [sizes_kernel, links_kernel] = match coded.coding {
-            Coding::PrintedF32 => {
-                let kernel = Kernel::encode_printed_f32;
+            Coding::Paper10F32 => {
+                let kernel = Kernel::encode_paper10_f32;
                 let to = &[nodes, root];
-                return recorder.dispatch(kernel, &[total, zero], &[plain], to, each_node());
+                return recorder.dispatch(kernel, &[total, opaque_zero], &[plain], to, each_node());
             }
-            Coding::PrintedLeaf10 => {
-                let kernel = Kernel::encode_printed_leaf10;
+            Coding::Paper10Leaf10 => {
+                let kernel = Kernel::encode_paper10_leaf10;
                 let to = &[nodes, &coded.triangles, root];
                 let from = &[plain, leaves];
-                return recorder.dispatch(kernel, &[total, zero], from, to, each_node());
+                return recorder.dispatch(kernel, &[total, opaque_zero], from, to, each_node());
             }
             Coding::Q10F32 | Coding::Q21F32 => {
                 let kernel = if coded.coding == Coding::Q10F32 {

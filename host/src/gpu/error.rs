@@ -79,7 +79,7 @@ pub enum GpuError {
     },
     /// The GPU has no kernels for nodes of so many bits.
     #[error(
-        "nodes of {bits} bits are stored on the CPU only; the GPU has f32, printed, q10 and q21"
+        "nodes of {bits} bits are stored on the CPU only; the GPU has f32, paper10, q10 and q21"
     )]
     Codec {
         /// How many.

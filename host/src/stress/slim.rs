@@ -11,7 +11,7 @@ use crate::reduce::{Seams, survey};
 use crate::topology;
 use crate::{Builder, Bvh, Mesh, Ray, Subset};
 use rayon::prelude::*;
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::float::scale_by_power_of_two;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
@@ -114,7 +114,7 @@ impl Facing {
 
     fn subset(&self) -> Subset<'_> {
         let of = |target| {
-            Subset::Of(Reach {
+            Subset::Of(VisibleSet {
                 sides: Sides {
                     components: &self.components,
                     sides: &self.sides,

@@ -5,9 +5,8 @@ use crate::coded::{CodedNodes, CodedTriangles};
 use crate::generate::icosphere;
 use crate::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec};
 use glam::Vec3;
-use slimbvh_core::classify::Except;
 use slimbvh_core::encode::{Links, links_of, with_links};
-use slimbvh_core::trace::{BruteForce, LeafTriangles, closest_hit};
+use slimbvh_core::trace::{BruteForce, LeafTriangles, Skip, closest_hit};
 use slimbvh_core::{Hit, Node, Ray};
 
 const STEP: i32 = -12;
@@ -257,8 +256,8 @@ fn faults_of_boxes_are_found() {
 /// All trees in codecs that there are.
 fn coded() -> Vec<Bvh> {
     let mut all = vec![
-        built(NodeCodec::Printed, MeshCodec::F32),
-        built(NodeCodec::Printed, MeshCodec::Leaf10),
+        built(NodeCodec::Paper10, MeshCodec::F32),
+        built(NodeCodec::Paper10, MeshCodec::Leaf10),
     ];
     let on_lattice = MeshCodec::Lattice {
         step_exponent: STEP,
@@ -290,7 +289,7 @@ fn each_bit_of_coded_trees_is_looked_at() {
         let triangles = LeafTriangles(&triangles);
         let all = rays.iter().map(|ray| {
             let exponent = bvh.scene_exponent;
-            closest_hit(&nodes, &triangles, ray, exponent, &Except::NOTHING)
+            closest_hit(&nodes, &triangles, ray, exponent, &Skip::NONE)
         });
         all.collect()
     };
@@ -327,7 +326,7 @@ fn words(bvh: &Bvh) -> (usize, usize) {
 fn flip(bvh: &mut Bvh, is_node: bool, bit: usize) {
     let coded = bvh.coded.as_mut().expect("it is coded");
     let words: &mut [u32] = match (is_node, &mut coded.nodes, &mut coded.triangles) {
-        (true, CodedNodes::Printed { nodes, .. }, _) => bytemuck::cast_slice_mut(nodes),
+        (true, CodedNodes::Paper10 { nodes, .. }, _) => bytemuck::cast_slice_mut(nodes),
         (true, CodedNodes::Lattice { words, .. }, _) => words,
         (false, _, CodedTriangles::Leaf10(triangles)) => bytemuck::cast_slice_mut(triangles),
         (false, _, CodedTriangles::Lattice(words)) => words,

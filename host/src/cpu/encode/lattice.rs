@@ -5,7 +5,7 @@ use super::tree::{Part, TASK, Tree, both};
 use crate::codec::{LatticeBits, by_bits};
 use crate::coded::CodedNodes;
 use slimbvh_core::encode::{
-    BoxCodec, EncodedNode, FINEST_STEP, LatticeCodec, LeafCorner, Links, PrintedBox, RoundedNode,
+    BoxCodec, EncodedNode, FINEST_STEP, LatticeCodec, LeafCorner, Links, Paper10Box, RoundedNode,
     encode_narrow_triangle, encode_triangle, with_links,
 };
 use slimbvh_core::float::power_of_two;
@@ -53,14 +53,14 @@ pub(super) fn lattice_words<'a>(
     let root = LatticeCodec::<10, 4>.root(&root);
     let old = std::mem::replace(
         to,
-        CodedNodes::Printed {
-            root: PrintedBox::ZERO,
+        CodedNodes::Paper10 {
+            root: Paper10Box::ZERO,
             nodes: Vec::new(),
         },
     );
     let mut words = match old {
         CodedNodes::Lattice { words, .. } => words,
-        CodedNodes::Printed { .. } => Vec::new(),
+        CodedNodes::Paper10 { .. } => Vec::new(),
     };
     words.resize(tree.nodes.len() * bits.words(), 0);
     *to = CodedNodes::Lattice {
@@ -71,7 +71,7 @@ pub(super) fn lattice_words<'a>(
     };
     match to {
         CodedNodes::Lattice { words, .. } => (root, words),
-        CodedNodes::Printed { .. } => (root, &mut []),
+        CodedNodes::Paper10 { .. } => (root, &mut []),
     }
 }
 

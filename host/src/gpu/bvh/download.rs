@@ -91,11 +91,11 @@ impl Bvh {
         let word_count = first(words.read(gpu)?);
         let nodes = coded_nodes(gpu, coded.coding, (nodes, node_count), &root)?;
         let triangles = match coded.coding {
-            Coding::PrintedF32 | Coding::Q10F32 | Coding::Q21F32 => {
+            Coding::Paper10F32 | Coding::Q10F32 | Coding::Q21F32 => {
                 bvh.triangles = take(gpu, triangles, triangle_count)?;
                 CodedTriangles::F32
             }
-            Coding::PrintedLeaf10 => CodedTriangles::Leaf10(take(gpu, triangles, triangle_count)?),
+            Coding::Paper10Leaf10 => CodedTriangles::Leaf10(take(gpu, triangles, triangle_count)?),
             Coding::Q10Lattice | Coding::Q21Lattice => {
                 CodedTriangles::Lattice(take(gpu, triangles, word_count)?)
             }
@@ -116,9 +116,9 @@ fn coded_nodes(
     root: &RootWords,
 ) -> Result<CodedNodes, GpuError> {
     let bits = match coding {
-        Coding::PrintedF32 | Coding::PrintedLeaf10 => {
-            return Ok(CodedNodes::Printed {
-                root: root.printed(),
+        Coding::Paper10F32 | Coding::Paper10Leaf10 => {
+            return Ok(CodedNodes::Paper10 {
+                root: root.paper10(),
                 nodes: take(gpu, nodes, count)?,
             });
         }

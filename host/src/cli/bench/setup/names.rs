@@ -102,7 +102,7 @@ mod tests {
         let names: Vec<String> = names.iter().map(|(_, setup)| setup.name(&usual)).collect();
         assert_eq!(names[0], "default");
         assert_eq!(names[1], "reduce off");
-        assert!(names.contains(&"nodes printed, mesh leaf10".into()));
+        assert!(names.contains(&"nodes paper10, mesh leaf10".into()));
         assert!(names.contains(&"nodes q10, mesh lattice 0.5px".into()));
         assert!(names.contains(&"1 thread".into()));
     }

@@ -70,7 +70,7 @@ impl Method {
     fn nodes(self) -> NodeCodec {
         match self {
             Self::Plain => NodeCodec::F32,
-            Self::Node | Self::NodeMesh => NodeCodec::Printed,
+            Self::Node | Self::NodeMesh => NodeCodec::Paper10,
             Self::Lattice(bits) => NodeCodec::Lattice(bits),
             Self::LatticeMesh(_) => NodeCodec::Lattice(LatticeBits::Q10),
         }
