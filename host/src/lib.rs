@@ -1,4 +1,4 @@
-#![doc = include_str!("../../README.md")]
+#![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 
 pub mod analysis;
@@ -13,18 +13,14 @@ pub mod file;
 pub mod generate;
 #[cfg(feature = "gpu")]
 pub mod gpu;
-mod mesh;
-#[cfg(feature = "cli")]
+#[cfg(feature = "lab")]
 #[doc(hidden)]
-pub mod options;
-#[cfg(feature = "stress")]
-pub mod oracle;
+pub mod internals;
+mod mesh;
 mod picture;
 pub mod reduce;
 pub mod scene;
 mod stages;
-#[cfg(feature = "stress")]
-pub mod stress;
 mod text;
 mod tolerance;
 pub mod topology;
@@ -42,3 +38,8 @@ pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
+
+/// The examples of the repository's README.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -1,9 +1,13 @@
 //! Vectors of doubles: no `f32` mesh is too small or too large for them.
 
+/// The dot product.
+#[must_use]
 pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// The cross product.
+#[must_use]
 pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],

@@ -4,7 +4,7 @@
 use proptest::array::uniform3;
 use proptest::prelude::*;
 
-pub use slimbvh::stress::{Aim, Face, Range, RayRecipe, Start};
+pub use slimbvh_lab::stress::{Aim, Face, Range, RayRecipe, Start};
 
 /// Any ray that is one.
 pub fn any_ray() -> impl Strategy<Value = RayRecipe> {

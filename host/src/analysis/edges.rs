@@ -5,7 +5,7 @@ use super::buckets::Buckets;
 /// One side of one triangle, along an edge: `larger vertex (32 bits) | triangle (31) | forward (1)`. Forward leads from
 /// the smaller vertex to the larger.
 #[derive(Clone, Copy)]
-pub(crate) struct Side(u64);
+pub struct Side(u64);
 
 impl Side {
     fn new(larger: u32, triangle: u32, forward: bool) -> Self {
@@ -16,17 +16,22 @@ impl Side {
         (self.0 >> 32) as u32
     }
 
-    pub(crate) fn triangle(self) -> u32 {
+    /// The triangle that it is a side of.
+    #[must_use]
+    pub fn triangle(self) -> u32 {
         self.0 as u32 >> 1
     }
 
-    pub(crate) fn is_forward(self) -> bool {
+    /// Whether it leads from the smaller vertex to the larger.
+    #[must_use]
+    pub fn is_forward(self) -> bool {
         self.0 & 1 == 1
     }
 
     /// The corners of its triangle that the side leads between, smaller vertex first. `triangle` is the one that the
     /// side was made from.
-    pub(crate) fn corners(self, triangle: [u32; 3]) -> [usize; 2] {
+    #[must_use]
+    pub fn corners(self, triangle: [u32; 3]) -> [usize; 2] {
         let leads_here = |&corner: &usize| {
             let (from, to) = (triangle[corner], triangle[(corner + 1) % 3]);
             let (smaller, larger) = if self.is_forward() {
@@ -47,11 +52,12 @@ impl Side {
 }
 
 /// The sides of all triangles, in buckets by the smaller vertex.
-pub(crate) struct Edges(Buckets);
+pub struct Edges(Buckets);
 
 impl Edges {
     /// The edges of triangles over welded vertices, each below `vertex_count`.
-    pub(crate) fn new(triangles: &[[u32; 3]], vertex_count: usize) -> Self {
+    #[must_use]
+    pub fn new(triangles: &[[u32; 3]], vertex_count: usize) -> Self {
         let sides = (0_u32..).zip(triangles).flat_map(|(number, &[a, b, c])| {
             [(a, b), (b, c), (c, a)]
                 .into_iter()
@@ -66,7 +72,7 @@ impl Edges {
     }
 
     /// Shows the sides along each undirected edge, ordered by triangle.
-    pub(crate) fn for_each(&self, mut visit: impl FnMut(&[Side])) {
+    pub fn for_each(&self, mut visit: impl FnMut(&[Side])) {
         let mut sides = Vec::new();
         for (_, bucket) in self.0.iter() {
             for run in bucket.chunk_by(|&a, &b| Side(a).larger_vertex() == Side(b).larger_vertex())
@@ -80,7 +86,8 @@ impl Edges {
 }
 
 /// How much oftener these sides pass their edge in one direction than in the other.
-pub(crate) fn excess(sides: &[Side]) -> usize {
+#[must_use]
+pub fn excess(sides: &[Side]) -> usize {
     let forward = sides.iter().filter(|side| side.is_forward()).count();
     forward.abs_diff(sides.len() - forward)
 }

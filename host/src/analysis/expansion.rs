@@ -48,7 +48,7 @@ pub(super) fn sign(x: f64) -> i32 {
 }
 
 /// `a + b` rounded, and what the rounding left out (Knuth).
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_share = sum - a;
     let a_share = sum - b_share;
@@ -56,7 +56,7 @@ pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// `a * b` rounded, and what the rounding left out.
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     (product, a.mul_add(b, -product))
 }

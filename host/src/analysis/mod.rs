@@ -3,13 +3,13 @@
 mod buckets;
 mod collinear;
 mod components;
-mod edges;
+pub(crate) mod edges;
 mod expansion;
 mod labels;
 mod predicates;
 mod union_find;
 mod volume;
-mod weld;
+pub(crate) mod weld;
 
 #[cfg(test)]
 mod tests;
@@ -21,8 +21,6 @@ use slimbvh_core::Aabb;
 pub(crate) use buckets::Buckets;
 pub(crate) use collinear::are_collinear;
 pub(crate) use edges::{Edges, Side, excess};
-#[cfg(feature = "stress")]
-pub(crate) use expansion::{two_product, two_sum};
 pub(crate) use labels::{Labels, NONE};
 pub(crate) use predicates::{area_sign, volume_sign};
 pub(crate) use union_find::UnionFind;

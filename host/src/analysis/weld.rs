@@ -2,7 +2,8 @@
 
 /// A number for each vertex, the same for equal positions and for them alone, below the number of vertices. Numbers
 /// follow the first vertex of each position. -0 equals +0; a NaN equals a NaN of the same bits.
-pub(crate) fn weld(vertices: &[[f32; 3]]) -> Vec<u32> {
+#[must_use]
+pub fn weld(vertices: &[[f32; 3]]) -> Vec<u32> {
     // Sort positions with the vertex behind: x (32 bits) | y (32) | z (32) | vertex (32).
     let mut keys: Vec<u128> = (0_u32..)
         .zip(vertices)

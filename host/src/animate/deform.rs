@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 /// Both are one-to-one and keep the sides of surfaces apart, so solids stay solid and face out. Vertices are moved and
 /// the triangles between them stay flat: a triangle larger than the scene's objects does not bend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Deform {
     /// Heights swell and shrink by an eighth as a wave passes through the scene.
     Wave,

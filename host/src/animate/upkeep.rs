@@ -14,7 +14,7 @@ pub const MOST_REFITS: u32 = 7;
 
 /// How a tree keeps up with its scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Update {
     /// Rebuild in every frame.
     Rebuild,

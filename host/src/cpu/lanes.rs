@@ -6,7 +6,7 @@ use slimbvh_core::lanes::{Lanes, Wide};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use wide::f32x8;
 
-/// Rays in a packet. Measured against 16: ARCHITECTURE.md.
+/// Rays in a packet. Measured against 16: docs/measured.md.
 pub const LANES: usize = 8;
 
 /// Eight numbers. The smaller and the larger of two are the second where they are equal, so that of two zeros it is the same

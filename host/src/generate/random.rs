@@ -4,34 +4,35 @@ use glam::Vec3;
 use std::f32::consts::TAU;
 
 /// SplitMix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", 2014).
-pub(crate) struct Random {
+pub struct Random {
     state: u64,
 }
 
 impl Random {
     /// The sequence of a seed.
-    pub(crate) fn new(seed: u64) -> Self {
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
     /// 64 even bits.
-    pub(crate) fn bits(&mut self) -> u64 {
+    pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         mix(self.state)
     }
 
     /// A number from 0 up to, but not including, 1, in steps of 2^-24.
-    pub(crate) fn unit(&mut self) -> f32 {
+    pub fn unit(&mut self) -> f32 {
         (self.bits() >> 40) as f32 / (1 << 24) as f32
     }
 
     /// A point in the unit cube.
-    pub(crate) fn point(&mut self) -> Vec3 {
+    pub fn point(&mut self) -> Vec3 {
         Vec3::new(self.unit(), self.unit(), self.unit())
     }
 
     /// A unit vector, evenly over the sphere.
-    pub(crate) fn direction(&mut self) -> Vec3 {
+    pub fn direction(&mut self) -> Vec3 {
         let y = 1.0 - 2.0 * self.unit();
         let (sin, cos) = (TAU * self.unit()).sin_cos();
         let radius = (1.0 - y * y).sqrt();

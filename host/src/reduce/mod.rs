@@ -31,7 +31,7 @@ use crate::{RenderSettings, Scene};
 
 /// Whether triangles that face away from the eye or a light count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Cull {
     /// On closed surfaces seen from outside they do not.
     On,
@@ -41,7 +41,7 @@ pub enum Cull {
 
 /// Whether trees are built without the triangles that do not count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Reduce {
     /// Where it saves time.
     #[default]

@@ -2,7 +2,7 @@
 
 /// Work that a picture can do without.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Saving {
     /// The camera's set leaves out triangles that are certainly outside the picture.
     Frustum,

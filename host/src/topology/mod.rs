@@ -15,7 +15,7 @@ mod runs;
 mod seams;
 mod shape;
 mod sides;
-mod solid_angle;
+pub(crate) mod solid_angle;
 mod within;
 
 #[cfg(all(test, feature = "scenes"))]
@@ -28,8 +28,6 @@ use shape::{Shape, Span};
 
 pub(crate) use runs::Runs;
 pub use sides::Target;
-#[cfg(feature = "stress")]
-pub(crate) use solid_angle::SolidAngle;
 
 /// What a mesh's indices and positions say about its surfaces. Made once; [`Self::update`] follows moving vertices.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use crate::analysis::seen_from;
 /// A sum of the angles that triangles span as seen from a point: van Oosterom and Strackee 1983, "The Solid Angle of a
 /// Plane Triangle", halved, so that a closed surface spans 2π.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct SolidAngle {
+pub struct SolidAngle {
     half: f64,
     /// Bound on the error of `half`; infinite where the point may lie on a triangle.
     error: f64,
@@ -20,7 +20,7 @@ const LONGEST_PRODUCT: u32 = 16;
 
 impl SolidAngle {
     /// What triangles span as seen from a point, positive from behind.
-    pub(crate) fn of(triangles: impl Iterator<Item = [[f32; 3]; 3]>, point: [f64; 3]) -> Self {
+    pub fn of(triangles: impl Iterator<Item = [[f32; 3]; 3]>, point: [f64; 3]) -> Self {
         let mut sum = Self::default();
         let (mut product, mut factor_count) = ((1.0, 0.0), 0);
         for corners in triangles {
@@ -50,7 +50,8 @@ impl SolidAngle {
     }
 
     /// Both parts together.
-    pub(crate) fn plus(self, other: Self) -> Self {
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
         Self {
             half: self.half + other.half,
             error: self.error + other.error,
@@ -59,7 +60,8 @@ impl SolidAngle {
 
     /// How often the surface winds around the point: 0 outside, 1 in a solid whose front sides face out. `None` where that
     /// is not certain, and for open surfaces.
-    pub(crate) fn winding_number(&self) -> Option<i32> {
+    #[must_use]
+    pub fn winding_number(&self) -> Option<i32> {
         const TOLERANCE: f64 = 0.01;
         let turns = self.half / std::f64::consts::TAU;
         let whole = turns.round();

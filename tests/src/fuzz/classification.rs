@@ -4,12 +4,12 @@
 use super::input::{any, below_one};
 use arbitrary::Arbitrary;
 use glam::Vec3;
-use slimbvh::oracle::ExactSum;
 use slimbvh_core::classify::{Sides, VisibleSet, faces, is_in_set, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::{IndexedTriangles, Triangle};
+use slimbvh_lab::oracle::ExactSum;
 
 /// Targets are at most two to this power away, in a scene of magnitude 1: products of a tiny edge with so long a way lose no
 /// more to underflow than the bound allows for.

@@ -1,11 +1,11 @@
 //! Any text as the value of any option: it is refused in one sentence, or is what the option promises, and a camera and a light
 //! that are taken make a picture or are refused.
 
-use slimbvh::options::{CameraOption, light, share, size, tolerance, whole};
 use slimbvh::{
     BuildConfig, Builder, Light, Picture, RenderSettings, Renderer, Scene, Tolerance, View,
     generate,
 };
+use slimbvh_cli::options::{CameraOption, light, share, size, tolerance, whole};
 
 /// See the module. A first byte chooses the option.
 ///

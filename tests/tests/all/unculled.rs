@@ -1,8 +1,8 @@
 //! The oracle for any numbers agrees with that for whole ones.
 
 use proptest::prelude::*;
-use slimbvh::oracle::Unculled;
 use slimbvh_core::Ray;
+use slimbvh_lab::oracle::Unculled;
 use slimbvh_tests::oracle::exact::{GridRay, GridTriangle, intersect};
 
 fn triangle() -> impl Strategy<Value = GridTriangle> {

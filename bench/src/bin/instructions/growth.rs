@@ -2,12 +2,12 @@
 
 use super::child;
 use super::count;
-use super::exponent::{CELLS, exponent};
 use super::options::Options;
 use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
 use slimbvh::{Builder, CodeBits, generate};
 use slimbvh_bench::machine;
+use slimbvh_lab::measure::exponent::{CELLS, exponent};
 use std::fmt::Write;
 
 /// The first argument of a child process that generates a terrain and builds over it.

@@ -4,9 +4,6 @@
 
 mod child;
 mod count;
-// The fit of `slimbvh bench --scaling`.
-#[path = "../../../../host/src/cli/bench/exponent.rs"]
-mod exponent;
 mod growth;
 mod jobs;
 mod options;

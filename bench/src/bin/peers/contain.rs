@@ -3,7 +3,7 @@
 use crate::child::{AT_ONCE, Line, Task};
 use anyhow::{Context, Result};
 use slimbvh::Hit;
-use slimbvh::stress::Answer;
+use slimbvh_lab::stress::Answer;
 use std::io::{BufRead, BufReader, Read};
 use std::process::{Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};

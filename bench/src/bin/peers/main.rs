@@ -1,4 +1,4 @@
-//! Peers on the scenes and rays of `slimbvh stress`, judged as slimbvh is. Exit codes: 0 done, 2 usage or input.
+//! Peers on the scenes and rays of `slimbvh-lab stress`, judged as slimbvh is. Exit codes: 0 done, 2 usage or input.
 
 mod child;
 mod contain;
@@ -10,10 +10,10 @@ use anyhow::{Context, Result, anyhow};
 use options::Options;
 use peers::Peers;
 use serde::Serialize;
-use slimbvh::stress::{Row, cases, run as ask};
+use slimbvh_lab::stress::{Row, cases, run as ask};
 use std::process::ExitCode;
 
-/// What `slimbvh stress --with FILE` reads, and how to make it again.
+/// What `slimbvh-lab stress --with FILE` reads, and how to make it again.
 #[derive(Serialize)]
 struct Report {
     command: String,

@@ -5,9 +5,9 @@ use crate::contain::{MISS, contained};
 use crate::options::Options;
 use anyhow::{Result, ensure};
 use slimbvh::Ray;
-use slimbvh::stress::{BOUND_ULPS, Case, Effort, Failure, Outcome, Row, Tracer, Tree};
 use slimbvh_bench::Input;
 use slimbvh_bench::tracers::{TINY, tracers};
+use slimbvh_lab::stress::{BOUND_ULPS, Case, Effort, Failure, Outcome, Row, Tracer, Tree};
 use std::collections::HashMap;
 use std::time::Duration;
 

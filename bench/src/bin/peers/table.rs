@@ -1,6 +1,6 @@
 //! The table: every peer in every family, all magnitudes together.
 
-use slimbvh::stress::{BOUND_ULPS, Row};
+use slimbvh_lab::stress::{BOUND_ULPS, Row};
 use std::fmt::Write;
 
 const HEAD: [&str; 9] = [

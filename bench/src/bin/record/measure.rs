@@ -5,6 +5,7 @@ use anyhow::Result;
 use slimbvh::{Mesh, Stages};
 use slimbvh_bench::tracers::{Bytes, Question, Visits, tracers, triangles};
 use slimbvh_bench::{Agreement, Answer, Input, Reference, Tracer, pool, thread_counts};
+use slimbvh_lab::measure::rounds::median;
 use std::time::Instant;
 
 /// What was measured on one mesh.
@@ -81,14 +82,14 @@ impl Samples {
 
     /// The middle one, or the mean of the two in the middle; NaN if there are none.
     pub fn median(&self) -> f64 {
-        median(self.0.clone())
+        median(&mut self.0.clone())
     }
 
     /// The median over rounds of these times as multiples of others, which were taken in the same rounds: what slows
     /// the machine for a while slows both.
     pub fn ratio(&self, others: &Self) -> f64 {
         let ratios = self.0.iter().zip(&others.0).map(|(a, b)| a / b);
-        median(ratios.collect())
+        median(&mut ratios.collect::<Vec<_>>())
     }
 
     pub fn min(&self) -> f64 {
@@ -97,16 +98,6 @@ impl Samples {
 
     pub fn max(&self) -> f64 {
         self.0.iter().copied().fold(0.0, f64::max)
-    }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    match values.len() {
-        0 => f64::NAN,
-        count if count % 2 == 1 => values[middle],
-        _ => (values[middle - 1] + values[middle]) / 2.0,
     }
 }
 

@@ -62,7 +62,7 @@ pub fn decide(
                 times.push(stages.total());
             }
         }
-        Ok::<_, GpuError>(median(times))
+        Ok::<_, GpuError>(median(&times))
     };
     let everywhere = Frustum::EVERYWHERE;
     let measuring = timed(&mut |frame| decisions.measure(frame, &builder, uploaded))?;

@@ -6,6 +6,7 @@ use slimbvh::gpu::wgpu::BufferUsages;
 use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh as GpuMesh, Query, Work, wgpu};
 use slimbvh::{BuildConfig, CodeBits, Hit, Mesh, Ray};
 use slimbvh_bench::RayLists;
+use slimbvh_lab::measure::rounds;
 use std::time::{Duration, Instant};
 
 /// What was measured with one mesh.
@@ -148,13 +149,13 @@ fn build(
             let time = stages.iter().find(|(stage, _)| *stage == work.stage);
             time.map_or(Duration::ZERO, |(_, time)| time)
         };
-        median(stages.iter().map(of_stage).collect())
+        median(&stages.iter().map(of_stage).collect::<Vec<_>>())
     });
     Ok(Build {
         code_bits,
         times: times.collect(),
         work,
-        wall: median(walls),
+        wall: median(&walls),
     })
 }
 
@@ -221,13 +222,13 @@ fn trace(
             "shadow"
         },
         ray_count: rays.len(),
-        time: median(times),
+        time: median(&times),
         touched_bytes,
     })
 }
 
-/// The middle one, the greater of two.
-pub fn median(mut times: Vec<Duration>) -> Duration {
-    times.sort_unstable();
-    times.get(times.len() / 2).copied().unwrap_or_default()
+/// The median of times, of which there is one at least.
+pub fn median(times: &[Duration]) -> Duration {
+    let mut seconds: Vec<f64> = times.iter().map(Duration::as_secs_f64).collect();
+    Duration::from_secs_f64(rounds::median(&mut seconds))
 }

@@ -3,12 +3,12 @@
 use proptest::prelude::*;
 use slimbvh::generate::soup;
 use slimbvh::gpu::{self, Frame, Gpu, GpuError, Query, wgpu};
-use slimbvh::stress::BOUND_ULPS;
 use slimbvh::{BuildConfig, Bvh, CodeBits, Mesh};
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{ClosestHit, Counted};
 use slimbvh_core::{Hit, Ray};
+use slimbvh_lab::stress::BOUND_ULPS;
 use slimbvh_tests::gpu::{contents, done, gpu, is_software, storage};
 use slimbvh_tests::parity::{GRAZING, T_SHARE, close_hits, same_bits};
 use slimbvh_tests::random::Random;

@@ -2,10 +2,10 @@
 
 use super::surroundings::Surroundings;
 use glam::DVec3;
-use slimbvh::oracle::Unculled;
 use slimbvh::{Camera, Projection};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::{NO_PRIMITIVE, Ray};
+use slimbvh_lab::oracle::Unculled;
 use slimbvh_tests::random::Random;
 
 /// A scene to look at, in its magnitude: two to the power of `exponent` times the caller's.

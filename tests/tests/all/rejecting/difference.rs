@@ -24,8 +24,8 @@
 
 use super::surroundings::{Surroundings, wide};
 use super::wave::{Cast, RayKind};
-use slimbvh::oracle::Crossing;
 use slimbvh_core::orientation::Target;
+use slimbvh_lab::oracle::Crossing;
 use std::fmt;
 
 /// d for M = 1.

@@ -1,7 +1,7 @@
 //! Distances in space: those of the oracle.
 
 use glam::DVec3;
-use slimbvh::oracle::distance;
+use slimbvh_lab::oracle::distance;
 
 /// The least distance between two segments.
 pub fn between(a: [DVec3; 2], b: [DVec3; 2]) -> f64 {

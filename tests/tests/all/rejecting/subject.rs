@@ -4,7 +4,6 @@ use super::close_ups::Sight;
 use super::difference::{Difference, Verdict, error_bound, judge};
 use super::surroundings::Surroundings;
 use super::wave::{Cast, RayKind, cast};
-use slimbvh::oracle::Unculled;
 use slimbvh::reduce::{
     AimKind, Asked, Cull, Hierarchies, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
 };
@@ -13,6 +12,7 @@ use slimbvh::{BuildConfig, Builder, Camera, Picture, RenderSettings, Renderer, S
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::snap::leaf_triangle;
+use slimbvh_lab::oracle::Unculled;
 use slimbvh_tests::gpu::done;
 
 /// Which triangles the tracer passes over.

@@ -2,8 +2,8 @@
 
 use super::distance::{between, to_triangle};
 use glam::DVec3;
-use slimbvh::oracle::Unculled;
 use slimbvh_core::orientation::Target;
+use slimbvh_lab::oracle::Unculled;
 use std::collections::HashMap;
 
 /// Edges or triangles that are passed over together.

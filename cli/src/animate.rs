@@ -1,0 +1,291 @@
+//! `slimbvh animate`.
+
+mod machine;
+mod place;
+mod planner;
+mod record;
+mod report;
+
+use super::backend::{BackendArguments, Chosen, choose};
+use super::picture::PictureArguments;
+use super::reduce::ReduceArguments;
+use super::storage::{Storage, StorageArguments};
+use super::{SceneArguments, ThreadArguments, output};
+use crate::options;
+use anyhow::{Result, bail};
+use clap::Args;
+use machine::{Cpu, Machine};
+use place::Place;
+use planner::{Planner, Still};
+use record::Record;
+use report::Run;
+use slimbvh::animate::{Animation, Deform, Motion, Shutter, Update, Upkeep};
+use slimbvh::{Picture, PictureMean, Scene};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Pictures are numbered with four digits.
+const MOST_FRAMES: u32 = 9999;
+
+/// More pictures in a frame differ by less than what a screen shows.
+const MOST_TIMES: u32 = 1024;
+
+const EXAMPLES: &str = "\
+Examples:
+  slimbvh animate --frames 48 --orbit --out turn.gif --size 480x270
+  slimbvh animate model.ply --frames 100 --deform wave --out frames
+  slimbvh animate model.glb --frames 24 --deform twist --update rebuild --json -
+  slimbvh animate --frames 48 --orbit --shutter 0.5 --shutter-times 8 --out blurred.gif --size 480x270";
+
+const NOTES: &str = "\
+The vertical is the axis nearest to the camera's up. What lies on the scene's floor is not deformed. The picture does not
+depend on --update; the heat map aside. Each time of an open shutter is a picture and a tree of its own: 8 times take 8 times
+as long, and their samples add up.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{NOTES}\n\n{EXAMPLES}"))]
+pub struct AnimateArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+
+    /// Frames of one round, after which all is where it was in the first
+    #[arg(long, value_name = "N", value_parser = |text: &str| options::whole(text, 1..=MOST_FRAMES))]
+    frames: u32,
+
+    /// The camera goes once round the scene's middle, and a light that the scene does not have itself goes with it
+    #[arg(long)]
+    orbit: bool,
+
+    /// All lights go once round the scene's middle
+    #[arg(long)]
+    orbit_light: bool,
+
+    /// The scene bends
+    #[arg(long, value_enum)]
+    deform: Option<Deform>,
+
+    /// What is done to the tree from frame to frame
+    #[arg(long, value_enum, default_value_t = Update::Auto)]
+    update: Update,
+
+    /// The share of the time to the next frame that the shutter is open, 0 to 1: what moves is blurred
+    #[arg(long, value_name = "SHARE", default_value_t = 0.0, value_parser = options::share)]
+    shutter: f64,
+
+    /// At how many times of an open shutter, evenly apart, the scene is seen; a frame is their mean, in linear light
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=MOST_TIMES))]
+    shutter_times: u32,
+
+    /// Where pictures go: a folder for frame-0000.png and so on, or one looping GIF. Without it none are kept
+    #[arg(long, value_name = "FOLDER|FILE.gif")]
+    out: Option<PathBuf>,
+
+    /// Frames a second that the GIF shows, as nearly as its hundredths of a second allow
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = |text: &str| options::whole(text, 1..=50))]
+    fps: u32,
+
+    #[command(flatten)]
+    picture: PictureArguments,
+
+    #[command(flatten)]
+    storage: StorageArguments,
+
+    #[command(flatten)]
+    reduce: ReduceArguments,
+
+    #[command(flatten)]
+    threads: ThreadArguments,
+
+    #[command(flatten)]
+    backend: BackendArguments,
+
+    /// Write what was done in each frame as JSON, to standard output for "-"
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+impl AnimateArguments {
+    fn shutter(&self) -> Shutter {
+        Shutter {
+            share: self.shutter,
+            time_count: self.shutter_times,
+        }
+    }
+}
+
+pub fn run(arguments: &AnimateArguments) -> Result<()> {
+    arguments.reduce.check()?;
+    arguments.storage.check()?;
+    arguments.storage.check_reduction(&arguments.reduce)?;
+    let place = Place::check(arguments)?;
+    let chosen = choose(&arguments.backend)?;
+    let mut scene = arguments.scene.load()?;
+    let work = || animate(arguments, &chosen, &mut scene, &place);
+    let run = arguments.threads.run(work)??;
+    if !output::is_stdout(arguments.json.as_deref()) {
+        output::print(&report::describe(arguments, &scene, &run))?;
+    }
+    if let Some(path) = &arguments.json {
+        output::write_json(path, &report::summarize(arguments, &scene, &run))?;
+    }
+    Ok(())
+}
+
+/// Makes all frames on what was chosen.
+fn animate(
+    arguments: &AnimateArguments,
+    chosen: &Chosen,
+    scene: &mut Scene,
+    place: &Place,
+) -> Result<Run> {
+    let needs_light = arguments.picture.needs_light(scene);
+    arguments.picture.prepare(scene, &arguments.scene.name())?;
+    let motion = Motion {
+        frame_count: arguments.frames,
+        orbit: arguments.orbit,
+        orbit_light: arguments.orbit_light || (arguments.orbit && needs_light),
+        deform: arguments.deform,
+    };
+    let animation = Animation::new(scene, motion);
+    let times = (0..arguments.frames).flat_map(|frame| arguments.shutter().times(frame));
+    animation.check_at(times, &arguments.picture.settings())?;
+    let times = (0..arguments.frames).flat_map(|frame| arguments.shutter().times(frame));
+    let pose = |time: f64, scene: &mut Scene| {
+        animation.pose_at(time, scene);
+    };
+    let settings = arguments.picture.settings();
+    let storage = arguments.storage.for_all(&settings, times, pose, scene)?;
+    if motion.deform.is_none() {
+        storage.snap(scene);
+    }
+    let codes = &arguments.picture.codes;
+    let config = storage.config(codes.bits(), codes.tree());
+    let still = Still {
+        vertices: motion.deform.is_none(),
+        lights: !motion.orbit_light,
+    };
+    let picture_count = arguments.frames * arguments.shutter_times;
+    let made = (arguments.picture.settings(), config);
+    let planner = Planner::new(&arguments.reduce, scene, made, picture_count, still)?;
+    if planner.is_refused(scene) {
+        bail!("--reduce on with --deform needs --solid: what bends may come to cut itself");
+    }
+    let work = Work {
+        arguments,
+        animation: &animation,
+        storage,
+        place,
+    };
+    let mut planner = planner;
+    match chosen {
+        Chosen::Cpu => work.frames(&mut Cpu::new(config), scene, &mut planner),
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) => {
+            let mut machine = machine::OnGpu::new(gpu, scene, config)?;
+            work.frames(&mut machine, scene, &mut planner)
+        }
+        #[cfg(feature = "gpu")]
+        Chosen::GpuIfItFits(gpu) => {
+            let done = machine::OnGpu::new(gpu, scene, config)
+                .and_then(|mut machine| work.frames(&mut machine, scene, &mut planner));
+            match done {
+                Err(error) if super::backend::is_the_gpus_fault(&error) => {
+                    output::warn(&format!("{error:#}; the CPU does it"));
+                    work.frames(&mut Cpu::new(config), scene, &mut planner)
+                }
+                done => done,
+            }
+        }
+    }
+}
+
+/// What is to be made.
+struct Work<'a> {
+    arguments: &'a AnimateArguments,
+    animation: &'a Animation,
+    storage: Storage,
+    place: &'a Place,
+}
+
+impl Work<'_> {
+    /// Makes all frames on one machine.
+    fn frames(
+        &self,
+        machine: &mut impl Machine,
+        scene: &mut Scene,
+        planner: &mut Planner,
+    ) -> Result<Run> {
+        let Self {
+            arguments,
+            animation,
+            storage,
+            place,
+        } = *self;
+        let mut first = None;
+        let settings = arguments.picture.settings();
+        let mut sink = place.open(settings.size, arguments.fps)?;
+        let mut upkeep = Upkeep::new(arguments.update);
+        let is_blurred = arguments.shutter_times > 1;
+        let (mut picture, mut mean) = (Picture::default(), PictureMean::new());
+        let mut records = Vec::with_capacity(arguments.frames as usize);
+        let progress = output::bar("animating");
+        for frame in 0..arguments.frames {
+            let mut record = Record::default();
+            for time in arguments.shutter().times(frame) {
+                let begin = Instant::now();
+                let vertices_moved = animation.pose_at(time, scene);
+                if vertices_moved {
+                    storage.snap(scene);
+                }
+                let pose = begin.elapsed();
+                let action = upkeep.next(vertices_moved);
+                let planning = Instant::now();
+                if vertices_moved && machine.follows_on_host() {
+                    planner.follow(scene);
+                }
+                let plan = planner.plan(scene)?;
+                let planning = planning.elapsed();
+                let update = machine::Update {
+                    plan: &plan,
+                    vertices_moved,
+                    action,
+                };
+                let mut done = machine.frame(scene, &update, &settings, &mut picture)?;
+                if !plan.is_plain() {
+                    done.build.add("plan", planning);
+                }
+                if first.is_none() {
+                    first = Some(plan.explain());
+                }
+                if let Some(cost) = done.cost {
+                    upkeep.measured(cost);
+                }
+                if is_blurred {
+                    mean.add(&picture);
+                }
+                record.add(action, pose, &done);
+                record.total += begin.elapsed();
+            }
+
+            let begin = Instant::now();
+            let blurred = is_blurred.then(|| mean.take());
+            record.total += begin.elapsed();
+            let begin = Instant::now();
+            sink.add(frame, blurred.as_ref().unwrap_or(&picture))?;
+            record.write = begin.elapsed();
+            records.push(record);
+            progress.set(f64::from(frame + 1) / f64::from(arguments.frames));
+        }
+        sink.finish()?;
+        let (backend, adapter) = machine.name();
+        Ok(Run {
+            backend,
+            adapter,
+            threads: rayon::current_num_threads(),
+            records,
+            survey: planner.survey_time(),
+            plan: first.unwrap_or_default(),
+            decided: machine.decided()?,
+        })
+    }
+}

@@ -1,0 +1,136 @@
+//! Where frames go: nowhere, into a folder, or into one GIF.
+
+use super::AnimateArguments;
+use crate::output;
+use anyhow::{Context, Result, bail};
+use slimbvh::Picture;
+use std::path::{Path, PathBuf};
+
+/// A GIF's sides are numbers of 16 bits.
+const MOST_GIF_SIDE: u32 = 65535;
+
+/// Colors of a GIF's frame are chosen from about so many of its pixels.
+const PIXELS_FOR_COLORS: usize = 1 << 14;
+
+/// A place that was looked at and found to take frames.
+#[derive(Debug)]
+pub enum Place {
+    Nowhere,
+    Folder(PathBuf),
+    Gif(PathBuf),
+}
+
+/// What takes frames.
+pub enum Sink<'p> {
+    Nowhere,
+    Folder(&'p Path),
+    Gif {
+        path: &'p Path,
+        encoder: gif::Encoder<Vec<u8>>,
+        /// Hundredths of a second.
+        delay: u16,
+    },
+}
+
+impl Place {
+    /// Tells before the work, not after it, that files have no place to go.
+    pub fn check(arguments: &AnimateArguments) -> Result<Self> {
+        let scene = arguments.scene.scene.as_deref();
+        let mut taken: Vec<PathBuf> = scene.into_iter().map(Path::to_owned).collect();
+        let place = match &arguments.out {
+            None => Self::Nowhere,
+            Some(path) if path.is_dir() => {
+                let frames = (0..arguments.frames).map(|frame| frame_path(path, frame));
+                let frames: Vec<PathBuf> = frames.collect();
+                for frame in &frames {
+                    check(frame, &taken)?;
+                }
+                taken.extend(frames);
+                Self::Folder(path.clone())
+            }
+            Some(path) if is_gif(path) => {
+                check(path, &taken)?;
+                let [width, height] = arguments.picture.sight.size;
+                if width.max(height) > MOST_GIF_SIDE {
+                    bail!(
+                        "--size {width}x{height} is too large for a GIF, whose sides have at most {MOST_GIF_SIDE} \
+                         pixels; take a folder"
+                    );
+                }
+                taken.push(path.clone());
+                Self::Gif(path.clone())
+            }
+            Some(path) => bail!(
+                "{:?} is neither a folder that is there nor a file that ends in .gif",
+                path.display().to_string()
+            ),
+        };
+        match &arguments.json {
+            Some(json) if !output::is_stdout(Some(json)) => check(json, &taken)?,
+            _ => {}
+        }
+        Ok(place)
+    }
+
+    /// Begins.
+    pub fn open(&self, [width, height]: [u32; 2], frames_per_second: u32) -> Result<Sink<'_>> {
+        match self {
+            Self::Nowhere => Ok(Sink::Nowhere),
+            Self::Folder(path) => Ok(Sink::Folder(path)),
+            Self::Gif(path) => {
+                let (width, height) = (u16::try_from(width)?, u16::try_from(height)?);
+                let mut encoder = gif::Encoder::new(Vec::new(), width, height, &[])?;
+                encoder.set_repeat(gif::Repeat::Infinite)?;
+                let delay = 100.0 / f64::from(frames_per_second);
+                Ok(Sink::Gif {
+                    path,
+                    encoder,
+                    delay: delay.round() as u16,
+                })
+            }
+        }
+    }
+}
+
+impl Sink<'_> {
+    /// Takes the next frame. In a folder it is there from now on.
+    pub fn add(&mut self, frame: u32, picture: &Picture) -> Result<()> {
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Folder(folder) => output::write_png(&frame_path(folder, frame), picture),
+            Self::Gif { encoder, delay, .. } => {
+                let (width, height) = (
+                    u16::try_from(picture.width)?,
+                    u16::try_from(picture.height)?,
+                );
+                let bytes = picture.to_srgb();
+                let step = (picture.pixels.len() / PIXELS_FOR_COLORS).clamp(1, 30);
+                let mut image = gif::Frame::from_rgb_speed(width, height, &bytes, step as i32);
+                image.delay = *delay;
+                encoder.write_frame(&image).context("cannot make the GIF")
+            }
+        }
+    }
+
+    /// Writes the GIF, whole.
+    pub fn finish(self) -> Result<()> {
+        match self {
+            Self::Nowhere | Self::Folder(_) => Ok(()),
+            Self::Gif { path, encoder, .. } => output::write_whole(path, &encoder.into_inner()?),
+        }
+    }
+}
+
+fn frame_path(folder: &Path, frame: u32) -> PathBuf {
+    folder.join(format!("frame-{frame:04}.png"))
+}
+
+fn is_gif(path: &Path) -> bool {
+    let extension = path.extension();
+    extension.is_some_and(|extension| extension.eq_ignore_ascii_case("gif"))
+}
+
+fn check(path: &Path, taken: &[PathBuf]) -> Result<()> {
+    let taken: Vec<&Path> = taken.iter().map(PathBuf::as_path).collect();
+    output::check_place(path, &taken)
+}

@@ -1,0 +1,270 @@
+//! Parsers of option values that have parts. Public, so that fuzzers reach them.
+
+mod light;
+
+pub use light::light;
+
+use slimbvh::{Camera, Projection, Tolerance};
+use std::str::FromStr;
+
+/// Parses `WIDTHxHEIGHT`.
+///
+/// # Errors
+/// For anything else, and for pictures without pixels or with too many.
+pub fn size(text: &str) -> Result<[u32; 2], String> {
+    const MOST: u32 = 1 << 16;
+    // Two gigabytes, with what it takes to write it.
+    const MOST_PIXELS: u64 = 1 << 27;
+    let parts = text.split_once(['x', 'X']);
+    let sides = parts.and_then(|(w, h)| Some([w.trim().parse().ok()?, h.trim().parse().ok()?]));
+    match sides {
+        Some([0, _] | [_, 0]) => Err("both sides must be at least 1 pixel".into()),
+        Some([width, height]) if width > MOST || height > MOST => {
+            Err(format!("a side may have at most {MOST} pixels"))
+        }
+        Some([width, height]) if u64::from(width) * u64::from(height) > MOST_PIXELS => {
+            Err(format!("a picture may have at most {MOST_PIXELS} pixels"))
+        }
+        Some(sides) => Ok(sides),
+        None => Err("write it as WIDTHxHEIGHT, for example 1280x720".into()),
+    }
+}
+
+/// Parses a whole number within a range.
+///
+/// # Errors
+/// For anything else, and outside of the range.
+pub fn whole(text: &str, range: std::ops::RangeInclusive<u32>) -> Result<u32, String> {
+    match text.parse() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        _ => Err(format!(
+            "it must be a whole number from {} to {}",
+            range.start(),
+            range.end()
+        )),
+    }
+}
+
+/// Parses a number from 0 to 1.
+///
+/// # Errors
+/// For anything else.
+pub fn share(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(share) if (0.0..=1.0).contains(&share) => Ok(share),
+        _ => Err("it must be a number from 0 to 1".into()),
+    }
+}
+
+/// Parses a length above 0, or pixels as in `0.5px`.
+///
+/// # Errors
+/// For anything else.
+pub fn tolerance(text: &str) -> Result<Tolerance, String> {
+    let (number, is_pixels) = match text.strip_suffix("px") {
+        Some(number) => (number, true),
+        None => (text, false),
+    };
+    match number.trim().parse::<f32>() {
+        Ok(number) if number > 0.0 && number.is_finite() => Ok(if is_pixels {
+            Tolerance::Pixels(number)
+        } else {
+            Tolerance::Length(number)
+        }),
+        _ => Err("it must be a length above 0, or pixels as in 0.5px".into()),
+    }
+}
+
+/// What `--camera` gives; the rest is filled in from the scene's camera or the default one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CameraOption {
+    eye: Option<[f32; 3]>,
+    target: Option<[f32; 3]>,
+    up: Option<[f32; 3]>,
+    projection: Option<Projection>,
+    lens: Option<f32>,
+    focus: Option<f32>,
+}
+
+impl CameraOption {
+    /// Replaces what is given. A lens without a distance is sharp at the target.
+    ///
+    /// # Errors
+    /// For a lens before parallel rays.
+    pub fn apply(&self, camera: &mut Camera) -> Result<(), String> {
+        camera.eye = self.eye.unwrap_or(camera.eye);
+        camera.target = self.target.unwrap_or(camera.target);
+        camera.up = self.up.unwrap_or(camera.up);
+        camera.projection = self.projection.unwrap_or(camera.projection);
+        let Some(radius) = self.lens else {
+            return Ok(());
+        };
+        match camera.projection {
+            Projection::Perspective { vertical_fov }
+            | Projection::ThinLens { vertical_fov, .. } => {
+                camera.projection = Projection::ThinLens {
+                    vertical_fov,
+                    radius,
+                    focus_distance: self.focus.unwrap_or_else(|| distance(camera)),
+                };
+                Ok(())
+            }
+            Projection::Orthographic { .. } => Err(
+                "parallel rays have no lens; give the camera fov=DEGREES as well, or leave lens away"
+                    .into(),
+            ),
+        }
+    }
+}
+
+/// From the eye to the target.
+fn distance(camera: &Camera) -> f32 {
+    let squares = (0..3).map(|axis| {
+        let way = f64::from(camera.target[axis]) - f64::from(camera.eye[axis]);
+        way * way
+    });
+    squares.sum::<f64>().sqrt() as f32
+}
+
+impl FromStr for CameraOption {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut camera = Self::default();
+        for (key, value) in pairs(text)? {
+            match key {
+                "eye" => camera.eye = Some(vector(value)?),
+                "target" => camera.target = Some(vector(value)?),
+                "up" => camera.up = Some(vector(value)?),
+                "fov" => {
+                    camera.projection = Some(Projection::Perspective {
+                        vertical_fov: number(value)?,
+                    });
+                }
+                "height" => {
+                    camera.projection = Some(Projection::Orthographic {
+                        height: number(value)?,
+                    });
+                }
+                "lens" => camera.lens = Some(number(value)?),
+                "focus" => camera.focus = Some(number(value)?),
+                _ => {
+                    return Err(format!(
+                        "a camera has no {key:?}; it has eye, target, up, fov or height, lens, and focus"
+                    ));
+                }
+            }
+        }
+        let is_parallel = matches!(camera.projection, Some(Projection::Orthographic { .. }));
+        if camera.lens.is_some() && is_parallel {
+            return Err("parallel rays have no lens; give fov=DEGREES instead of height".into());
+        }
+        if camera.focus.is_some() && camera.lens.is_none() {
+            return Err("a focus needs a lens=RADIUS".into());
+        }
+        Ok(camera)
+    }
+}
+
+/// Splits `key=value key=value …`; semicolons serve as well as spaces.
+fn pairs(text: &str) -> Result<Vec<(&str, &str)>, String> {
+    text.split(|c: char| c.is_whitespace() || c == ';')
+        .filter(|pair| !pair.is_empty())
+        .map(|pair| {
+            pair.split_once('=')
+                .ok_or_else(|| format!("{pair:?} is not of the form key=value"))
+        })
+        .collect()
+}
+
+fn vector(text: &str) -> Result<[f32; 3], String> {
+    let numbers: Vec<f32> = text.split(',').map(number).collect::<Result<_, _>>()?;
+    numbers
+        .try_into()
+        .map_err(|_| format!("{text:?} is not three numbers X,Y,Z"))
+}
+
+fn number(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(x) if x.is_finite() => Ok(x),
+        _ => Err(format!("{text:?} is not a finite number")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes() {
+        assert_eq!(size("1280x720"), Ok([1280, 720]));
+        for bad in [
+            "0x5",
+            "5",
+            "5x",
+            "x",
+            "-1x4",
+            "99999x1",
+            "1e3x4",
+            "65535x65535",
+        ] {
+            assert!(size(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn cameras_keep_what_is_not_given() {
+        let option: CameraOption = "eye=1,2,3; fov=50".parse().unwrap();
+        let mut camera = Camera {
+            eye: [0.0; 3],
+            target: [4.0, 5.0, 6.0],
+            up: [0.0, 0.0, 1.0],
+            projection: Projection::Orthographic { height: 2.0 },
+        };
+        assert_eq!(option.apply(&mut camera), Ok(()));
+        assert_eq!(
+            (camera.eye, camera.target),
+            ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0])
+        );
+        assert_eq!(
+            camera.projection,
+            Projection::Perspective { vertical_fov: 50.0 }
+        );
+        for bad in [
+            "eye=1,2",
+            "eye=1,2,x",
+            "nose=1,2,3",
+            "eye",
+            "fov=nan",
+            "focus=3",
+            "height=2 lens=0.5",
+            "lens=wide",
+        ] {
+            assert!(bad.parse::<CameraOption>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn lenses() {
+        let parallel = Camera {
+            eye: [1.0, 2.0, 3.0],
+            target: [1.0, 5.0, 7.0],
+            up: [0.0, 1.0, 0.0],
+            projection: Projection::Orthographic { height: 2.0 },
+        };
+        let mut camera = parallel;
+        let option: CameraOption = "lens=0.25 fov=50".parse().unwrap();
+        assert_eq!(option.apply(&mut camera), Ok(()));
+        // The target is 5 away.
+        let expected = |radius, focus_distance| Projection::ThinLens {
+            vertical_fov: 50.0,
+            radius,
+            focus_distance,
+        };
+        assert_eq!(camera.projection, expected(0.25, 5.0));
+        let option: CameraOption = "lens=0.5;focus=2".parse().unwrap();
+        assert_eq!(option.apply(&mut camera), Ok(()));
+        assert_eq!(camera.projection, expected(0.5, 2.0));
+        assert!(option.apply(&mut parallel.clone()).is_err());
+    }
+}

@@ -1,0 +1,193 @@
+//! What a picture's trees may leave out.
+
+use super::output::count;
+use anyhow::{Result, bail};
+use clap::Args;
+use serde::Serialize;
+use slimbvh::reduce::survey;
+use slimbvh::reduce::{
+    Aim, Asked, Choice, Cull, Half, Plan, Reduce, Saving, Savings, Seams, Survey, Switches,
+};
+use slimbvh::topology::Topology;
+use slimbvh::{BuildConfig, RenderSettings, Scene, Stages};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+#[derive(Debug, Args)]
+pub struct ReduceArguments {
+    /// Whether triangles that face away count on closed surfaces seen from outside. Without it, they do not where
+    /// --reduce finds it worth to know which these are
+    #[arg(long, value_enum)]
+    cull: Option<Cull>,
+
+    /// Whether the camera and each light get trees without the triangles that face away
+    #[arg(long, value_enum, default_value_t = Reduce::Auto)]
+    reduce: Reduce,
+
+    /// Promise that no closed part cuts itself or is inside out in places, so that nobody looks for that
+    #[arg(long)]
+    solid: bool,
+
+    /// Savings to do without, separated by commas; the picture stays the same
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "SAVING")]
+    without: Vec<Saving>,
+
+    /// Tell what was left out, and why
+    #[arg(long)]
+    pub explain: bool,
+}
+
+impl ReduceArguments {
+    /// Refuses what cannot be had together.
+    pub fn check(&self) -> Result<()> {
+        if self.switches().is_contradiction() {
+            bail!("--reduce on leaves out what --cull off wants to count; leave one of them out");
+        }
+        Ok(())
+    }
+
+    /// Whether anything is to be left out, or passed over, in any case.
+    #[must_use]
+    pub fn is_asked_for(&self) -> bool {
+        self.reduce == Reduce::On || self.cull == Some(Cull::On)
+    }
+
+    fn switches(&self) -> Switches {
+        Switches {
+            cull: self.cull,
+            reduce: self.reduce,
+            seams: if self.solid { Seams::None } else { Seams::Find },
+            savings: (self.without.iter()).fold(Savings::ALL, |all, &saving| all.without(saving)),
+        }
+    }
+
+    /// What is asked of the plan for one picture.
+    #[must_use]
+    pub fn asked<'a>(&self, scene: &'a Scene, settings: &'a RenderSettings) -> Asked<'a> {
+        Asked {
+            scene,
+            settings,
+            switches: self.switches(),
+            frame_count: 1,
+        }
+    }
+}
+
+/// Plans, and surveys the scene first if that may pay or is asked for.
+pub fn plan<'a>(
+    asked: &Asked,
+    config: BuildConfig,
+    room: &'a mut Option<Survey>,
+) -> Result<(Plan<'a>, Option<&'a Survey>)> {
+    if let Some(plan) = Plan::without_survey(asked)? {
+        return Ok((plan, None));
+    }
+    let survey: &Survey = room.insert(survey(&asked.scene.mesh, config, asked.switches.seams)?);
+    Ok((Plan::new(&survey.topology, asked)?, Some(survey)))
+}
+
+/// A plan, and what came of it.
+#[derive(Debug, Serialize)]
+pub struct PlanSummary {
+    surveyed: bool,
+    survey_ms: BTreeMap<&'static str, f64>,
+    reducible_triangles: usize,
+    seams: usize,
+    whole_tree: bool,
+    targets: Vec<TargetSummary>,
+    decisions: Vec<String>,
+}
+
+#[derive(Debug, Serialize)]
+struct TargetSummary {
+    name: String,
+    /// By number, from 1.
+    lights: Vec<usize>,
+    half: &'static str,
+    tree: &'static str,
+    /// Triangles in its tree.
+    triangles: Option<usize>,
+    estimated_share: f64,
+    estimated_saving_ms: f64,
+}
+
+/// How many triangles are in the set for each of these rays, by name.
+pub type SetCounts = Vec<(String, usize)>;
+
+pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &SetCounts) -> PlanSummary {
+    let target = |aim: &Aim| {
+        let name = aim.name();
+        let set = sets.iter().find(|(set, _)| *set == name);
+        let (tree, triangles) = match aim.choice {
+            Choice::Set => ("set", set.map(|(_, count)| *count)),
+            Choice::Whole => ("whole", Some(plan.triangle_count)),
+            Choice::Unused => ("none", None),
+        };
+        TargetSummary {
+            name,
+            lights: aim.lights.iter().map(|light| light + 1).collect(),
+            half: match aim.half {
+                Half::Toward => "toward",
+                Half::Away => "away",
+            },
+            tree,
+            triangles,
+            estimated_share: aim.share,
+            estimated_saving_ms: aim.saving_ms,
+        }
+    };
+    let times = survey.into_iter().flat_map(|survey| survey.stages.iter());
+    let facts = plan.topology.map(Topology::facts);
+    let reducible = facts.iter().flatten().filter(|facts| facts.reducible);
+    let lines = plan.explain();
+    PlanSummary {
+        surveyed: survey.is_some(),
+        survey_ms: times
+            .map(|(step, time)| (step, time.as_secs_f64() * 1e3))
+            .collect(),
+        reducible_triangles: reducible.map(|facts| facts.triangle_count).sum(),
+        seams: plan.topology.map_or(0, Topology::seam_count),
+        whole_tree: plan.needs_whole,
+        targets: plan.aims.iter().map(target).collect(),
+        decisions: lines
+            .into_iter()
+            .map(|(about, text)| format!("{about}: {text}"))
+            .collect(),
+    }
+}
+
+/// For people: the decisions, what came of them, and the times.
+#[must_use]
+pub fn explain(
+    plan: &Plan,
+    survey: Option<&Survey>,
+    sets: &SetCounts,
+    (build, render): (&Stages, &Stages),
+) -> String {
+    let mut text = String::new();
+    let mut line = |about: &str, what: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{about:<10} {what}");
+    };
+    for (about, what) in plan.explain() {
+        line(&about, what);
+    }
+    if !sets.is_empty() {
+        let percent = |kept: usize| 100.0 * kept as f64 / plan.triangle_count.max(1) as f64;
+        let set = |(name, kept): &(String, usize)| {
+            format!("{name} {} ({:.1} %)", count(*kept), percent(*kept))
+        };
+        let sets: Vec<String> = sets.iter().map(set).collect();
+        line("kept", sets.join(", "));
+    }
+    let ms = |stages: &Stages| stages.total().as_secs_f64() * 1e3;
+    let survey = survey.map_or("no survey".to_owned(), |survey| {
+        format!("survey {:.2} ms ({})", ms(&survey.stages), survey.stages)
+    });
+    let (build, render) = (ms(build), ms(render));
+    line(
+        "took",
+        format!("{survey}, build {build:.2} ms, render {render:.2} ms"),
+    );
+    text
+}

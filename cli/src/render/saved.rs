@@ -1,0 +1,155 @@
+//! A picture of what is in a file, where nothing need be built.
+
+use super::job::Outcome;
+use super::{RenderArguments, Summary, describe, summarize};
+use crate::backend::Chosen;
+use crate::output;
+use crate::reduce;
+use anyhow::{Result, bail};
+use slimbvh::reduce::Plan;
+use slimbvh::{Bvh, Picture, RenderSettings, Renderer, Scene, Stages};
+
+/// Refuses what asks for another tree before the file is read.
+pub fn check(arguments: &RenderArguments) -> Result<()> {
+    let name = arguments.scene.name();
+    if let Some(asked) = arguments.picture.codes.asked_for() {
+        bail!("{asked} is for builds; \"{name}\" is built already, leave it out");
+    }
+    if arguments.reduce.is_asked_for() {
+        bail!(
+            "\"{name}\" holds one tree for all rays; leave --reduce on and --cull on out, or render the scene that it was built from"
+        );
+    }
+    Ok(())
+}
+
+/// Reads and renders.
+pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, String, Picture)> {
+    let name = arguments.scene.name();
+    let mut load = Stages::default();
+    let (mut scene, kept) = load.time("load", || arguments.scene.open())?;
+    let Some(kept) = kept else {
+        bail!("\"{name}\" holds no hierarchy");
+    };
+    let bvh = &kept.bvh;
+    arguments.storage.check_saved(bvh.codecs(), &name)?;
+    if bvh.triangle_count() < bvh.mesh_triangle_count() {
+        bail!(
+            "\"{name}\" holds a hierarchy without some of the triangles, which no picture can be made with"
+        );
+    }
+    let settings = arguments.picture.settings();
+    (arguments.picture.sight).prepare(&mut scene, &name, kept.framing)?;
+    let asked = arguments.reduce.asked(&scene, &settings);
+    let plan = Plan::plain(&asked, "the file holds one tree for all rays".into())?;
+
+    let saved = Saved {
+        scene: &scene,
+        bvh,
+        load,
+        settings: &settings,
+    };
+    let mut picture = Picture::default();
+    let outcome = match chosen {
+        Chosen::Cpu => saved.on_cpu(&mut picture)?,
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) => {
+            let outcome = saved.on_gpu(gpu, &mut picture);
+            outcome.map_err(|error| advise(error, &name))?
+        }
+        #[cfg(feature = "gpu")]
+        Chosen::GpuIfItFits(gpu) => match saved.on_gpu(gpu, &mut picture) {
+            Err(error) if crate::backend::is_the_gpus_fault(&error) => {
+                output::warn(&format!("{error:#}; the CPU does it"));
+                saved.on_cpu(&mut picture)?
+            }
+            outcome => outcome?,
+        },
+    };
+    let planned = reduce::summarize(&plan, None, &outcome.sets);
+    let summary = summarize(arguments, &scene, &outcome, planned);
+    let mut text = describe(&summary, &outcome);
+    if arguments.reduce.explain {
+        let stages = (&outcome.build, &outcome.report.stages);
+        text += &reduce::explain(&plan, None, &outcome.sets, stages);
+    }
+    Ok((summary, text, picture))
+}
+
+/// What was in a file, to be rendered.
+struct Saved<'a> {
+    scene: &'a Scene,
+    bvh: &'a Bvh,
+    /// What was done before.
+    load: Stages,
+    settings: &'a RenderSettings,
+}
+
+impl Saved<'_> {
+    /// Renders on this machine's cores.
+    fn on_cpu(&self, picture: &mut Picture) -> Result<Outcome> {
+        let mut renderer = Renderer::new();
+        let progress = output::bar("rendering");
+        let show = |share| progress.set(share);
+        let report = renderer.render(self.scene, self.bvh, self.settings, picture, show)?;
+        Ok(Outcome {
+            backend: "cpu",
+            adapter: None,
+            report,
+            scratch_bytes: renderer.scratch_bytes(),
+            ..self.outcome()
+        })
+    }
+
+    /// Copies the hierarchy to a GPU, and renders there.
+    #[cfg(feature = "gpu")]
+    fn on_gpu(&self, gpu: &slimbvh::gpu::Gpu, picture: &mut Picture) -> Result<Outcome> {
+        use slimbvh::gpu;
+        let mut outcome = self.outcome();
+        let upload = || -> Result<gpu::Bvh, gpu::GpuError> {
+            let bvh = gpu::Bvh::upload(gpu, self.bvh)?;
+            // Else the picture's time would have what is left of it.
+            gpu.frame().submit()?.wait()?;
+            Ok(bvh)
+        };
+        let bvh = outcome.build.time("upload", upload)?;
+        let mut renderer = gpu::Renderer::new();
+        let progress = output::bar("rendering");
+        let both = (self.scene, &bvh);
+        let show = |share| progress.set(share);
+        let report = renderer.render_image(gpu, both, self.settings, picture, show)?;
+        Ok(Outcome {
+            backend: "gpu",
+            adapter: Some(gpu.name().into()),
+            report,
+            scratch_bytes: renderer.scratch_bytes() as usize,
+            ..outcome
+        })
+    }
+
+    /// All but what the renderer tells.
+    fn outcome(&self) -> Outcome {
+        Outcome {
+            backend: "cpu",
+            adapter: None,
+            build: self.load.clone(),
+            report: slimbvh::RenderReport::default(),
+            node_count: self.bvh.node_count(),
+            node_bytes: self.bvh.node_bytes(),
+            triangle_bytes: self.bvh.triangle_bytes(),
+            scratch_bytes: 0,
+            sets: Vec::new(),
+        }
+    }
+}
+
+/// Says what to do where the file has a codec that the GPU has not.
+#[cfg(feature = "gpu")]
+fn advise(error: anyhow::Error, name: &str) -> anyhow::Error {
+    match error.downcast_ref() {
+        Some(slimbvh::gpu::GpuError::Codec { .. }) => error.context(format!(
+            "use --backend cpu for \"{name}\", or build it again with other --nodes"
+        )),
+        _ => error,
+    }
+}

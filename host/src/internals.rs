@@ -1,0 +1,8 @@
+//! What the laboratory reads beside the public interface. No promises.
+
+pub use crate::analysis::edges::{Edges, Side, excess};
+pub use crate::analysis::weld::weld;
+#[cfg(feature = "scenes")]
+pub use crate::generate::random::Random;
+pub use crate::topology::solid_angle::SolidAngle;
+pub use crate::wide::{cross, dot};

@@ -1,0 +1,253 @@
+//! The whole report: for people, for browsers, and for programs.
+
+use super::findings::{Finding, Verdict, findings};
+use super::measure::SceneRecord;
+use super::page::page;
+use super::protocol::Protocol;
+use super::row::{Row, csv};
+use super::scaling::{LONG_MS, LONG_ROUNDS, MOST_COUNTED_SAMPLES, Series};
+use crate::measure::table::{Table, wrap};
+use anyhow::{Context, Result};
+use serde::Serialize;
+use slimbvh_cli::output::{self, things};
+use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
+
+/// Everything that was measured.
+#[derive(Serialize)]
+pub struct Report {
+    /// The command that makes it again.
+    pub command: String,
+    pub version: &'static str,
+    /// Of the sources, where they are still there.
+    pub commit: Option<String>,
+    /// By backend.
+    pub machines: Vec<(&'static str, String)>,
+    pub threads: usize,
+    pub protocol: Protocol,
+    pub findings: Vec<Finding>,
+    pub rows: Vec<Row>,
+    /// How costs grow, where that was asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub scaling: Vec<Series>,
+    #[serde(skip)]
+    pub records: Vec<SceneRecord>,
+}
+
+/// What a report is of.
+pub struct Measured {
+    pub records: Vec<SceneRecord>,
+    pub scaling: Vec<Series>,
+}
+
+/// Names of the files in the report's folder.
+pub const FILES: [&str; 3] = ["index.html", "bench.csv", "bench.json"];
+
+impl Report {
+    pub fn new(
+        command: String,
+        machines: Vec<(&'static str, String)>,
+        protocol: Protocol,
+        threads: usize,
+        Measured { records, scaling }: Measured,
+    ) -> Self {
+        let rows = records
+            .iter()
+            .flat_map(|scene| scene.setups.iter().map(|record| Row::new(scene, record)));
+        Self {
+            command,
+            version: env!("CARGO_PKG_VERSION"),
+            commit: commit(),
+            machines,
+            threads,
+            protocol,
+            findings: records.iter().flat_map(findings).collect(),
+            rows: rows.collect(),
+            scaling,
+            records,
+        }
+    }
+
+    /// What must be known to read the figures.
+    pub fn head(&self) -> Vec<(&'static str, String)> {
+        let version = match &self.commit {
+            Some(commit) => format!("{}, {commit}", self.version),
+            None => self.version.into(),
+        };
+        let mut head = vec![("command", self.command.clone()), ("version", version)];
+        head.extend(self.machines.iter().cloned());
+        if !self.records.is_empty() {
+            head.extend(self.of_scenes());
+        }
+        if !self.scaling.is_empty() {
+            head.push(("growth", self.of_growth()));
+        }
+        head
+    }
+
+    /// What figures of scenes are.
+    fn of_scenes(&self) -> [(&'static str, String); 4] {
+        let [width, height] = self.protocol.size;
+        let rounds = things(self.protocol.rounds, "picture");
+        [
+            (
+                "pictures",
+                format!("{width}×{height} pixels, one sample each; from the mesh to the picture, trees included"),
+            ),
+            (
+                "times",
+                format!(
+                    "medians of {rounds} after one that does not count; each setup takes turns with the default, and ratios are medians \
+                     of those of each turn"
+                ),
+            ),
+            (
+                "counts",
+                "of box tests, triangle tests and bytes, by the traversal itself, over all rays of the picture".into(),
+            ),
+            (
+                "errors",
+                "beside the picture of one tree over all triangles with nothing in a codec; tolerances are pixels of 1280×720".into(),
+            ),
+        ]
+    }
+
+    /// What figures of growth are.
+    fn of_growth(&self) -> String {
+        let [width, height] = self.protocol.size;
+        let [small_width, small_height] = self.protocol.small_size;
+        let rounds = things(self.protocol.rounds, "picture");
+        let long = match self.protocol.rounds > LONG_ROUNDS {
+            true => format!(
+                ", of {LONG_ROUNDS} where one takes more than {} s",
+                LONG_MS / 1e3
+            ),
+            false => String::new(),
+        };
+        format!(
+            "one whole tree over a terrain, nothing in a codec; pictures of {width}×{height} pixels with more triangles or threads, of \
+             {small_width}×{small_height} with more lights, and with more rays from the eye by samples a pixel; medians of {rounds} after \
+             one that does not count{long}; bytes a ray over at most \
+             {MOST_COUNTED_SAMPLES} samples a pixel"
+        )
+    }
+
+    pub fn rows_of<'a>(&'a self, scene: &'a SceneRecord) -> impl Iterator<Item = &'a Row> {
+        let is_of = |row: &&Row| row.scene == scene.name && row.backend == scene.backend;
+        self.rows.iter().filter(is_of)
+    }
+
+    pub fn findings_of<'a>(&'a self, scene: &'a SceneRecord) -> impl Iterator<Item = &'a Finding> {
+        let is_of = |it: &&Finding| it.scene == scene.name && it.backend == scene.backend;
+        self.findings.iter().filter(is_of)
+    }
+
+    /// For a terminal.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        for (name, value) in self.head() {
+            let mut lines = String::new();
+            wrap(&mut lines, &value, 88);
+            for (i, line) in lines.lines().enumerate() {
+                let name = if i == 0 { name } else { "" };
+                let _ = writeln!(text, "{name:<10} {line}");
+            }
+        }
+        for scene in &self.records {
+            let _ = write!(text, "\n{}", self.table(scene).text());
+            for finding in self.findings_of(scene) {
+                let sign = match finding.verdict {
+                    Verdict::Wins => '+',
+                    Verdict::Loses => '-',
+                    Verdict::Holds => '=',
+                    Verdict::Fails => '!',
+                };
+                let mut lines = String::new();
+                wrap(&mut lines, &finding.text, 94);
+                for (i, line) in lines.lines().enumerate() {
+                    let sign = if i == 0 { sign } else { ' ' };
+                    let _ = writeln!(text, "  {sign} {line}");
+                }
+            }
+        }
+        for series in &self.scaling {
+            let _ = write!(text, "\n{}", series.table().text());
+        }
+        text
+    }
+
+    fn table(&self, scene: &SceneRecord) -> Table {
+        let cells = |row: &Row| {
+            vec![
+                row.setup.clone(),
+                format!("{:.1}", row.frame_ms),
+                format!("{:.0} %", 100.0 * row.frame_spread),
+                format!("{:.2}", row.frame_ratio),
+                format!("{:.0}", row.resident_bytes as f64 / 1024.0),
+                format!("{:.1}", row.box_tests_per_ray),
+                format!("{:.0}", row.bytes_per_ray),
+                format!("{:.3}", row.image_rmse),
+                if row.on_front { "*" } else { "" }.into(),
+            ]
+        };
+        Table {
+            title: format!("{} on the {}", scene.name, scene.backend.to_uppercase()),
+            notes: vec!["* nothing is better in time, bytes and error".into()],
+            word_columns: 1,
+            head: vec![
+                "setup",
+                "ms",
+                "spread",
+                "x default",
+                "KiB",
+                "boxes/ray",
+                "bytes/ray",
+                "RMSE",
+                "*",
+            ],
+            rows: self.rows_of(scene).map(cells).collect(),
+        }
+    }
+
+    /// Writes the page and the tables into a folder.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        let [html, table, json] = FILES.map(|name| folder.join(name));
+        output::write_whole(&html, page(self)?.as_bytes())?;
+        output::write_whole(&table, &csv(&self.rows)?)?;
+        output::write_json(&json, self)
+    }
+}
+
+/// Makes a folder, if it is not there, and tells before the work that files have no place to go.
+pub fn check_folder(folder: &Path) -> Result<()> {
+    if !folder.is_dir() {
+        let shown = folder.display().to_string();
+        std::fs::create_dir(folder).with_context(|| format!("cannot make the folder {shown:?}"))?;
+    }
+    for name in FILES {
+        output::check_place(&folder.join(name), &[])?;
+    }
+    Ok(())
+}
+
+/// Where the sources are now that this was built from: the commit, and whether anything was changed since.
+fn commit() -> Option<String> {
+    let git = |arguments: &[&str]| {
+        let mut git = Command::new("git");
+        git.args(["-C", env!("CARGO_MANIFEST_DIR")]).args(arguments);
+        let output = git.output().ok().filter(|output| output.status.success())?;
+        String::from_utf8(output.stdout).ok()
+    };
+    // Another repository around a copy of the sources says nothing of them.
+    git(&["ls-files", "--error-unmatch", "Cargo.toml"])?;
+    let describe = [
+        "describe",
+        "--always",
+        "--dirty=, with changes",
+        "--abbrev=10",
+    ];
+    let text = git(&describe)?;
+    Some(text.trim().to_owned()).filter(|text| !text.is_empty())
+}

@@ -1,0 +1,269 @@
+use super::facts::Facts;
+use super::findings::Verdict;
+use super::measure::measure;
+use super::page::{escaped, page};
+use super::prepared::Prepared;
+use super::protocol::Protocol;
+use super::report::{Measured, Report};
+use super::row::csv;
+use super::scaling;
+use super::scenes::Subject;
+use super::setup::{Setup, Triangles};
+use slimbvh::{CodeBits, Mesh, NodeCodec, RenderSettings, Scene};
+use slimbvh_cli::backend::Chosen;
+
+const TINY: Protocol = Protocol {
+    size: [48, 27],
+    rounds: 1,
+    mirror_depth: 2,
+    crossed: 2,
+    terrains: 2,
+    small_size: [24, 16],
+    samples: &[1, 4],
+    lights: 4,
+};
+
+fn report() -> Report {
+    let subject = Subject::new("shiny", TINY.size).unwrap();
+    let record = measure(&subject, &Chosen::Cpu, &TINY, 2).unwrap();
+    let machines = vec![("cpu", "a <machine> & \"its\" cores".to_owned())];
+    let measured = Measured {
+        records: vec![record],
+        scaling: scaling::measure(&Chosen::Cpu, &TINY, 2).unwrap(),
+    };
+    Report::new(
+        "slimbvh-lab bench shiny".into(),
+        machines,
+        TINY,
+        2,
+        measured,
+    )
+}
+
+/// The page is XML, its pictures are in it, and nothing is loaded from anywhere.
+#[test]
+fn the_page_is_whole_and_alone() {
+    let report = report();
+    let html = page(&report).unwrap();
+    let options = roxmltree::ParsingOptions {
+        allow_dtd: true,
+        ..Default::default()
+    };
+    let document = roxmltree::Document::parse_with_options(&html, options).unwrap();
+    let count = |name: &str| {
+        document
+            .descendants()
+            .filter(|node| node.has_tag_name(name))
+            .count()
+    };
+    assert_eq!(count("h2"), 2);
+    assert_eq!(count("svg"), 4 + 4);
+    assert_eq!(count("tr"), 1 + report.rows.len() + 1 + 4);
+    assert!(count("img") >= 2);
+    for node in document.descendants() {
+        for attribute in node.attributes() {
+            let (name, value) = (attribute.name(), attribute.value());
+            assert!(
+                !["href", "srcset", "data", "action"].contains(&name),
+                "{name}"
+            );
+            if name == "src" {
+                assert!(value.starts_with("data:image/png;base64,"), "{value}");
+            }
+        }
+    }
+    for part in [
+        "http", "//", "@import", "url(", "<script", "<link", "NaN", "inf",
+    ] {
+        let found = html
+            .split("base64,")
+            .map(|text| text.split_once('"').map_or(text, |(_, rest)| rest));
+        let mut texts = std::iter::once(html.split("base64,").next().unwrap()).chain(found.skip(1));
+        assert!(texts.all(|text| !text.contains(part)), "{part}");
+    }
+    // What others named is text.
+    assert!(html.contains("a &lt;machine&gt; &amp; &quot;its&quot; cores"));
+    assert_eq!(escaped("<a&\"\n>"), "&lt;a&amp;&quot; &gt;");
+}
+
+/// The same rows in both tables, with numbers in them.
+#[test]
+fn tables_have_the_same_rows() {
+    let report = report();
+    let bytes = csv(&report.rows).unwrap();
+    let json = serde_json::to_value(&report).unwrap();
+    let rows = json["rows"].as_array().unwrap();
+    let mut reader = csv::Reader::from_reader(&bytes[..]);
+    let names = reader.headers().unwrap().clone();
+    let records: Vec<_> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(records.len(), rows.len());
+    for (record, row) in records.iter().zip(rows) {
+        let row = row.as_object().unwrap();
+        assert_eq!(row.len(), names.len());
+        for (name, cell) in names.iter().zip(record) {
+            match &row[name] {
+                serde_json::Value::String(text) => assert_eq!(text, cell, "{name}"),
+                serde_json::Value::Bool(value) => assert_eq!(value.to_string(), cell, "{name}"),
+                number => {
+                    let expected = number
+                        .as_f64()
+                        .unwrap_or_else(|| panic!("{name}: {number}"));
+                    assert_eq!(expected, cell.parse::<f64>().unwrap(), "{name}");
+                }
+            }
+        }
+    }
+}
+
+/// What must be the same is, what may not be is not, and bytes are what codecs take.
+#[test]
+fn setups_are_what_they_are_called() {
+    let report = report();
+    let of = |setup: &str| {
+        let mut rows = report.rows.iter();
+        rows.find(|row| row.setup == setup)
+            .unwrap_or_else(|| panic!("{setup}"))
+    };
+    let usual = of("default");
+    assert_eq!(
+        (usual.image_rmse, usual.ssim, usual.frame_ratio > 0.0),
+        (0.0, 1.0, true)
+    );
+    for name in [
+        "nodes q10",
+        "nodes paper10",
+        "63-bit codes",
+        "refit",
+        "1 thread",
+    ] {
+        let row = of(name);
+        assert_eq!((row.changed_pixels, row.ssim), (0.0, 1.0), "{name}");
+        assert_eq!(row.primary_rays, 48 * 27);
+    }
+    assert_eq!(of("nodes q10").node_bytes * 64, usual.node_bytes * 16);
+    assert!(of("nodes q10").bytes_per_ray < usual.bytes_per_ray);
+    assert!(of("nodes q4").box_tests_per_ray >= usual.box_tests_per_ray);
+    let coarse = of("nodes q10, mesh lattice 2px");
+    assert!(
+        coarse.vertex_moved_most > 0.0 && coarse.vertex_moved_most <= coarse.vertex_moved_bound
+    );
+    assert!(coarse.vertex_moved_rms < coarse.vertex_moved_most);
+    assert!(coarse.image_rmse > 0.0 && coarse.ssim < 1.0);
+    assert_eq!(of("refit").update, "refit");
+    // Refitted from a twisted scene, its boxes are as loose as the order is old.
+    assert!(of("refit").sah_cost >= usual.sah_cost * 0.999);
+    assert!(usual.peak_bytes > usual.resident_bytes);
+    assert!(
+        report
+            .findings
+            .iter()
+            .all(|it| it.verdict != Verdict::Fails)
+    );
+}
+
+/// Where there is next to nothing to measure, nothing is said that is not a number.
+#[test]
+fn one_triangle_that_nobody_sees() {
+    let mut scene = Scene {
+        mesh: Mesh {
+            vertices: vec![[1.0, 2.0, 3.0], [5.0, 2.0, 3.0], [1.0, 4.0, 3.0]],
+            indices: vec![[0, 1, 2]],
+            ..Mesh::default()
+        },
+        ..Scene::default()
+    };
+    scene.complete(scene.mesh.bounds(), TINY.size);
+    let camera = &mut scene.cameras[0];
+    camera.target = [0, 1, 2].map(|axis| 2.0 * camera.eye[axis] - camera.target[axis]);
+    let name = "one triangle".into();
+    let subject = Subject { name, scene };
+    let measured = Measured {
+        records: vec![measure(&subject, &Chosen::Cpu, &TINY, 1).unwrap()],
+        scaling: Vec::new(),
+    };
+    let report = Report::new("slimbvh-lab bench".into(), Vec::new(), TINY, 1, measured);
+    for text in [report.text(), page(&report).unwrap()] {
+        assert!(
+            !text.contains("NaN") && !text.contains(">inf") && !text.contains(" inf"),
+            "{text}"
+        );
+    }
+    let json = serde_json::to_string(&report.rows).unwrap();
+    assert!(!json.contains("null"), "{json}");
+}
+
+/// The paper10 codec goes with codes of either length, though these put triangles in another order.
+#[test]
+fn corners_of_ten_bits_are_compared_in_any_order() {
+    let subject = Subject::new("shiny", TINY.size).unwrap();
+    let mut moves = Vec::new();
+    for codes in [CodeBits::Bits30, CodeBits::Bits63] {
+        let setup = Setup {
+            nodes: NodeCodec::Paper10,
+            mesh: Triangles::Leaf10,
+            codes,
+            ..Setup::plain(2)
+        };
+        assert!(setup.is_possible());
+        let settings = RenderSettings {
+            size: TINY.size,
+            ..RenderSettings::default()
+        };
+        let prepared = Prepared::new(setup, &subject.scene, settings);
+        moves.push(Facts::new(&prepared).unwrap().moves);
+    }
+    assert!(
+        moves.iter().all(|it| it.rms > 0.0 && it.most <= it.bound),
+        "{moves:?}"
+    );
+}
+
+/// A GPU, any. Without one the test is skipped, loudly, unless `REQUIRE_GPU` forbids it.
+#[cfg(feature = "gpu")]
+fn any_gpu() -> Option<slimbvh::gpu::Gpu> {
+    use slimbvh::gpu::{AdapterChoice, Gpu, adapters};
+    let Some(adapter) = adapters().into_iter().next() else {
+        let is_required = std::env::var_os("REQUIRE_GPU").is_some_and(|value| value != "0");
+        assert!(!is_required, "REQUIRE_GPU, but there is none");
+        eprintln!("THE TEST OF BENCH ON A GPU IS SKIPPED: there is none");
+        return None;
+    };
+    Some(Gpu::open(&AdapterChoice::Named(adapter.name)).unwrap())
+}
+
+/// On a GPU there are those that it has kernels for, and they keep their promises there, too.
+#[cfg(feature = "gpu")]
+#[test]
+fn setups_on_a_gpu() {
+    let Some(gpu) = any_gpu() else { return };
+    let subject = Subject::new("shiny", TINY.size).unwrap();
+    let protocol = Protocol { crossed: 0, ..TINY };
+    let record = measure(&subject, &Chosen::Gpu(gpu), &protocol, 2).unwrap();
+    assert_eq!(record.backend, "gpu");
+    let names: Vec<&str> = record.setups.iter().map(|it| it.name.as_str()).collect();
+    let expected = [
+        "default",
+        "reduce off",
+        "reduce on",
+        "reduce on, lights apart",
+        "nodes paper10",
+        "nodes q10",
+        "nodes q21",
+        "nodes paper10, mesh leaf10",
+        "nodes q10, mesh lattice",
+        "nodes q10, mesh lattice 0.1px",
+        "nodes q10, mesh lattice 0.5px",
+        "nodes q10, mesh lattice 2px",
+        "63-bit codes",
+    ];
+    assert_eq!(names, expected);
+    for it in &record.setups {
+        assert!(
+            it.frame() > 0.0 && it.peak_bytes > it.facts.resident_bytes(),
+            "{}",
+            it.name
+        );
+        let is_same = it.likeness.changed_pixels == 0.0;
+        assert!(is_same || !it.setup.is_lossless(), "{}", it.name);
+    }
+}

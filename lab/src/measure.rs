@@ -1,0 +1,10 @@
+//! What all that measures shares: rounds, machines by name, counted traversal, tables.
+
+pub(crate) mod counts;
+pub mod exponent;
+pub mod machine;
+pub(crate) mod paths;
+pub mod rounds;
+pub(crate) mod step;
+pub(crate) mod table;
+pub(crate) mod walks;

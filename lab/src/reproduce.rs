@@ -1,0 +1,98 @@
+//! `slimbvh-lab reproduce`: the papers' tables, measured again.
+
+mod aim;
+mod compressed;
+mod layout;
+mod lights;
+mod machine;
+mod measure;
+mod options;
+mod printed;
+mod protocol;
+mod report;
+mod savings;
+mod scenes;
+mod sheet;
+mod tables;
+mod times;
+mod verdicts;
+mod visits;
+
+use anyhow::Result;
+use clap::{Args, Subcommand, ValueEnum};
+use measure::{SceneRecord, measure};
+use options::{Options, shown};
+use protocol::Protocol;
+use report::Report;
+use scenes::Subject;
+use slimbvh_cli::backend::Chosen;
+use slimbvh_cli::output;
+
+#[derive(Debug, Args)]
+pub struct ReproduceArguments {
+    #[command(subcommand)]
+    paper: Paper,
+}
+
+#[derive(Debug, Subcommand)]
+enum Paper {
+    /// Reduced trees: tables I to VI of Wong, Cheng and Lii, "Reduced BVHs for GPU Ray Tracing" (2012), ours beside the
+    /// printed ones
+    Reduced(ReducedArguments),
+    /// Compressed trees: box tests, triangle tests, bytes and times of a paper on compressed hierarchies (after Karras 2012),
+    /// ours beside the printed ones
+    Compressed(compressed::CompressedArguments),
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  slimbvh-lab reproduce reduced --quick
+  slimbvh-lab reproduce reduced --only doll toasters --json -
+  slimbvh-lab reproduce reduced --scenes models --threads 2 --out reduced-cpu.md";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct ReducedArguments {
+    #[command(flatten)]
+    options: Options<SceneName>,
+}
+
+/// The scenes of the paper, or what comes near them, and one more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum SceneName {
+    Doll,
+    Toasters,
+    #[value(name = "24-cell")]
+    TwentyFourCell,
+    Armadillo,
+    Dragon,
+}
+
+pub fn run(arguments: &ReproduceArguments) -> Result<()> {
+    match &arguments.paper {
+        Paper::Reduced(arguments) => reduced(arguments),
+        Paper::Compressed(arguments) => compressed::run(arguments),
+    }
+}
+
+fn reduced(ReducedArguments { options }: &ReducedArguments) -> Result<()> {
+    options.run(|chosen| make(options, chosen), Report::sheet)
+}
+
+/// Measures on what was chosen.
+fn make(options: &Options<SceneName>, chosen: &Chosen) -> Result<Report> {
+    let protocol = if options.quick {
+        Protocol::quick()
+    } else {
+        Protocol::full()
+    };
+    let folder = options.folder();
+    let measure_one = |name: SceneName| {
+        let _progress = output::spinner(format!("measuring {}", shown(&name)));
+        let subject = Subject::new(name, folder.as_deref(), protocol.size)?;
+        measure(subject, chosen, &protocol, name == SceneName::Armadillo)
+    };
+    let names = options.names(&SceneName::Dragon).into_iter();
+    let scenes: Vec<SceneRecord> = names.map(measure_one).collect::<Result<_>>()?;
+    Ok(Report::new(options, chosen, protocol, scenes))
+}

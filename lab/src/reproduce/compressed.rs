@@ -1,0 +1,87 @@
+//! `slimbvh-lab reproduce compressed`.
+
+mod bench;
+mod cracks;
+mod frames;
+mod machine;
+mod measure;
+mod methods;
+mod printed;
+mod protocol;
+mod report;
+mod scenes;
+mod tables;
+mod targets;
+#[cfg(test)]
+mod tests;
+
+use super::options::{Options, shown};
+use anyhow::Result;
+use clap::{Args, ValueEnum};
+use measure::{SceneRecord, measure};
+use protocol::Protocol;
+use report::{LeftOut, Report};
+use scenes::Subject;
+use slimbvh_cli::backend::{Chosen, is_too_large};
+use slimbvh_cli::output;
+
+const EXAMPLES: &str = "\
+Examples:
+  slimbvh-lab reproduce compressed --quick
+  slimbvh-lab reproduce compressed --only shiny bunny --json -
+  slimbvh-lab reproduce compressed --scenes models --threads 2 --out compressed-cpu.md
+  slimbvh-lab reproduce compressed --quick --backend gpu";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct CompressedArguments {
+    #[command(flatten)]
+    options: Options<SceneName>,
+}
+
+/// The scenes of the paper, or what comes near them, and one more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum SceneName {
+    Shiny,
+    Bunny,
+    Dragon,
+    AsianDragon,
+}
+
+pub fn run(CompressedArguments { options }: &CompressedArguments) -> Result<()> {
+    options.run(|chosen| make(options, chosen), Report::sheet)
+}
+
+/// Measures on what was chosen.
+fn make(options: &Options<SceneName>, chosen: &Chosen) -> Result<Report> {
+    let protocol = match options.quick {
+        true => Protocol::QUICK,
+        false => Protocol::FULL,
+    };
+    let scenes = measure_all(options, chosen, &protocol)?;
+    Ok(Report::new(options, chosen, protocol, scenes))
+}
+
+/// All scenes that are asked for. One that was not asked for by name is left out where the GPU has no room for it.
+fn measure_all(
+    options: &Options<SceneName>,
+    chosen: &Chosen,
+    protocol: &Protocol,
+) -> Result<(Vec<SceneRecord>, Vec<LeftOut>)> {
+    let folder = options.folder();
+    let (mut records, mut left_out) = (Vec::new(), Vec::new());
+    for name in options.names(&SceneName::AsianDragon) {
+        let _progress = output::spinner(format!("measuring {}", shown(&name)));
+        let subject = Subject::new(name, folder.as_deref(), protocol.size)?;
+        let scene = subject.name.to_owned();
+        match measure(subject, chosen, protocol) {
+            Ok(record) => records.push(record),
+            Err(error) if options.only.is_empty() && is_too_large(&error) => {
+                let why = format!("{error:#}");
+                left_out.push(LeftOut { scene, why });
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    Ok((records, left_out))
+}

@@ -1,0 +1,129 @@
+//! What a frame takes with a method, and with the plain tree in turn with it.
+
+use super::machine::Machine;
+use crate::measure::rounds::Rounds;
+use anyhow::Result;
+use serde::Serialize;
+use slimbvh::{RenderSettings, Stages};
+use std::collections::BTreeMap;
+
+/// A frame with a plain tree, and the same with another.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Round {
+    pub plain: Frame,
+    pub own: Frame,
+}
+
+/// Milliseconds.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Frame {
+    /// All stages of the build but the next.
+    pub construction: f64,
+    /// Nodes and triangles in codecs; on cores also the boxes of trees in codecs.
+    pub encoding: f64,
+    pub rendering: f64,
+    /// The same by stage.
+    pub stages: BTreeMap<&'static str, f64>,
+}
+
+impl Frame {
+    /// Builds and renders.
+    fn take(machine: &mut dyn Machine, settings: &RenderSettings) -> Result<Self> {
+        let build = machine.build()?;
+        let render = machine.render(settings)?;
+        Ok(Self::new(&build, &render))
+    }
+
+    fn new(build: &Stages, render: &Stages) -> Self {
+        let mut frame = Self::default();
+        for (stages, is_build) in [(build, true), (render, false)] {
+            for (stage, time) in stages.iter() {
+                let ms = time.as_secs_f64() * 1e3;
+                let sum = match (is_build, stage) {
+                    (true, "encode") => &mut frame.encoding,
+                    (true, _) => &mut frame.construction,
+                    (false, _) => &mut frame.rendering,
+                };
+                *sum += ms;
+                *frame.stages.entry(stage).or_default() += ms;
+            }
+        }
+        frame
+    }
+
+    pub fn total(&self) -> f64 {
+        self.construction + self.encoding + self.rendering
+    }
+
+    /// Of a stage; 0 where there is none.
+    pub fn stage(&self, stage: &str) -> f64 {
+        self.stages.get(stage).copied().unwrap_or(0.0)
+    }
+}
+
+impl Round {
+    /// What the codec adds to building, as a share of building the plain tree. On cores, boxes are found while coding, so that
+    /// neither is there without the other.
+    pub fn added(&self) -> f64 {
+        let built = |frame: &Frame| frame.construction + frame.encoding;
+        built(&self.own) / built(&self.plain) - 1.0
+    }
+
+    /// Encoding, as a share of all else that the build does.
+    pub fn encoding_share(&self) -> f64 {
+        self.own.encoding / self.own.construction
+    }
+}
+
+/// Builds and renders in turn. One round before does not count.
+pub fn take_turns(
+    (plain, own): (&mut dyn Machine, &mut dyn Machine),
+    settings: &RenderSettings,
+    count: u32,
+) -> Result<Rounds<Round>> {
+    let mut rounds = Rounds::default();
+    for round in 0..=count {
+        let times = Round {
+            plain: Frame::take(plain, settings)?,
+            own: Frame::take(own, settings)?,
+        };
+        if round > 0 {
+            rounds.0.push(times);
+        }
+    }
+    Ok(rounds)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    fn stages(times: &[(&'static str, u64)]) -> Stages {
+        let mut stages = Stages::default();
+        for &(stage, ms) in times {
+            stages.add(stage, Duration::from_millis(ms));
+        }
+        stages
+    }
+
+    #[test]
+    fn times_are_those_of_their_stages() {
+        let build = stages(&[("sort", 5), ("encode", 2), ("refit", 3)]);
+        let own = Frame::new(&build, &stages(&[("trace", 7), ("shade", 4)]));
+        assert_eq!(
+            (own.construction, own.encoding, own.rendering),
+            (8.0, 2.0, 11.0)
+        );
+        assert_eq!(
+            (own.total(), own.stage("shade"), own.stage("scan")),
+            (21.0, 4.0, 0.0)
+        );
+        let plain = Frame::new(
+            &stages(&[("sort", 5), ("refit", 3)]),
+            &stages(&[("trace", 9)]),
+        );
+        let round = Round { plain, own };
+        assert_eq!((round.added(), round.encoding_share()), (0.25, 0.25));
+    }
+}

@@ -1,0 +1,199 @@
+//! Everything that is measured of a scene.
+
+use super::bench::{self, GpuRecord, Timed};
+use super::cracks::{Cracks, aim};
+use super::frames::Round;
+use super::machine::{Cpu, Machine};
+use super::methods::{Method, Prepared};
+use super::printed::Printed;
+use super::protocol::Protocol;
+use super::scenes::Subject;
+use crate::measure::counts::{Counts, count};
+use crate::measure::paths::Seen;
+use crate::measure::rounds::Rounds;
+use crate::measure::step::PIXELS;
+use crate::measure::walks::Walks;
+use crate::stress::moved;
+use anyhow::Result;
+use serde::Serialize;
+use slimbvh::{MeshCodec, Picture, RenderSettings, Trees};
+use slimbvh_cli::backend::Chosen;
+
+/// What was measured of one scene.
+#[derive(Serialize)]
+pub struct SceneRecord {
+    pub name: &'static str,
+    #[serde(skip)]
+    pub printed: Option<Printed>,
+    pub stand_in: Option<String>,
+    /// Whether a tree has little to gain.
+    #[serde(skip)]
+    pub is_smallest: bool,
+    pub triangles: usize,
+    /// Of the scene's box.
+    pub diagonal: f32,
+    /// The plain tree first.
+    pub methods: Vec<MethodRecord>,
+}
+
+/// What was measured with one method.
+#[derive(Serialize)]
+pub struct MethodRecord {
+    #[serde(skip)]
+    pub method: Method,
+    pub name: String,
+    /// Of the tree and of the triangles in its leaves.
+    pub node_bytes: usize,
+    pub triangle_bytes: usize,
+    pub counts: Counts,
+    /// Beside the plain tree's picture.
+    pub differences: Differences,
+    /// How far a vertex moved, and how far it might have, in the scene's unit.
+    pub moved: Option<[f32; 2]>,
+    /// Of closed scenes.
+    pub cracks: Option<Cracks>,
+    /// None where a GPU was to time what it does not have.
+    pub rounds: Rounds<Round>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub on_gpu: Option<GpuRecord>,
+}
+
+/// Pixels of two pictures.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Differences {
+    /// There is nothing any more.
+    pub lost: usize,
+    /// There was nothing.
+    pub gained: usize,
+    pub changed: usize,
+    /// By more than [`STRONG`] of 255.
+    pub strongly: usize,
+}
+
+/// A change that may be seen.
+pub const STRONG: u8 = 16;
+
+impl SceneRecord {
+    pub fn plain(&self) -> &MethodRecord {
+        &self.methods[0]
+    }
+
+    /// The record of a method.
+    pub fn of(&self, method: Method) -> Option<&MethodRecord> {
+        self.methods.iter().find(|record| record.method == method)
+    }
+}
+
+impl MethodRecord {
+    /// Of tree and triangles.
+    pub fn bytes(&self) -> usize {
+        self.node_bytes + self.triangle_bytes
+    }
+}
+
+/// Measures one scene with each method. What is timed takes turns with the plain tree; what is counted is counted on cores.
+pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result<SceneRecord> {
+    let scene = &subject.scene;
+    let settings = RenderSettings {
+        size: protocol.size,
+        mirror_depth: protocol.mirror_depth,
+        ..RenderSettings::default()
+    };
+    let plain = Method::Plain.prepare(scene, &PIXELS);
+    let mut bench = bench::open(chosen, &plain)?;
+    let mut reference = Cpu::new(&plain);
+    let aimed_rays = subject.is_closed.then_some(protocol.aimed_rays);
+    reference.build()?;
+    reference.render(&settings)?;
+    let facts = |own: &Cpu, prepared: &Prepared, reference: &Cpu, seen: Option<&[Seen]>| {
+        facts(prepared, (own, reference), (&settings, aimed_rays), seen)
+    };
+    let mut first = facts(&reference, &plain, &reference, None)?;
+    first.on_gpu = bench.plain(&reference, &settings)?;
+    let seen = first.counts.seen.clone();
+    let mut methods = vec![first];
+    for method in Method::all() {
+        let prepared = method.prepare(scene, &PIXELS);
+        let mut own = Cpu::new(&prepared);
+        own.build()?;
+        own.render(&settings)?;
+        let mut record = facts(&own, &prepared, &reference, Some(&seen))?;
+        let both = (&mut reference, &mut own);
+        let Timed { rounds, on_gpu } = bench.time(both, &prepared, &settings, protocol.rounds)?;
+        (record.rounds, record.on_gpu) = (rounds, on_gpu);
+        methods.push(record);
+    }
+    // All that was timed of the plain tree.
+    let all = methods.iter().flat_map(|record| &record.rounds.0);
+    let all = all.map(|round| Round {
+        plain: round.plain.clone(),
+        own: round.plain.clone(),
+    });
+    let all = all.collect();
+    methods[0].rounds = Rounds(all);
+    let bounds = scene.mesh.bounds();
+    Ok(SceneRecord {
+        name: subject.name,
+        printed: subject.printed,
+        triangles: scene.mesh.indices.len(),
+        diagonal: bounds.map_or(0.0, |bounds| (bounds.max - bounds.min).length()),
+        stand_in: subject.stand_in,
+        is_smallest: subject.is_smallest,
+        methods,
+    })
+}
+
+/// What needs no clock, of a tree that was built and a picture that was made. `seen` is what the reference sees.
+fn facts(
+    prepared: &Prepared,
+    (own, reference): (&Cpu, &Cpu),
+    (settings, aimed_rays): (&RenderSettings, Option<usize>),
+    seen: Option<&[Seen]>,
+) -> Result<MethodRecord> {
+    let bvh = &own.bvh;
+    let trees = Trees::all(bvh, prepared.scene.lights.len());
+    let counts = count(&prepared.scene, &Walks::new(&trees)?, settings)?;
+    let moved = match prepared.config.mesh {
+        MeshCodec::Leaf10 => {
+            let moves = moved(&reference.bvh, &bvh.decoded())?;
+            Some([moves.most, moves.bound].map(|distance| distance as f32))
+        }
+        _ => prepared.moved,
+    };
+    let cracks = aimed_rays.map(|count| aim(&prepared.scene, bvh, count));
+    let differences = Differences {
+        lost: differ(seen, &counts.seen, true),
+        gained: differ(seen, &counts.seen, false),
+        changed: changed(&own.picture, &reference.picture, 0),
+        strongly: changed(&own.picture, &reference.picture, STRONG),
+    };
+    Ok(MethodRecord {
+        method: prepared.method,
+        name: prepared.method.name(),
+        node_bytes: bvh.node_bytes(),
+        triangle_bytes: bvh.triangle_bytes(),
+        counts,
+        differences,
+        moved,
+        cracks: cracks.transpose()?,
+        rounds: Rounds::default(),
+        on_gpu: None,
+    })
+}
+
+/// How many pixels were so, and are not any more.
+fn differ(before: Option<&[Seen]>, after: &[Seen], were: bool) -> usize {
+    let pairs = before.unwrap_or(after).iter().zip(after);
+    pairs
+        .map(|(before, after)| [before, after].map(Seen::is_anything))
+        .filter(|[before, after]| *before == were && *after != were)
+        .count()
+}
+
+/// How many pixels differ by more than this in any channel.
+pub fn changed(a: &Picture, b: &Picture, most: u8) -> usize {
+    let (a, b) = (a.to_srgb(), b.to_srgb());
+    let pixels = a.chunks(3).zip(b.chunks(3));
+    let differ = |(a, b): &(&[u8], &[u8])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > most);
+    pixels.filter(differ).count()
+}

@@ -1,0 +1,109 @@
+//! In which codecs trees are measured.
+
+use crate::measure::step::Step;
+use crate::measure::walks::node_bytes;
+use crate::stress::snapped;
+use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene};
+use std::borrow::Cow;
+
+/// How nodes and triangles are stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// In full.
+    Plain,
+    /// Nodes as printed.
+    Node,
+    /// Nodes and triangles as printed.
+    NodeMesh,
+    /// Nodes on a lattice, triangles in full.
+    Lattice(LatticeBits),
+    /// Both on a lattice, nodes in 10 bits.
+    LatticeMesh(Step),
+}
+
+/// A scene made ready for a method.
+pub struct Prepared<'a> {
+    pub method: Method,
+    /// Its vertices moved onto the lattice, where there is one.
+    pub scene: Cow<'a, Scene>,
+    pub config: BuildConfig,
+    /// How far a vertex moved, and how far it might have.
+    pub moved: Option<[f32; 2]>,
+}
+
+impl Method {
+    /// All that is compared with [`Self::Plain`]: the printed ones, ours, and ours with nodes of other widths.
+    pub fn all() -> Vec<Self> {
+        let mut all = vec![
+            Self::Node,
+            Self::NodeMesh,
+            Self::Lattice(LatticeBits::Q10),
+            Self::LatticeMesh(Step::Finest),
+            Self::LatticeMesh(Step::Pixels(0.1)),
+            Self::JUDGED,
+        ];
+        let others = LatticeBits::ALL.map(Self::Lattice).into_iter();
+        all.extend(others.filter(Self::is_other_width));
+        all
+    }
+
+    /// The one that targets are for.
+    pub const JUDGED: Self = Self::LatticeMesh(Step::Pixels(0.5));
+
+    /// Whether it is there only for the sake of its width.
+    pub fn is_other_width(&self) -> bool {
+        matches!(self, Self::Lattice(bits) if *bits != LatticeBits::Q10)
+    }
+
+    /// In tables.
+    pub fn name(self) -> String {
+        match self {
+            Self::Plain => "plain".into(),
+            Self::Node => "NODE".into(),
+            Self::NodeMesh => "NODE+MESH".into(),
+            Self::Lattice(bits) => format!("q{}", bits.count()),
+            Self::LatticeMesh(Step::Finest) => "q10, mesh at finest step".into(),
+            Self::LatticeMesh(Step::Pixels(pixels)) => format!("q10, mesh to {pixels}px"),
+        }
+    }
+
+    fn nodes(self) -> NodeCodec {
+        match self {
+            Self::Plain => NodeCodec::F32,
+            Self::Node | Self::NodeMesh => NodeCodec::Paper10,
+            Self::Lattice(bits) => NodeCodec::Lattice(bits),
+            Self::LatticeMesh(_) => NodeCodec::Lattice(LatticeBits::Q10),
+        }
+    }
+
+    /// Bytes of a node.
+    pub fn node_bytes(self) -> usize {
+        node_bytes(self.nodes())
+    }
+
+    /// Makes a scene ready. Pixels are those of a picture with these settings.
+    pub fn prepare<'a>(self, scene: &'a Scene, settings: &RenderSettings) -> Prepared<'a> {
+        let mut prepared = Prepared {
+            method: self,
+            scene: Cow::Borrowed(scene),
+            config: BuildConfig {
+                nodes: self.nodes(),
+                ..BuildConfig::default()
+            },
+            moved: None,
+        };
+        match self {
+            Self::NodeMesh => prepared.config.mesh = MeshCodec::Leaf10,
+            Self::LatticeMesh(step) => {
+                let step_exponent = step.exponent(scene, settings);
+                let mesh = &mut prepared.scene.to_mut().mesh;
+                mesh.snap(step_exponent);
+                let moves = snapped(&scene.mesh.vertices, &mesh.vertices, step_exponent);
+                prepared.moved = Some([moves.most, moves.bound].map(|distance| distance as f32));
+                prepared.config.mesh = MeshCodec::Lattice { step_exponent };
+            }
+            Self::Plain | Self::Node | Self::Lattice(_) => {}
+        }
+        prepared
+    }
+}

@@ -1,0 +1,194 @@
+//! The whole report: for people, for a file, and as JSON.
+
+use super::SceneName;
+use super::bench::{Likeness, Place};
+use super::measure::SceneRecord;
+use super::protocol::Protocol;
+use super::tables::tables;
+use super::targets::verdicts;
+use crate::measure::machine::describe;
+use crate::reproduce::options::Options;
+use crate::reproduce::sheet::Sheet;
+use crate::reproduce::verdicts::Verdict;
+use serde::Serialize;
+use slimbvh_cli::backend::Chosen;
+use slimbvh_cli::output::{count, things};
+use slimbvh_core::node::LEAF_SIZE;
+
+/// Everything that was measured.
+#[derive(Serialize)]
+pub struct Report {
+    paper: &'static str,
+    /// The command that makes it again.
+    command: String,
+    quick: bool,
+    backend: &'static str,
+    machine: String,
+    threads: usize,
+    protocol: Protocol,
+    scenes: Vec<SceneRecord>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    left_out: Vec<LeftOut>,
+    verdicts: Vec<Verdict>,
+    #[serde(skip)]
+    place: Place,
+}
+
+/// A scene that was not measured.
+#[derive(Serialize)]
+pub struct LeftOut {
+    pub scene: String,
+    pub why: String,
+}
+
+const PAPER: &str = "A paper on the compression of BVH and mesh on the GPU, after Karras 2012";
+
+impl Report {
+    pub fn new(
+        options: &Options<SceneName>,
+        chosen: &Chosen,
+        protocol: Protocol,
+        (scenes, left_out): (Vec<SceneRecord>, Vec<LeftOut>),
+    ) -> Self {
+        let (backend, machine) = describe(chosen);
+        let place = Place::of(chosen);
+        Self {
+            paper: PAPER,
+            command: options.command("compressed"),
+            quick: options.quick,
+            backend,
+            machine,
+            threads: rayon::current_num_threads(),
+            protocol,
+            verdicts: verdicts(&scenes, place),
+            scenes,
+            left_out,
+            place,
+        }
+    }
+
+    /// As it is printed.
+    pub fn sheet(&self) -> Sheet<'_> {
+        Sheet {
+            title: "Compressed trees, beside the figures of the paper",
+            paper: self.paper,
+            head: self.head(),
+            scope: "for nodes of 10 bits with triangles on the lattice, to half a pixel and at the finest step",
+            verdicts: &self.verdicts,
+            tables: tables(&self.scenes, self.place),
+        }
+    }
+
+    /// What must be known to read the tables.
+    fn head(&self) -> Vec<(&'static str, String)> {
+        let Protocol {
+            size: [width, height],
+            rounds,
+            mirror_depth,
+            ..
+        } = &self.protocol;
+        let mut head = vec![
+            ("command", format!("`{}`", self.command)),
+            ("machine", self.machine.clone()),
+        ];
+        if self.quick {
+            let text = "small pictures and few repeats: for a first look, not for a record";
+            head.push(("quick", text.into()));
+        }
+        head.push((
+            "pictures",
+            format!("{width}x{height} pixels, one sample each; paths meet up to {mirror_depth} mirrors and surfaces of glass"),
+        ));
+        head.push((
+            "times",
+            format!(
+                "medians of {rounds} rounds; within each the method and the plain tree take turns. Spread: from the fastest to the slowest, \
+                 as a share of the median"
+            ),
+        ));
+        head.push((
+            "plain",
+            format!(
+                "nodes of 64 bytes with both children's boxes, leaves of up to {LEAF_SIZE} triangles, 40 bytes a triangle: what all else is \
+                 compared with"
+            ),
+        ));
+        head.push((
+            "NODE",
+            "the printed codec: planes in 10 bits between those of the decoded parent, by floats. +MESH: triangles in 10 bits a \
+             coordinate in their leaf's box"
+                .into(),
+        ));
+        head.push((
+            "q4 to q21",
+            "ours: planes on one lattice of the scene, by integers, in so many bits. With mesh, vertices are moved onto a lattice first, \
+             and triangles take 16, 28 or 40 bytes as each leaf needs"
+                .into(),
+        ));
+        head.push(("printed", self.printed()));
+        if self.place.is_gpu() {
+            head.push(("counted", self.counted()));
+        }
+        head.extend(self.scenes.iter().map(|scene| {
+            let stand_in = scene
+                .stand_in
+                .as_ref()
+                .map_or(String::new(), |text| format!("; {text}"));
+            let printed = scene
+                .printed
+                .map_or("nothing is printed of it".into(), |printed| {
+                    format!("printed: {}", printed.triangles)
+                });
+            let text = format!(
+                "{} ({printed}){stand_in}",
+                things(scene.triangles, "triangle")
+            );
+            (scene.name, text)
+        }));
+        head.extend(self.left_out.iter().map(|left_out| {
+            let LeftOut { scene, why } = left_out;
+            ("left out", format!("{scene}: {why}"))
+        }));
+        head
+    }
+
+    /// What the paper's figures are, beside ours.
+    fn printed(&self) -> String {
+        let (ours, whose, what) = match self.place {
+            Place::Cores => (
+                ", which reads what its caches miss; ours are of this machine's cores, which have little to gain from less traffic and \
+                 decode without help",
+                "Its",
+                "ratios of counts",
+            ),
+            Place::Software => (
+                "; ours are of a CPU that plays a GPU, which has little to gain from less traffic, and whose times say little: rendering \
+                 is not judged",
+                "The paper's",
+                "ratios of counts",
+            ),
+            Place::Gpu => ("", "Its", "ratios"),
+        };
+        format!(
+            "figures of the paper, on a GTX 970 of 2014{ours}. {whose} tree has one triangle a leaf, so most of what it reads is nodes; \
+             ours has a quarter as many nodes, and reads triangles as well. Compare {what}, not times"
+        )
+    }
+
+    /// What was counted where, and how far both agree.
+    fn counted(&self) -> String {
+        let methods = self.scenes.iter().flat_map(|scene| &scene.methods);
+        let all: Vec<_> = methods.filter_map(|own| own.on_gpu).collect();
+        let likeness = all.iter().map(|on_gpu| on_gpu.likeness);
+        let sum = |of: fn(&Likeness) -> usize| likeness.clone().map(|it| of(&it)).sum::<usize>();
+        format!(
+            "on the CPU: tests, bytes read, changed pixels and cracks, which are the same on both. The GPU counted as well what {} from \
+             the eye touch: {} of these counts differ. Its trees take as many bytes, and of {} in its pictures {} differ from the CPU's \
+             by more than one of 255",
+            things(sum(|it| it.rays), "ray"),
+            count(sum(|it| it.counted_otherwise)),
+            things(sum(|it| it.pixels), "pixel"),
+            count(sum(|it| it.pixels_unlike)),
+        )
+    }
+}

@@ -1,0 +1,124 @@
+//! Which targets are met.
+
+use super::bench::Place;
+use super::frames::{Frame, Round};
+use super::measure::{MethodRecord, SceneRecord};
+use super::methods::Method;
+use crate::measure::step::Step;
+use crate::reproduce::verdicts::{Measured, Verdict};
+
+/// A target.
+struct Target {
+    what: &'static str,
+    /// At most.
+    bound: f64,
+    /// Of a method, beside the plain tree.
+    of: fn(&MethodRecord, &MethodRecord) -> f64,
+    /// Whether it is for the smallest scene as well.
+    is_for_smallest: bool,
+}
+
+const COUNTED: [Target; 4] = [
+    Target {
+        what: "bytes of tree and triangles / plain",
+        bound: 0.6,
+        of: bytes,
+        is_for_smallest: true,
+    },
+    Target {
+        what: "bytes of tree and triangles / plain, aimed at",
+        bound: 0.4,
+        of: bytes,
+        is_for_smallest: true,
+    },
+    Target {
+        what: "bytes read a ray / plain",
+        bound: 0.75,
+        of: |own, plain| own.counts.all().bytes_read() / plain.counts.all().bytes_read(),
+        is_for_smallest: true,
+    },
+    Target {
+        what: "more box tests a ray, as a share",
+        bound: 0.05,
+        of: |own, plain| own.counts.all().box_tests() / plain.counts.all().box_tests() - 1.0,
+        is_for_smallest: true,
+    },
+];
+
+/// On cores, where boxes are found while coding.
+const ADDED: Target = Target {
+    what: "what encoding adds to construction",
+    bound: 0.1,
+    of: |own, _| own.rounds.median(Round::added),
+    is_for_smallest: true,
+};
+
+/// On a GPU, where encoding is a stage by itself.
+const ENCODING: Target = Target {
+    what: "encoding / construction",
+    bound: 0.1,
+    of: |own, _| own.rounds.median(Round::encoding_share),
+    is_for_smallest: true,
+};
+
+/// On a real GPU, which waits for memory.
+const FASTER: [Target; 2] = [
+    Target {
+        what: "rendering / plain, but for the smallest scene",
+        bound: 1.0,
+        of: |own, _| of_plain(own, |frame| frame.rendering),
+        is_for_smallest: false,
+    },
+    Target {
+        what: "a frame / plain, but for the smallest scene",
+        bound: 1.0,
+        of: |own, _| of_plain(own, Frame::total),
+        is_for_smallest: false,
+    },
+];
+
+/// What is asked of a place.
+fn targets(place: Place) -> Vec<&'static Target> {
+    let counted = COUNTED.iter();
+    match place {
+        Place::Cores => counted.chain([&ADDED]).collect(),
+        Place::Software => counted.chain([&ENCODING]).collect(),
+        Place::Gpu => counted.chain([&ENCODING]).chain(&FASTER).collect(),
+    }
+}
+
+fn of_plain(own: &MethodRecord, of: fn(&Frame) -> f64) -> f64 {
+    own.rounds.median(|round| of(&round.own) / of(&round.plain))
+}
+
+fn bytes(own: &MethodRecord, plain: &MethodRecord) -> f64 {
+    own.bytes() as f64 / plain.bytes() as f64
+}
+
+/// Judges the methods that targets are for.
+pub fn verdicts(records: &[SceneRecord], place: Place) -> Vec<Verdict> {
+    let judged = [Method::JUDGED, Method::LatticeMesh(Step::Finest)];
+    let pairs = judged.into_iter().flat_map(|method| {
+        targets(place)
+            .into_iter()
+            .map(move |target| (method, target))
+    });
+    let verdicts = pairs.map(|(method, target)| {
+        let asked = |record: &&SceneRecord| target.is_for_smallest || !record.is_smallest;
+        let measured = records.iter().filter(asked).filter_map(|record| {
+            Some(Measured {
+                scene: record.name,
+                value: (target.of)(record.of(method)?, record.plain()),
+            })
+        });
+        Verdict {
+            what: format!("{}: {}", method.name(), target.what),
+            bound: target.bound,
+            is_at_most: true,
+            measured: measured.collect(),
+        }
+    });
+    verdicts
+        .filter(|verdict| !verdict.measured.is_empty())
+        .collect()
+}

@@ -1,0 +1,116 @@
+//! Which trees a picture is made with.
+
+use super::aim::Aim;
+use super::machine::Machine;
+use super::times::{Build, Picture};
+use crate::measure::rounds::Rounds;
+use anyhow::Result;
+use serde::Serialize;
+use slimbvh::RenderSettings;
+
+/// How triangles get in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Sorting {
+    /// All of them once, for all trees.
+    Once,
+    /// Those of each set by themselves.
+    Each,
+}
+
+/// What the rays of a picture are traced through. None stands for the whole tree, where all triangles count.
+#[derive(Clone, Debug)]
+pub struct Layout {
+    pub camera: Option<Aim>,
+    /// Trees for shadow rays.
+    pub shadows: Vec<Option<Aim>>,
+    /// For each light the tree that it uses, of those.
+    pub lights: Vec<usize>,
+    pub sorting: Sorting,
+}
+
+/// Where a whole tree is built, and where the trees of sets begin.
+const WHOLE: usize = 0;
+const CAMERA: usize = 1;
+const SHADOWS: usize = 2;
+
+impl Layout {
+    /// One whole tree for everything.
+    pub fn whole(light_count: usize) -> Self {
+        Self {
+            camera: None,
+            shadows: vec![None],
+            lights: vec![0; light_count],
+            sorting: Sorting::Once,
+        }
+    }
+
+    /// A set for the camera and one for each light.
+    pub fn sets(camera: &Aim, lights: &[Aim], sorting: Sorting) -> Self {
+        Self {
+            camera: Some(camera.clone()),
+            shadows: lights.iter().cloned().map(Some).collect(),
+            lights: (0..lights.len()).collect(),
+            sorting,
+        }
+    }
+
+    /// Builds and renders.
+    fn picture(&self, machine: &mut dyn Machine, settings: &RenderSettings) -> Result<Picture> {
+        let mut picture = Picture::default();
+        let is_any_whole = self.camera.is_none() || self.shadows.iter().any(Option::is_none);
+        if self.sorting == Sorting::Once || is_any_whole {
+            picture.camera_build = Build::of(&machine.sort()?);
+        }
+        let mut build = |place: usize, set: Option<&Aim>| -> Result<Build> {
+            Ok(Build::of(&match (self.sorting, set) {
+                (Sorting::Each, Some(set)) => machine.build_alone(place, set)?,
+                (_, set) => machine.build(place, set)?,
+            }))
+        };
+        // The whole tree first, as long as the order is that of all triangles.
+        if is_any_whole {
+            let whole = build(WHOLE, None)?;
+            let to = if self.camera.is_none() {
+                &mut picture.camera_build
+            } else {
+                &mut picture.shadow_build
+            };
+            *to = to.plus(whole);
+        }
+        if let Some(camera) = &self.camera {
+            let set = build(CAMERA, Some(camera))?;
+            picture.camera_build = picture.camera_build.plus(set);
+        }
+        for (i, shadow) in self.shadows.iter().enumerate() {
+            if let Some(shadow) = shadow {
+                let set = build(SHADOWS + i, Some(shadow))?;
+                picture.shadow_build = picture.shadow_build.plus(set);
+            }
+        }
+        let place = |i: usize| self.shadows[i].as_ref().map_or(WHOLE, |_| SHADOWS + i);
+        let camera = self.camera.as_ref().map_or(WHOLE, |_| CAMERA);
+        let lights: Vec<usize> = self.lights.iter().map(|&i| place(i)).collect();
+        picture.add_render(&machine.render(camera, &lights, settings)?);
+        Ok(picture)
+    }
+}
+
+/// Makes pictures with each layout in turn, round by round; `warm_ups` rounds before do not count.
+pub fn take_turns(
+    machine: &mut dyn Machine,
+    layouts: &[&Layout],
+    settings: &RenderSettings,
+    (warm_ups, rounds): (u32, u32),
+) -> Result<Vec<Rounds<Picture>>> {
+    let mut all = vec![Rounds(Vec::new()); layouts.len()];
+    for round in 0..warm_ups + rounds {
+        for (layout, rounds) in layouts.iter().zip(&mut all) {
+            let picture = layout.picture(machine, settings)?;
+            if round >= warm_ups {
+                rounds.0.push(picture);
+            }
+        }
+    }
+    Ok(all)
+}

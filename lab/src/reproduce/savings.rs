@@ -1,0 +1,196 @@
+//! What each saving saves, in a scene in which it matters.
+
+mod stage;
+
+use super::measure::settings;
+use super::protocol::Protocol;
+use super::scenes::Subject;
+use super::times::ms;
+use crate::measure::rounds::Rounds;
+use anyhow::{Result, ensure};
+use clap::ValueEnum;
+use serde::Serialize;
+use slimbvh::reduce::{Asked, Cull, Plan, Reduce, Saving, Savings, Switches};
+use slimbvh::{BuildConfig, Picture, RenderSettings, Scene};
+use slimbvh_cli::render::job::{Cpu, Job, Outcome};
+use stage::Stage;
+
+/// What a picture does without.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Saved {
+    /// Work of a plan.
+    Plan(Saving),
+    /// Shadow rays where there is no light.
+    DarkRays,
+}
+
+/// The same picture with a saving and without it.
+#[derive(Clone, Debug, Serialize)]
+pub struct SavingRecord {
+    pub saving: String,
+    /// In a few words.
+    pub scene: &'static str,
+    pub with: Way,
+    pub without: Way,
+}
+
+/// One way to make a picture.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Way {
+    /// Triangles of all sets that a frame builds.
+    pub triangles: usize,
+    /// Bytes of the trees that are there at once, at most.
+    pub tree_bytes: usize,
+    pub shadow_rays: u64,
+    pub rounds: Rounds<Frame>,
+}
+
+/// Milliseconds of a frame.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Frame {
+    /// Trees, those that are built in turn as well.
+    pub build: f64,
+    /// From samples to pixels.
+    pub render: f64,
+}
+
+impl Saved {
+    /// All savings of plans, then the other.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let plans = Saving::ALL.into_iter().map(Self::Plan);
+        plans.chain([Self::DarkRays])
+    }
+
+    /// As `slimbvh render --without` calls it, where it is a plan's.
+    pub fn name(self) -> String {
+        let value = match self {
+            Self::Plan(saving) => saving.to_possible_value(),
+            Self::DarkRays => None,
+        };
+        value.map_or("dark rays".into(), |value| value.get_name().to_owned())
+    }
+
+    /// What makes a picture without it.
+    fn left_out(self, settings: &RenderSettings) -> (RenderSettings, Savings) {
+        match self {
+            Self::Plan(saving) => (*settings, Savings::ALL.without(saving)),
+            Self::DarkRays => {
+                let dark_rays = true;
+                let settings = RenderSettings {
+                    dark_rays,
+                    ..*settings
+                };
+                (settings, Savings::ALL)
+            }
+        }
+    }
+}
+
+impl Frame {
+    pub fn total(&self) -> f64 {
+        self.build + self.render
+    }
+}
+
+/// Measures each saving on this machine's cores.
+pub fn measure(subject: &Subject, protocol: &Protocol) -> Result<Vec<SavingRecord>> {
+    let measure = |saved| compare(saved, subject, protocol);
+    Saved::all().map(measure).collect()
+}
+
+/// Makes a picture with a saving and without it, in turn. One round before does not count.
+fn compare(saved: Saved, subject: &Subject, protocol: &Protocol) -> Result<SavingRecord> {
+    let Stage { words, scene } = Stage::new(saved, subject);
+    let settings = settings(protocol, 1);
+    let ways = [(settings, Savings::ALL), saved.left_out(&settings)];
+    let [with, without] = &ways;
+    let plans = [
+        plan(subject, &scene, with)?,
+        plan(subject, &scene, without)?,
+    ];
+    let job = |i: usize| Job {
+        scene: &scene,
+        plan: &plans[i],
+        config: BuildConfig::default(),
+        settings: &ways[i].0,
+    };
+    let mut trials = [Trial::new(job(0)), Trial::new(job(1))];
+    for round in 0..=protocol.saving_rounds {
+        for trial in &mut trials {
+            trial.take_turn(round > 0)?;
+        }
+    }
+    let [with, without] = trials;
+    let saving = saved.name();
+    ensure!(
+        with.picture == without.picture,
+        "with the saving {saving:?} the picture of the {} is another than without it ({words})",
+        subject.name
+    );
+    Ok(SavingRecord {
+        saving,
+        scene: words,
+        with: with.way,
+        without: without.way,
+    })
+}
+
+/// Sets wherever anything may be left out.
+fn plan<'a>(
+    subject: &'a Subject,
+    scene: &Scene,
+    (settings, savings): &(RenderSettings, Savings),
+) -> Result<Plan<'a>> {
+    let switches = Switches {
+        cull: Some(Cull::On),
+        reduce: Reduce::On,
+        savings: *savings,
+        ..Switches::default()
+    };
+    let asked = Asked {
+        scene,
+        settings,
+        switches,
+        frame_count: 1,
+    };
+    Ok(Plan::new(&subject.topology, &asked)?)
+}
+
+/// A picture that is made again and again, and what that took.
+struct Trial<'a> {
+    job: Job<'a>,
+    cpu: Cpu,
+    picture: Picture,
+    way: Way,
+}
+
+impl<'a> Trial<'a> {
+    fn new(job: Job<'a>) -> Self {
+        Self {
+            job,
+            cpu: Cpu::default(),
+            picture: Picture::default(),
+            way: Way::default(),
+        }
+    }
+
+    fn take_turn(&mut self, counts: bool) -> Result<()> {
+        let picture = &mut self.picture;
+        let outcome = self.job.again_on_cpu(&mut self.cpu, picture, |_| ())?;
+        let Outcome { build, report, .. } = &outcome;
+        let way = &mut self.way;
+        way.triangles = outcome.sets.iter().map(|(_, count)| count).sum();
+        way.tree_bytes = outcome.node_bytes + outcome.triangle_bytes;
+        way.shadow_rays = report.shadow_ray_count;
+        if counts {
+            way.rounds.0.push(Frame {
+                build: ms(build),
+                render: ms(&report.stages),
+            });
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

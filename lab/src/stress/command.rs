@@ -1,0 +1,144 @@
+//! `slimbvh-lab stress`.
+
+mod report;
+mod tables;
+#[cfg(test)]
+mod tests;
+mod tracers;
+
+use super::{Effort, Row, cases, run as ask};
+use anyhow::{Context, Result, anyhow, bail};
+use clap::{Args, ValueEnum};
+use report::{Others, Report};
+use slimbvh_cli::{ThreadArguments, output};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use tracers::tracers;
+
+const EXAMPLES: &str = "\
+Examples:
+  slimbvh-lab stress --quick
+  slimbvh-lab stress --backend cpu,gpu --adapter llvmpipe
+  slimbvh-lab stress --only slivers flat --json -
+  slimbvh-lab stress --with peers.json
+
+Exit codes: 0 nothing is wrong, 1 a hit of slimbvh's is missed, false or the wrong one, or a vertex moved too far, 2 bad
+input.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct StressArguments {
+    /// Half a minute on two cores: smaller scenes, fewer rays, five codecs
+    #[arg(long)]
+    quick: bool,
+
+    /// What computes: one or both, separated by a comma
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "cpu")]
+    backend: Vec<Backend>,
+
+    /// The GPU with this in its name, also one that computes in software; `slimbvh info --adapters` lists them
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+
+    /// Only families with this in their name
+    #[arg(long, value_name = "FAMILY", num_args = 1..)]
+    only: Vec<String>,
+
+    /// Rows of other tracers to show beside ours, as JSON that --json wrote. The exit code is for ours alone
+    #[arg(long, value_name = "FILE")]
+    with: Vec<PathBuf>,
+
+    #[command(flatten)]
+    threads: ThreadArguments,
+
+    /// Write all rows as JSON, to standard output for "-"
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Backend {
+    /// This machine's cores
+    Cpu,
+    /// A GPU
+    Gpu,
+}
+
+pub fn run(arguments: &StressArguments) -> Result<ExitCode> {
+    if let Some(json) = arguments.json.as_deref() {
+        let taken: Vec<_> = arguments.with.iter().map(PathBuf::as_path).collect();
+        if !output::is_stdout(Some(json)) {
+            output::check_place(json, &taken)?;
+        }
+    }
+    let others = arguments.with.iter().map(|path| Others::read(path));
+    let others = others.collect::<Result<Vec<_>>>()?;
+    let report = arguments.threads.run(|| -> Result<Report> {
+        let mut rows = measure(arguments)?;
+        rows.extend(others.into_iter().flat_map(|others| others.rows));
+        Ok(Report::new(arguments, rows))
+    })??;
+    if !output::is_stdout(arguments.json.as_deref()) {
+        output::print(&report.text())?;
+    }
+    if let Some(json) = &arguments.json {
+        output::write_json(json, &report)?;
+    }
+    Ok(ExitCode::from(u8::from(!report.is_clean())))
+}
+
+/// Asks every tracer about every case.
+fn measure(arguments: &StressArguments) -> Result<Vec<Row>> {
+    let mut cases = cases(arguments.effort());
+    cases.retain(|case| arguments.wants(case.family));
+    if cases.is_empty() {
+        bail!("there is no family with {:?} in its name", arguments.only);
+    }
+    let mut tracers = tracers(arguments)?;
+    let bar = output::bar("tracing");
+    let mut rows = Vec::new();
+    for (number, case) in cases.iter().enumerate() {
+        bar.set(number as f64 / cases.len() as f64);
+        for tracer in &mut tracers {
+            let asked = ask(tracer.as_mut(), case).map_err(|error| anyhow!(error));
+            rows.extend(asked.with_context(|| format!("{} {}", case.family, case.magnitude))?);
+        }
+    }
+    Ok(rows)
+}
+
+impl StressArguments {
+    fn effort(&self) -> Effort {
+        match self.quick {
+            true => Effort::Quick,
+            false => Effort::Full,
+        }
+    }
+
+    fn wants(&self, family: &str) -> bool {
+        let is_in = |part: &String| family.contains(part.as_str());
+        self.only.is_empty() || self.only.iter().any(is_in)
+    }
+
+    /// The command that makes the same report again, without the names of files.
+    fn command(&self) -> String {
+        let mut words = vec!["slimbvh-lab stress".to_owned()];
+        if self.quick {
+            words.push("--quick".into());
+        }
+        let backends = self.backend.iter().filter_map(Backend::to_possible_value);
+        let backends: Vec<_> = backends.map(|value| value.get_name().to_owned()).collect();
+        words.push(format!("--backend {}", backends.join(",")));
+        words.extend(
+            self.adapter
+                .iter()
+                .map(|name| format!("--adapter {name:?}")),
+        );
+        if !self.only.is_empty() {
+            words.push("--only".into());
+            words.extend(self.only.iter().map(|part| format!("{part:?}")));
+        }
+        words.extend(self.threads.words());
+        words.join(" ")
+    }
+}

@@ -1,0 +1,119 @@
+//! The whole report: for people, and as JSON.
+
+use super::StressArguments;
+use super::tables::tables;
+use crate::measure::machine::processor;
+use crate::measure::table::wrap;
+use crate::stress::{BOUND_ULPS, Row};
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+use slimbvh_cli::output::{count, things};
+use std::path::Path;
+
+/// Everything that was measured.
+#[derive(Serialize)]
+pub struct Report {
+    /// The command that makes it again.
+    command: String,
+    quick: bool,
+    machine: String,
+    threads: usize,
+    /// What slimbvh is judged by, in ulps of the largest coordinate of origin and triangle.
+    bound_ulps: f64,
+    /// One a tracer, family, magnitude, backend, codec and reduction.
+    rows: Vec<Row>,
+}
+
+/// What is read of other reports.
+#[derive(Deserialize)]
+pub struct Others {
+    pub rows: Vec<Row>,
+}
+
+impl Others {
+    pub fn read(path: &Path) -> Result<Self> {
+        let shown = path.display().to_string();
+        let text =
+            std::fs::read_to_string(path).with_context(|| format!("cannot read {shown:?}"))?;
+        let rows = serde_json::from_str(&text);
+        rows.with_context(|| format!("{shown:?} has no rows as --json writes them"))
+    }
+}
+
+impl Report {
+    pub fn new(arguments: &StressArguments, rows: Vec<Row>) -> Self {
+        let threads = rayon::current_num_threads();
+        Self {
+            command: arguments.command(),
+            quick: arguments.quick,
+            machine: format!("{}, {}", processor(), things(threads, "thread")),
+            threads,
+            bound_ulps: BOUND_ULPS,
+            rows,
+        }
+    }
+
+    fn own(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| row.tracer == "slimbvh")
+    }
+
+    /// Whether our own answers are right, and all vertices kept to their bounds.
+    pub fn is_clean(&self) -> bool {
+        self.own()
+            .all(|row| row.faults() == 0 && row.keeps_its_bound())
+    }
+
+    fn verdict(&self) -> String {
+        let rays: u64 = self.own().map(|row| row.rays).sum();
+        let faults: u64 = self.own().map(Row::faults).sum();
+        let moved = self.own().filter(|row| !row.keeps_its_bound()).count();
+        let moved = match moved {
+            0 => String::new(),
+            _ => format!(
+                "; vertices moved beyond their bound in {}",
+                things(moved, "tree")
+            ),
+        };
+        match faults {
+            0 => format!(
+                "of {} of slimbvh's nothing is missed, false or the wrong one{moved}",
+                things(rays, "answer")
+            ),
+            _ => format!(
+                "of {} of slimbvh's {} at fault{moved}",
+                things(rays, "answer"),
+                count(faults)
+            ),
+        }
+    }
+
+    /// As it is printed.
+    pub fn text(&self) -> String {
+        let mut text = String::from("Rays that break tracers, against exact answers\n");
+        let bound = format!(
+            "a ray that passes farther than {BOUND_ULPS} ulps of the largest coordinate of its origin and the triangle from every border and \
+             silhouette must meet what the exact ray meets, and what is reported must be no farther off its triangle. From inside of closed \
+             surfaces something is met, without any tolerance. Codecs are judged by the triangles that they store"
+        );
+        let head = [
+            ("command", format!("`{}`", self.command)),
+            ("machine", self.machine.clone()),
+            ("judged by", bound),
+            ("verdict", self.verdict()),
+        ];
+        for (name, value) in head {
+            let mut lines = String::new();
+            wrap(&mut lines, &value, 100);
+            for (i, line) in lines.lines().enumerate() {
+                let name = if i == 0 { name } else { "" };
+                text += format!("{name:<10} {line}").trim_end();
+                text.push('\n');
+            }
+        }
+        for table in tables(&self.rows) {
+            text.push('\n');
+            text += &table.text();
+        }
+        text
+    }
+}
