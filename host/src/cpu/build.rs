@@ -8,10 +8,10 @@ use super::topology::Connections;
 use crate::tree::{Bvh, MeshCodec, NodeCodec, most_triangles};
 use crate::{Mesh, MeshError, Stages};
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::classify::Reach;
+use slimbvh_core::classify::VisibleSet;
 use slimbvh_core::cluster;
 use slimbvh_core::float::PowerOfTwo;
-use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::PyramidBox;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
@@ -87,7 +87,7 @@ pub enum Subset<'a> {
     /// All of the mesh.
     All,
     /// Those that rays of one kind may hit, which is in the mesh's unit.
-    Of(Reach<'a>),
+    Of(VisibleSet<'a>),
 }
 
 /// Builds hierarchies, and keeps its buffers from one to the next.
@@ -167,7 +167,7 @@ impl Builder {
     }
 
     /// Sorts all of a mesh's triangles, or only those in a set.
-    fn sort_some(&mut self, mesh: &Mesh, reach: Option<&Reach>) -> Result<Stages, MeshError> {
+    fn sort_some(&mut self, mesh: &Mesh, reach: Option<&VisibleSet>) -> Result<Stages, MeshError> {
         let mut stages = Stages::default();
         stages.time("validate", || self.check(mesh))?;
         let triangles = mesh.triangles();
@@ -177,8 +177,8 @@ impl Builder {
         let to = &mut stages;
         match self.config.code_bits {
             CodeBits::Bits30 => {
-                let frame = Frame::new(&bounds, 10);
-                let code = |bounds: &Aabb| [morton_code_30(bounds, &frame)];
+                let grid = MortonGrid::new(&bounds, 10);
+                let code = |bounds: &Aabb| [morton_code_30(bounds, &grid)];
                 let order = &mut self.order_30;
                 match reach {
                     None => order.sort(to, [30], &triangles, code),
@@ -186,8 +186,8 @@ impl Builder {
                 }
             }
             CodeBits::Bits63 => {
-                let frame = Frame::new(&bounds, 21);
-                let code = |bounds: &Aabb| morton_code_63(bounds, &frame);
+                let grid = MortonGrid::new(&bounds, 21);
+                let code = |bounds: &Aabb| morton_code_63(bounds, &grid);
                 let order = &mut self.order_63;
                 match reach {
                     None => order.sort(to, [31, 32], &triangles, code),

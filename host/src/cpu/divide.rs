@@ -4,7 +4,7 @@ use super::select::Selection;
 use crate::{Mesh, Stages};
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::classify::{Reach, word_of_set};
+use slimbvh_core::classify::{VisibleSet, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
 
 /// Finds the triangles that rays from or to a target may hit, and keeps its buffers from one target to the next.
@@ -27,7 +27,7 @@ impl Division {
     /// Finds the set of what rays may hit, in the mesh's unit. The mesh must be [sound](Mesh::validate). Returns the times of
     /// `classify` (a bit for each triangle, and how many are set in each word), `scan` (sums of these counts) and `compact`
     /// (the list).
-    pub fn divide(&mut self, mesh: &Mesh, reach: &Reach) -> Stages {
+    pub fn divide(&mut self, mesh: &Mesh, reach: &VisibleSet) -> Stages {
         let bounds = mesh.bounds().unwrap_or(Aabb::EMPTY);
         let scale = PowerOfTwo::new(scene_exponent(&bounds));
         let (triangles, reach) = (mesh.triangles(), reach.scaled(&scale));
@@ -78,7 +78,7 @@ mod tests {
                 components: &components,
                 sides: &sides,
             };
-            let reach = Reach {
+            let reach = VisibleSet {
                 sides,
                 target,
                 frustum: Frustum::EVERYWHERE,

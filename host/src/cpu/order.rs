@@ -6,7 +6,7 @@ use super::sort::Sorter;
 use crate::Stages;
 use rayon::prelude::*;
 use slimbvh_core::bounds::run_bounds;
-use slimbvh_core::classify::{Reach, word_of_set};
+use slimbvh_core::classify::{VisibleSet, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle};
@@ -62,7 +62,7 @@ impl<const W: usize> Order<W> {
         stages: &mut Stages,
         key_bits: [u32; W],
         triangles: &IndexedTriangles,
-        (scale, reach): (&PowerOfTwo, &Reach),
+        (scale, reach): (&PowerOfTwo, &VisibleSet),
         code: impl Fn(&Aabb) -> [u32; W] + Sync,
     ) {
         let count = stages.time("classify", || self.classify(triangles, scale, reach));
@@ -107,7 +107,7 @@ impl<const W: usize> Order<W> {
         &mut self,
         stages: &mut Stages,
         triangles: &IndexedTriangles,
-        (scale, reach): (&PowerOfTwo, &Reach),
+        (scale, reach): (&PowerOfTwo, &VisibleSet),
         leaves: &mut Vec<LeafTriangle>,
     ) {
         let count = stages.time("classify", || {
@@ -133,7 +133,7 @@ impl<const W: usize> Order<W> {
         &mut self,
         triangles: &IndexedTriangles,
         scale: &PowerOfTwo,
-        reach: &Reach,
+        reach: &VisibleSet,
     ) -> usize {
         let reach = reach.scaled(scale);
         let word = |word| word_of_set(word, triangles, scale, &reach);

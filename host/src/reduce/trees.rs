@@ -4,7 +4,7 @@ use super::plan::Plan;
 use super::{Aim, AimKind, Choice};
 use crate::animate::Action;
 use crate::{Builder, Bvh, Mesh, MeshError, RefitError, Stages, Subset, Tree, Trees, Turns};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
@@ -268,7 +268,7 @@ impl Turns for InTurn<'_> {
 
 /// What is in an aim's set.
 fn subset<'a>(plan: &Plan<'a>, aim: &'a Aim) -> Subset<'a> {
-    Subset::Of(Reach {
+    Subset::Of(VisibleSet {
         sides: sides(plan, aim),
         target: aim.target,
         frustum: aim.frustum,

@@ -1,18 +1,17 @@
 //! A built hierarchy, and the questions it answers about one ray.
 
 use super::codec::{MeshCodec, NodeCodec};
-use super::packets::{ButOne, filter_of};
+use super::packets::filter_of;
 use super::sah_cost;
 use super::stored::{Stacks, StoredTree, with_stacks};
 use super::visitor::{Alone, Shared, Watched};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::classify::Except;
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
 use slimbvh_core::trace::{
     self, AnyHit, ClosestHit, ClosestOrAny, Collector, Lane, LeafTriangles, NearestHits,
-    PlainNodes, traverse,
+    PlainNodes, Skip, SkipAnd, traverse,
 };
 use slimbvh_core::{LeafTriangle, Node};
 
@@ -75,7 +74,7 @@ impl Bvh {
     fn trace_alone(&self, ray: &PreparedRay, collector: ClosestOrAny) -> Hit {
         let all = filter_of(None);
         let mut lane = Lane {
-            rule: ButOne::new(&all, NO_PRIMITIVE),
+            filter: SkipAnd::new(&all, NO_PRIMITIVE),
             collector,
         };
         with_stacks(|stacks| {
@@ -99,7 +98,7 @@ impl Bvh {
         self.stored.visit(Watched {
             stacks,
             ray,
-            rule: ButOne::new(&all, skip),
+            filter: SkipAnd::new(&all, skip),
             collector,
         });
     }
@@ -110,7 +109,7 @@ impl Bvh {
         if let Some(plain) = self.stored.as_plain() {
             let (nodes, triangles) = (plain.node_source(), plain.triangle_source());
             let collector = &mut Shared(collector);
-            traverse(&nodes, &triangles, ray, &Except(skip), collector);
+            traverse(&nodes, &triangles, ray, &Skip(skip), collector);
         } else {
             self.watch(&mut { Stacks::EMPTY }, ray, skip, collector);
         }

@@ -1,7 +1,7 @@
 //! Codecs of nodes and triangles: their names, their tags in files, and which go together.
 
 use slimbvh_core::Node;
-use slimbvh_core::encode::{LeafWidth, PrintedNode};
+use slimbvh_core::encode::{LeafWidth, Paper10Node};
 use thiserror::Error;
 
 /// How inner nodes are stored. None changes an answer: boxes only grow.
@@ -52,7 +52,7 @@ impl NodeCodec {
     pub const fn node_bytes(self) -> usize {
         match self {
             Self::F32 => size_of::<Node>(),
-            Self::Paper10 => size_of::<PrintedNode>(),
+            Self::Paper10 => size_of::<Paper10Node>(),
             Self::Lattice(bits) => bits.words() * size_of::<u32>(),
         }
     }

@@ -49,13 +49,13 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Decoder<'_, N, T> {
             let triangles = places.map(|place| triangles.triangle(place, bounds));
             self.triangles.extend(triangles);
             return match node.count() {
-                0 => NodeRef::NOTHING,
+                0 => NodeRef::EMPTY_LEAF,
                 count => NodeRef::leaf(first, count),
             };
         }
         let index = node.index() as usize;
         if index >= self.nodes.len() {
-            return NodeRef::NOTHING;
+            return NodeRef::EMPTY_LEAF;
         }
         let (children, boxes) = nodes.open(node.index(), bounds);
         let left = self.open(children[0], &boxes[0]);

@@ -7,8 +7,8 @@ use super::sources::{StoredNodes, StoredTriangles, is_in_scene, triangle_in};
 use super::stored::{List, ListReader, Lists, Stacks, StoredTree};
 use super::visitor::TreeVisitor;
 use slimbvh_core::encode::{
-    LatticeCursor, LatticeFrame, LatticeNodes, LatticeTriangles, LeafWidth, RootWords, decode_node,
-    links_of,
+    LatticeBounds, LatticeCursor, LatticeNodes, LatticeTriangles, LeafWidth, RootWords,
+    decode_node, links_of,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -246,6 +246,10 @@ impl<const BITS: u32, const WORDS: usize> StoredTriangles<LatticeNodes<'_, BITS,
     }
 
     fn triangle(&self, place: (u32, u32), bounds: &LatticeBox) -> LeafTriangle {
-        triangle_in(self, place, LatticeFrame::new(bounds, self.step, [0, 1, 2]))
+        triangle_in(
+            self,
+            place,
+            LatticeBounds::new(bounds, self.step, [0, 1, 2]),
+        )
     }
 }

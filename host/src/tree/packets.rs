@@ -5,42 +5,19 @@ use super::lanes::{LANES, Numbers};
 use super::stored::with_stacks;
 use super::visitor::Together;
 use rayon::prelude::*;
-use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
-use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Rule};
-
-/// Which triangles count for a ray: those that count for all, but one.
-#[derive(Clone, Copy, Debug)]
-pub struct ButOne<'a> {
-    all: &'a Facing<'a>,
-    one: Except,
-}
-
-impl<'a> ButOne<'a> {
-    pub fn new(all: &'a Facing<'a>, skip: u32) -> Self {
-        Self {
-            all,
-            one: Except(skip),
-        }
-    }
-}
-
-impl Rule for ButOne<'_> {
-    #[inline(always)]
-    fn counts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool {
-        self.one.counts(primitive, corners, axes) && self.all.counts(primitive, corners, axes)
-    }
-}
+use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Skip, SkipAnd};
 
 /// The filter of all rays of a query: without a target, no triangle faces away.
-pub fn filter_of(target: Option<(Sides, Target)>) -> Facing {
+pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter {
     let everything = Sides {
         components: &[],
         sides: &[],
     };
     let (sides, target) = target.unwrap_or((everything, Target::position([0.0; 3])));
-    Facing {
+    FacingFilter {
         skip: NO_PRIMITIVE,
         sides,
         target,
@@ -48,7 +25,7 @@ pub fn filter_of(target: Option<(Sides, Target)>) -> Facing {
 }
 
 /// The filters and collectors of a packet's rays.
-pub type Packet<'a> = [Lane<ButOne<'a>, ClosestOrAny>; LANES];
+pub type Packet<'a> = [Lane<SkipAnd<'a, FacingFilter<'a>>, ClosestOrAny>; LANES];
 
 /// Rays that a task takes at once.
 const BLOCK: usize = 512;
@@ -120,21 +97,21 @@ impl Bvh {
         rays: impl Iterator<Item = (usize, Ray, u32)>,
         mut answer: impl FnMut(usize, Hit),
     ) {
-        let rule = filter_of(query.target);
+        let filter = filter_of(query.target);
         let nothing = Lane {
-            rule: ButOne::new(&rule, NO_PRIMITIVE),
+            filter: SkipAnd::new(&filter, NO_PRIMITIVE),
             collector: ClosestOrAny::any(0.0),
         };
         let mut packet = [nothing; LANES];
         let mut numbers = [0; LANES];
-        let mut prepared = PreparedRays::NOTHING;
+        let mut prepared = PreparedRays::EMPTY;
         let mut rays = rays.peekable();
         while rays.peek().is_some() {
-            let mut asked = [Ray::NOTHING; LANES];
+            let mut asked = [Ray::EMPTY; LANES];
             let mut count = 0;
             for (i, (number, ray, skip)) in rays.by_ref().take(LANES).enumerate() {
                 asked[i] = ray;
-                packet[i].rule.one = Except(skip);
+                packet[i].filter.skip = Skip(skip);
                 numbers[i] = number;
                 count += 1;
             }

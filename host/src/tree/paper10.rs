@@ -7,8 +7,8 @@ use super::sources::{StoredNodes, StoredTriangles, is_in_scene, triangle_in};
 use super::stored::{List, ListReader, Lists, Stacks, StoredTree};
 use super::visitor::TreeVisitor;
 use slimbvh_core::encode::{
-    PrintedBox, PrintedCursor, PrintedNode, PrintedNodes, PrintedTriangle, PrintedTriangles,
-    RootWords, decode_printed_node, encode_printed_triangle,
+    Paper10Box, Paper10Cursor, Paper10Node, Paper10Nodes, Paper10Triangle, Paper10Triangles,
+    RootWords, decode_paper10_node, encode_paper10_triangle,
 };
 use slimbvh_core::trace::{LeafTriangles, PacketStacks};
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
@@ -16,8 +16,8 @@ use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
 /// Nodes of the codec, the root's box, and triangles.
 #[derive(Clone, Debug)]
 pub struct Paper10Tree {
-    pub root: PrintedBox,
-    pub nodes: Vec<PrintedNode>,
+    pub root: Paper10Box,
+    pub nodes: Vec<Paper10Node>,
     pub triangles: Paper10Mesh,
 }
 
@@ -27,12 +27,12 @@ pub enum Paper10Mesh {
     /// In full.
     Full(Vec<LeafTriangle>),
     /// In 10 bits a coordinate in their leaf's box.
-    Leaf10(Vec<PrintedTriangle>),
+    Leaf10(Vec<Paper10Triangle>),
 }
 
 impl Paper10Mesh {
     /// The buffer of triangles of the codec, if there is one.
-    pub fn into_coded(self) -> Vec<PrintedTriangle> {
+    pub fn into_coded(self) -> Vec<Paper10Triangle> {
         match self {
             Self::Leaf10(triangles) => triangles,
             Self::Full(_) => Vec::new(),
@@ -46,7 +46,7 @@ impl Paper10Tree {
         match tree {
             StoredTree::Paper10(tree) => tree,
             _ => Self {
-                root: PrintedBox::ZERO,
+                root: Paper10Box::ZERO,
                 nodes: Vec::new(),
                 triangles: Paper10Mesh::Full(Vec::new()),
             },
@@ -57,16 +57,20 @@ impl Paper10Tree {
     // A function of its own: one for all codecs would be too large to be compiled well.
     #[inline(never)]
     pub fn visit<V: TreeVisitor>(&self, visitor: V) -> V::Output {
-        let nodes = PrintedNodes {
+        let nodes = Paper10Nodes {
             nodes: &self.nodes,
             root: self.root,
-            zero: 0,
+            opaque_zero: 0,
         };
         match &self.triangles {
             Paper10Mesh::Full(triangles) => visitor.visit(&nodes, &LeafTriangles(triangles)),
-            Paper10Mesh::Leaf10(triangles) => {
-                visitor.visit(&nodes, &PrintedTriangles { triangles, zero: 0 })
-            }
+            Paper10Mesh::Leaf10(triangles) => visitor.visit(
+                &nodes,
+                &Paper10Triangles {
+                    triangles,
+                    opaque_zero: 0,
+                },
+            ),
         }
     }
 
@@ -77,7 +81,7 @@ impl Paper10Tree {
         reader: &mut R,
     ) -> Result<Self, R::Error> {
         Ok(Self {
-            root: root.printed(),
+            root: root.paper10(),
             nodes: reader.nodes(1)?,
             triangles: if mesh == MeshCodec::Leaf10 {
                 Paper10Mesh::Leaf10(reader.triangles()?)
@@ -115,13 +119,13 @@ impl Lists for Paper10Tree {
     fn held_bytes(&self) -> usize {
         let triangles = match &self.triangles {
             Paper10Mesh::Full(triangles) => triangles.capacity() * size_of::<LeafTriangle>(),
-            Paper10Mesh::Leaf10(triangles) => triangles.capacity() * size_of::<PrintedTriangle>(),
+            Paper10Mesh::Leaf10(triangles) => triangles.capacity() * size_of::<Paper10Triangle>(),
         };
-        self.nodes.capacity() * size_of::<PrintedNode>() + triangles
+        self.nodes.capacity() * size_of::<Paper10Node>() + triangles
     }
 
     fn root_words(&self) -> Option<RootWords> {
-        Some(RootWords::of_printed(&self.root))
+        Some(RootWords::of_paper10(&self.root))
     }
 
     fn check_root(&self) -> Result<(), TreeError> {
@@ -147,18 +151,18 @@ impl Lists for Paper10Tree {
     }
 }
 
-fn aabb(bounds: &PrintedBox) -> Aabb {
+fn aabb(bounds: &Paper10Box) -> Aabb {
     Aabb {
         min: Vec3::from_array(bounds.min),
         max: Vec3::from_array(bounds.max),
     }
 }
 
-impl StoredNodes for PrintedNodes<'_> {
-    type Box = PrintedBox;
+impl StoredNodes for Paper10Nodes<'_> {
+    type Box = Paper10Box;
 
     #[inline(always)]
-    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<PrintedCursor, Numbers> {
+    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Paper10Cursor, Numbers> {
         &mut stacks.paper10
     }
 
@@ -166,33 +170,33 @@ impl StoredNodes for PrintedNodes<'_> {
         self.nodes.len()
     }
 
-    fn root_box(&self) -> PrintedBox {
+    fn root_box(&self) -> Paper10Box {
         self.root
     }
 
-    fn open(&self, node: u32, bounds: &PrintedBox) -> ([NodeRef; 2], [PrintedBox; 2]) {
+    fn open(&self, node: u32, bounds: &Paper10Box) -> ([NodeRef; 2], [Paper10Box; 2]) {
         let node = &self.nodes[node as usize];
-        let boxes = decode_printed_node(node, bounds, 0);
+        let boxes = decode_paper10_node(node, bounds, 0);
         ([node.left, node.right], boxes)
     }
 
-    fn aabb(&self, bounds: &PrintedBox) -> Aabb {
+    fn aabb(&self, bounds: &Paper10Box) -> Aabb {
         aabb(bounds)
     }
 }
 
-impl StoredTriangles<PrintedNodes<'_>> for PrintedTriangles<'_> {
+impl StoredTriangles<Paper10Nodes<'_>> for Paper10Triangles<'_> {
     fn place_count(&self) -> usize {
         self.triangles.len()
     }
 
-    fn triangle(&self, place: (u32, u32), bounds: &PrintedBox) -> LeafTriangle {
+    fn triangle(&self, place: (u32, u32), bounds: &Paper10Box) -> LeafTriangle {
         triangle_in(self, place, *bounds)
     }
 
     /// Its vertices moved, always in the same way.
-    fn stores(&self, place: (u32, u32), bounds: &PrintedBox, triangle: &LeafTriangle) -> bool {
+    fn stores(&self, place: (u32, u32), bounds: &Paper10Box, triangle: &LeafTriangle) -> bool {
         let stored = self.triangles.get((place.0 + place.1) as usize);
-        stored == Some(&encode_printed_triangle(triangle, bounds, 0))
+        stored == Some(&encode_paper10_triangle(triangle, bounds, 0))
     }
 }

@@ -4,10 +4,9 @@ use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
 use super::stored::{List, ListReader, Lists, Stacks, StoredTree, with_stacks};
 use super::visitor::TreeVisitor;
-use slimbvh_core::classify::Except;
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{Collector, LeafTriangles, PlainNodes, traverse_with};
+use slimbvh_core::trace::{Collector, LeafTriangles, PlainNodes, Skip, traverse_with};
 use slimbvh_core::{LeafTriangle, Node};
 
 /// Nodes and triangles in full.
@@ -46,7 +45,7 @@ impl PlainTree {
     pub fn trace<C: Collector>(&self, ray: &PreparedRay, collector: &mut C) {
         let (nodes, triangles) = (self.node_source(), self.triangle_source());
         with_stacks(|Stacks { plain, .. }| {
-            let (stack, rule) = (&mut plain.alone, &Except::NOTHING);
+            let (stack, rule) = (&mut plain.alone, &Skip::NONE);
             traverse_with(stack, &nodes, &triangles, ray, rule, collector);
         });
     }

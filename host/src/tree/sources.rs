@@ -3,7 +3,7 @@
 use super::lanes::Numbers;
 use super::stored::Stacks;
 use slimbvh_core::trace::{
-    LeafTriangles, NodeSource, PacketStacks, Place, PlainNodes, TriangleSource,
+    LeafSlot, LeafTriangles, NodeSource, PacketStacks, PlainNodes, TriangleSource,
 };
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
 
@@ -34,7 +34,7 @@ pub trait StoredNodes: NodeSource + Sync {
 }
 
 /// Triangles as they are stored, in leaves of nodes of one kind. No method panics, whatever the bytes are.
-pub trait StoredTriangles<N: StoredNodes>: TriangleSource<N::Frame> + Sync {
+pub trait StoredTriangles<N: StoredNodes>: TriangleSource<N::Bounds> + Sync {
     /// The number of places that all triangles take.
     fn place_count(&self) -> usize;
 
@@ -97,23 +97,23 @@ impl StoredNodes for PlainNodes<'_> {
     }
 }
 
-/// A triangle as the traversal reads it, in a leaf with this frame.
+/// A triangle as the traversal reads it, in a leaf with this decoded box.
 pub fn triangle_in<F: Copy>(
     source: &impl TriangleSource<F>,
     (first, number): (u32, u32),
-    frame: F,
+    bounds: F,
 ) -> LeafTriangle {
-    let place = Place {
+    let slot = LeafSlot {
         first,
         number,
-        frame,
+        bounds,
     };
-    let corners = source.corners(&place, [0, 1, 2]);
+    let corners = source.corners(&slot, [0, 1, 2]);
     let mut vertices = [0.0; 9];
     vertices.copy_from_slice(corners.as_flattened());
     LeafTriangle {
         vertices,
-        primitive: source.primitive(&place),
+        primitive: source.primitive(&slot),
     }
 }
 

@@ -8,7 +8,7 @@ use super::paper10::Paper10Tree;
 use super::plain::PlainTree;
 use super::visitor::TreeVisitor;
 use bytemuck::Pod;
-use slimbvh_core::encode::{LatticeCursor, PrintedCursor, RootWords};
+use slimbvh_core::encode::{LatticeCursor, Paper10Cursor, RootWords};
 use slimbvh_core::trace::PacketStacks;
 use slimbvh_core::{LeafTriangle, NodeRef};
 use std::cell::RefCell;
@@ -103,7 +103,7 @@ impl StoredTree {
 /// Stacks for each kind of nodes.
 pub struct Stacks {
     pub plain: PacketStacks<NodeRef, Numbers>,
-    pub paper10: PacketStacks<PrintedCursor, Numbers>,
+    pub paper10: PacketStacks<Paper10Cursor, Numbers>,
     pub lattice: PacketStacks<LatticeCursor, Numbers>,
 }
 

@@ -192,7 +192,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
             return Err(TreeError::NoParent { node: 1 });
         }
         let ([left, right], [left_box, _]) = self.nodes.open(0, root);
-        if left != NodeRef::leaf(0, count) || right != NodeRef::NOTHING {
+        if left != NodeRef::leaf(0, count) || right != NodeRef::EMPTY_LEAF {
             return Err(TreeError::LeafSize {
                 node: 0,
                 count: left.count(),

@@ -1,13 +1,14 @@
 //! Visitors of a stored tree: code that is compiled once for each way to store nodes and triangles.
 
 use super::lanes::{LANES, Numbers};
-use super::packets::{ButOne, Packet};
+use super::packets::Packet;
 use super::sources::{StoredNodes, StoredTriangles};
 use super::stored::Stacks;
 use slimbvh_core::Hit;
+use slimbvh_core::classify::FacingFilter;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, Collector, Lane, PreparedRays, trace_alone, trace_packet, traverse_with,
+    ClosestOrAny, Collector, Lane, PreparedRays, SkipAnd, trace_alone, trace_packet, traverse_with,
 };
 
 /// Called with the concrete sources of nodes and triangles: [`StoredTree::visit`](super::StoredTree::visit).
@@ -24,7 +25,7 @@ pub trait TreeVisitor {
 pub struct Alone<'a, 'b> {
     pub stacks: &'a mut Stacks,
     pub ray: &'a PreparedRay,
-    pub lane: &'a mut Lane<ButOne<'b>, ClosestOrAny>,
+    pub lane: &'a mut Lane<SkipAnd<'b, FacingFilter<'b>>, ClosestOrAny>,
 }
 
 impl TreeVisitor for Alone<'_, '_> {
@@ -58,7 +59,7 @@ impl TreeVisitor for Together<'_, '_> {
 pub struct Watched<'a, 'b> {
     pub stacks: &'a mut Stacks,
     pub ray: &'a PreparedRay,
-    pub rule: ButOne<'b>,
+    pub filter: SkipAnd<'b, FacingFilter<'b>>,
     pub collector: &'a mut dyn Collector,
 }
 
@@ -69,7 +70,7 @@ impl TreeVisitor for Watched<'_, '_> {
     fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
         let stack = &mut N::stacks(self.stacks).alone;
         let collector = &mut Shared(self.collector);
-        traverse_with(stack, nodes, triangles, self.ray, &self.rule, collector);
+        traverse_with(stack, nodes, triangles, self.ray, &self.filter, collector);
     }
 }
 

@@ -4,14 +4,14 @@ use super::counts::Tally;
 use super::paths::Kind;
 use anyhow::{Result, ensure};
 use slimbvh::{Bvh, Hit, Ray, Tree, Trees};
-use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::encode::LeafWidth;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, Counted, LeafTriangles, Place, Rule, TriangleSource, traverse,
+    ClosestOrAny, Counted, HitFilter, LeafSlot, LeafTriangles, Skip, TriangleSource, traverse,
 };
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -127,12 +127,12 @@ impl Walk<'_> {
             None => {
                 self.stored.bvh.collect(&ray, skip, &mut found);
                 if let Records::ByLeaf(_) = self.stored.records {
-                    read = self.stored.traverse(&ray, &Except(skip), &mut new());
+                    read = self.stored.traverse(&ray, &Skip(skip), &mut new());
                 }
             }
             Some((sides, target)) => {
                 let (sides, target) = (*sides, *target);
-                let rule = Facing {
+                let rule = FacingFilter {
                     skip,
                     sides,
                     target,
@@ -183,7 +183,7 @@ impl<'a> Stored<'a> {
     fn traverse(
         &self,
         ray: &PreparedRay,
-        rule: &impl Rule,
+        rule: &impl HitFilter,
         found: &mut Counted<ClosestOrAny>,
     ) -> Option<u64> {
         let decoded = self.decoded.as_deref()?;
@@ -225,14 +225,14 @@ struct Metered<'a> {
 }
 
 impl TriangleSource<()> for Metered<'_> {
-    fn corners(&self, place: &Place<()>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+    fn corners(&self, place: &LeafSlot<()>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let bytes = self.bytes.get((place.first + place.number) as usize);
         let read = self.read.get() + u64::from(bytes.copied().unwrap_or_default());
         self.read.set(read);
         self.triangles.corners(place, axes)
     }
 
-    fn primitive(&self, place: &Place<()>) -> u32 {
+    fn primitive(&self, place: &LeafSlot<()>) -> u32 {
         TriangleSource::<()>::primitive(&self.triangles, place)
     }
 }

@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use slimbvh::scene::{camera_target, light_target};
 use slimbvh::topology::Topology;
 use slimbvh::{Division, Scene, Subset};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
@@ -58,8 +58,8 @@ impl Aim {
     }
 
     /// The papers leave out nothing for lying outside of the picture.
-    pub fn reach<'a>(&'a self, topology: &'a Topology) -> Reach<'a> {
-        Reach {
+    pub fn reach<'a>(&'a self, topology: &'a Topology) -> VisibleSet<'a> {
+        VisibleSet {
             sides: self.sides(topology),
             target: self.target,
             frustum: Frustum::EVERYWHERE,

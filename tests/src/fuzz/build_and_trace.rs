@@ -62,7 +62,7 @@ pub fn build_and_trace(data: &[u8]) {
     });
     let coded = coded.expect("codecs that go together");
 
-    // What a leaf of the printed codec moves is another mesh.
+    // What a leaf of the paper10 codec moves is another mesh.
     let expected = match codec {
         MeshCodec::Leaf10 => coded.decoded(),
         _ => plain,

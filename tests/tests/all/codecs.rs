@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, MeshCodec, NodeCodec};
 use slimbvh_core::encode::{
-    BoxCodec, FINEST_STEP, LatticeCodec, Links, PrintedCodec, RootWords, RoundedNode, node_bounds,
+    BoxCodec, FINEST_STEP, LatticeCodec, Links, Paper10Codec, RootWords, RoundedNode, node_bounds,
     with_links,
 };
 use slimbvh_core::{Aabb, Node, NodeRef};
@@ -46,12 +46,13 @@ fn fault(plain: &[Node], decoded: &[Node]) -> Option<usize> {
             .get(child.index() as usize)
             .filter(|_| !child.is_leaf());
         let mut inner = grandchildren.into_iter().flat_map(parts);
-        inner.all(|(child, inner)| child == NodeRef::NOTHING || outer.contains(&inner))
+        inner.all(|(child, inner)| child == NodeRef::EMPTY_LEAF || outer.contains(&inner))
     };
     let is_sound = |(a, b): (&Node, &Node)| {
         let links = |node: &Node| (node.left, node.right, node.first, node.last);
         let mut pairs = parts(a).into_iter().zip(parts(b));
-        let holds = pairs.all(|((child, a), (_, b))| child == NodeRef::NOTHING || b.contains(&a));
+        let holds =
+            pairs.all(|((child, a), (_, b))| child == NodeRef::EMPTY_LEAF || b.contains(&a));
         links(a) == links(b) && holds && parts(b).into_iter().all(is_in_parent)
     };
     if plain.len() != decoded.len() {
@@ -110,11 +111,11 @@ proptest! {
         for code_bits in CODE_BITS {
             let plain = build(&mesh, code_bits);
             let nodes = plain.nodes();
-            let codec = PrintedCodec { zero: 0 };
+            let codec = Paper10Codec { opaque_zero: 0 };
             let printed = alone(nodes, &codec, |bounds, node| {
                 bytemuck::bytes_of(&codec.encode(bounds, node).node).to_vec()
             });
-            let root = RootWords::of_printed(&node_bounds(0, nodes, &codec));
+            let root = RootWords::of_paper10(&node_bounds(0, nodes, &codec));
             for (nodes, alone) in [
                 (NodeCodec::Paper10, (printed, root)),
                 (NodeCodec::Lattice(LatticeBits::Q4), alone_on_lattice::<4, 3>(nodes)),
@@ -173,9 +174,9 @@ proptest! {
         }
     }
 
-    /// The printed codec moves vertices leaf by leaf. What comes out is a mesh like any other: its tree is that of all of it.
+    /// The paper10 codec moves vertices leaf by leaf. What comes out is a mesh like any other: its tree is that of all of it.
     #[test]
-    fn printed_leaves_answer_as_the_decoded_mesh_does(mesh in any_mesh(), recipes in some_rays(24)) {
+    fn paper10_leaves_answer_as_the_decoded_mesh_does(mesh in any_mesh(), recipes in some_rays(24)) {
         let plain = build_as(&mesh, BuildConfig::default());
         let coded = build_as(&mesh, config(NodeCodec::Paper10, MeshCodec::Leaf10));
         let decoded = coded.decoded();

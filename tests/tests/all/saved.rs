@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use slimbvh::scene::slim::{read, write};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, NodeCodec, Scene, Subset};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use slimbvh_tests::rays::some_rays;
@@ -102,7 +102,7 @@ proptest! {
     #[test]
     fn reduced_trees_are_sound(mesh in any_mesh(), eye in proptest::array::uniform3(-9f32..9.0)) {
         let components = vec![0; mesh.indices.len()];
-        let reach = Reach {
+        let reach = VisibleSet {
             sides: Sides { components: &components, sides: &[1] },
             target: Target::position(eye),
             frustum: Frustum::EVERYWHERE,

@@ -3,16 +3,16 @@
 use super::tree::{Part, Tree, both};
 use slimbvh_core::NodeRef;
 use slimbvh_core::encode::{
-    BoxCodec, PrintedBox, PrintedCodec, PrintedNode, PrintedTriangle, encode_printed_triangle,
+    BoxCodec, Paper10Box, Paper10Codec, Paper10Node, Paper10Triangle, encode_paper10_triangle,
 };
 
 /// Codes a tree's nodes, and its triangles where the slice has room for them. Returns the root's box.
 pub(super) fn encode_paper10(
     tree: &Tree,
-    nodes: &mut Vec<PrintedNode>,
-    triangles: &mut [PrintedTriangle],
-) -> PrintedBox {
-    nodes.resize(tree.nodes.len(), PrintedNode::default());
+    nodes: &mut Vec<Paper10Node>,
+    triangles: &mut [Paper10Triangle],
+) -> Paper10Box {
+    nodes.resize(tree.nodes.len(), Paper10Node::default());
     let root = CODEC.root(&tree.node(0));
     let part = Part {
         node: 0,
@@ -27,9 +27,9 @@ pub(super) fn encode_paper10(
     root
 }
 
-const CODEC: PrintedCodec = PrintedCodec { zero: 0 };
+const CODEC: Paper10Codec = Paper10Codec { opaque_zero: 0 };
 
-fn encode(tree: &Tree, part: Part<PrintedNode, PrintedTriangle, PrintedBox>) {
+fn encode(tree: &Tree, part: Part<Paper10Node, Paper10Triangle, Paper10Box>) {
     let node = tree.node(part.node);
     let coded = CODEC.encode(&part.bounds, &node);
     part.nodes[part.node as usize - part.first_node] = coded.node;
@@ -43,7 +43,7 @@ fn encode(tree: &Tree, part: Part<PrintedNode, PrintedTriangle, PrintedBox>) {
         }
         let leaves = tree.leaves.iter().skip(child.first() as usize);
         for (to, leaf) in part.triangles.iter_mut().zip(leaves) {
-            *to = encode_printed_triangle(leaf, &part.bounds, 0);
+            *to = encode_paper10_triangle(leaf, &part.bounds, 0);
         }
     });
 }

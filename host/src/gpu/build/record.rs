@@ -18,13 +18,13 @@ use slimbvh_core::refit::{PyramidBox, group_count};
 impl Builder {
     /// Stages `bounds`, `morton` and `sort`.
     pub(super) fn record_sort(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh) {
-        let frame = &self.record_bounds(gpu, recorder, mesh);
+        let grid = &self.record_bounds(gpu, recorder, mesh);
         recorder.stage("morton");
         let (keys, items) = (self.keys(), self.items(gpu, mesh));
         recorder.dispatch(
             self.of_bits(Kernel::morton_30, Kernel::morton_63),
             &[],
-            &[frame, &mesh.vertices, &mesh.indices],
+            &[grid, &mesh.vertices, &mesh.indices],
             &[&items],
             threads(mesh.triangle_count),
         );
@@ -234,7 +234,7 @@ impl Builder {
         }
     }
 
-    /// Stage `bounds`. Returns the frame of the codes.
+    /// Stage `bounds`. Returns the Morton grid.
     fn record_bounds(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh) -> Range {
         recorder.stage("bounds");
         let block_count = mesh.triangle_count.div_ceil(BLOCK);
@@ -246,26 +246,26 @@ impl Builder {
             &[blocks],
             groups(block_count),
         );
-        let frame = self
+        let grid = self
             .scratch
-            .frame
-            .range(gpu, size_of::<slimbvh_core::morton::Frame>() as u64);
+            .grid
+            .range(gpu, size_of::<slimbvh_core::morton::MortonGrid>() as u64);
         let cell_bits = match self.config.code_bits {
             CodeBits::Bits30 => 10,
             CodeBits::Bits63 => 21,
         };
         recorder.dispatch(
-            Kernel::frame,
+            Kernel::bounds_grid,
             &[Uniform::Params([cell_bits, 0, 0, 0])],
             &[blocks],
             &[
-                &frame,
+                &grid,
                 &self.scratch.exponent.range(gpu, 16),
                 &self.scratch.bounds.range(gpu, 24),
             ],
             groups(1),
         );
-        frame
+        grid
     }
 
     /// Stage `refit`: the pyramid, then all boxes.

@@ -8,9 +8,8 @@ use crate::tree::paper10::Paper10Mesh;
 use crate::tree::plain::PlainTree;
 use crate::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec};
 use glam::Vec3;
-use slimbvh_core::classify::Except;
 use slimbvh_core::encode::{Links, links_of, with_links};
-use slimbvh_core::trace::{BruteForce, LeafTriangles, closest_hit};
+use slimbvh_core::trace::{BruteForce, LeafTriangles, Skip, closest_hit};
 use slimbvh_core::{Hit, Node, Ray};
 
 const STEP: i32 = -12;
@@ -317,7 +316,7 @@ fn each_bit_of_coded_trees_is_looked_at() {
         let triangles = LeafTriangles(&triangles);
         let all = rays.iter().map(|ray| {
             let exponent = bvh.scene_exponent;
-            closest_hit(&nodes, &triangles, ray, exponent, &Except::NOTHING)
+            closest_hit(&nodes, &triangles, ray, exponent, &Skip::NONE)
         });
         all.collect()
     };

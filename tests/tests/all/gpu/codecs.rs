@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use slimbvh::generate::{default_scene, icosphere, soup};
 use slimbvh::gpu::{self, Facing, Gpu, GpuError, Subset};
 use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind, View};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_tests::gpu::{done, gpu, is_software};
 use slimbvh_tests::parity::same_bits;
@@ -259,7 +259,7 @@ fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {
                 &build_as(&mesh, config),
             ));
             for (target, set) in targets.iter().zip(&sets) {
-                let reach = Reach {
+                let reach = VisibleSet {
                     sides: Sides {
                         components: &components,
                         sides: &[1],
