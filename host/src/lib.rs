@@ -3,8 +3,10 @@
 
 pub mod analysis;
 pub mod animate;
+pub mod backend;
 mod cpu;
 mod dvec3;
+mod frame;
 #[cfg(feature = "scenes")]
 pub mod generate;
 #[cfg(feature = "gpu")]
@@ -22,10 +24,12 @@ mod tolerance;
 pub mod topology;
 mod tree;
 
+pub use backend::{Backend, Change, Output};
 pub use cpu::{
-    BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree,
-    TreeKind, Trees, Turns,
+    BuildConfig, Builder, CodeBits, Cpu, CpuError, Decisions, Division, RefitError, Renderer,
+    Subset, Tree, TreeKind, Trees,
 };
+pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};

@@ -1,6 +1,7 @@
 //! Builds and refits on the CPU.
 
 use super::cluster::Clustering;
+use super::divide::Division;
 use super::encode::{Encoder, Unstored};
 use super::order::{Order, gather_again, scene_bounds};
 use super::refit::fill_pyramid;
@@ -101,6 +102,7 @@ pub struct Builder {
     connections: Connections,
     pyramid: Vec<PyramidBox>,
     encoder: Encoder,
+    division: Division,
 }
 
 impl Builder {
@@ -303,6 +305,11 @@ impl Builder {
         };
         self.fit(&mut stages, leaves, bvh);
         stages
+    }
+
+    /// Finds a set as [`Division::divide`] does, in memory that is kept.
+    pub(super) fn divide(&mut self, mesh: &Mesh, reach: &VisibleSet) -> Stages {
+        self.division.divide(mesh, reach)
     }
 
     /// Moves a hierarchy's boxes to where the mesh's vertices are now; the triangles must be those that it was built over.

@@ -1,11 +1,13 @@
 //! Stages `trace` and `shade` on the CPU, in waves of samples.
 
+use super::Cpu;
 use super::paint::{paint_depth, paint_heat, resolve};
-use super::trees::{NoTurns, Tree, Trees, Turns};
+use super::trees::{Tree, Trees};
+use crate::backend::{Deferral, DeferredTrees, Output, Shot};
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::ViewError;
-use crate::tree::Question;
-use crate::{Bvh, Scene};
+use crate::tree::{Bvh, Question};
+use crate::{CpuError, Scene, Stages};
 use rayon::prelude::*;
 use slimbvh_core::camera::Camera as CoreCamera;
 use slimbvh_core::float::PowerOfTwo;
@@ -20,6 +22,7 @@ use slimbvh_core::surface::Surface;
 use slimbvh_core::trace::{ClosestHit, Counted};
 use slimbvh_core::view;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::time::Instant;
 
 /// Samples in flight.
 const WAVE: u32 = 1 << 18;
@@ -35,6 +38,9 @@ pub struct Renderer {
     heat: Vec<u32>,
     depths: Vec<u32>,
 }
+
+/// Trees that are built in the picture, and where the times of that go.
+type Deferred<'a> = (&'a mut dyn DeferredTrees<Cpu>, &'a mut Stages);
 
 /// All that a picture is made from, next to the tree.
 struct Stage<'a> {
@@ -85,45 +91,45 @@ impl Renderer {
         trees: &Trees,
         settings: &RenderSettings,
         picture: &mut Picture,
-        progress: impl FnMut(f64),
-    ) -> Result<RenderReport, ViewError> {
-        self.render_waves(
-            scene,
-            (trees, &mut NoTurns, WAVE),
-            settings,
-            picture,
-            progress,
-        )
-    }
-
-    /// [`Self::render_with`], with some lights' hierarchies built in turn: all samples are in flight at once, so that each
-    /// has one turn, or one for each mirror that paths meet. None is built for a light that reaches nothing.
-    ///
-    /// # Errors
-    /// Those of [`Self::render`].
-    ///
-    /// # Panics
-    /// As [`Self::render_with`].
-    pub fn render_in_turn(
-        &mut self,
-        scene: &Scene,
-        (trees, turns): (&Trees, &mut dyn Turns),
-        settings: &RenderSettings,
-        picture: &mut Picture,
-        progress: impl FnMut(f64),
-    ) -> Result<RenderReport, ViewError> {
-        self.render_waves(scene, (trees, turns, u32::MAX), settings, picture, progress)
-    }
-
-    /// Renders with this many samples in flight.
-    fn render_waves(
-        &mut self,
-        scene: &Scene,
-        (trees, turns, wave): (&Trees, &mut dyn Turns, u32),
-        settings: &RenderSettings,
-        picture: &mut Picture,
         mut progress: impl FnMut(f64),
     ) -> Result<RenderReport, ViewError> {
+        let shot = Shot {
+            scene,
+            held: &(),
+            trees,
+            settings,
+            begin: Instant::now(),
+        };
+        let output = Output {
+            picture,
+            progress: Some(&mut progress),
+        };
+        match self.render_shot(&shot, None, output) {
+            Ok(report) => Ok(report),
+            Err(CpuError::View(error)) => Err(error),
+            Err(CpuError::Mesh(_) | CpuError::Refit(_)) => unreachable!("nothing is built"),
+        }
+    }
+
+    /// Renders, and builds deferred trees, whose times are added: then all samples are in flight at once, so that each tree is
+    /// built once, or once for each mirror that paths meet. None is built for a light that reaches nothing.
+    pub(super) fn render_shot(
+        &mut self,
+        shot: &Shot<Cpu>,
+        mut deferred: Option<Deferred>,
+        output: Output,
+    ) -> Result<RenderReport, CpuError> {
+        let Shot {
+            scene,
+            trees,
+            settings,
+            ..
+        } = *shot;
+        let Output {
+            picture,
+            mut progress,
+        } = output;
+        let wave = if deferred.is_some() { u32::MAX } else { WAVE };
         assert_eq!(
             trees.lights.len(),
             scene.lights.len(),
@@ -151,7 +157,7 @@ impl Renderer {
                 self.trace_primary(&stage, &mut report);
                 match settings.view {
                     View::Color => {
-                        self.shade(&stage, turns, settings.mirror_depth, &mut report);
+                        self.shade(&stage, &mut deferred, settings.mirror_depth, &mut report)?;
                     }
                     View::Depth => self.depths.extend(self.hits.iter().map(view::depth_value)),
                     view => self.show(&stage, view, &mut report),
@@ -161,7 +167,9 @@ impl Renderer {
             report.stages.time("resolve", || {
                 resolve(&self.paths, settings.sample_count, to);
             });
-            progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
+            if let Some(progress) = &mut progress {
+                progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
+            }
         }
         if settings.view == View::Depth {
             paint_depth(&self.depths, settings.sample_count, picture);
@@ -223,22 +231,25 @@ impl Renderer {
     fn shade(
         &mut self,
         stage: &Stage,
-        turns: &mut dyn Turns,
+        deferred: &mut Option<Deferred>,
         mirror_depth: u32,
         report: &mut RenderReport,
-    ) {
+    ) -> Result<(), CpuError> {
         for depth in 0..=mirror_depth {
             for (index, light) in stage.lights.iter().enumerate() {
-                // Who reaches nothing has no turn.
-                let stages = &mut report.stages;
-                if turns.is_due(index)
-                    && !stages.time("shade", || self.reaches(stage, (light, depth)))
-                {
-                    continue;
-                }
-                let tree = match turns.take(index) {
-                    Some(bvh) => Tree::all(bvh),
+                let tree = match deferred {
                     None => stage.trees.lights[index],
+                    Some((trees, build)) => {
+                        let stages = &mut report.stages;
+                        let mut reaches =
+                            || stages.time("shade", || self.reaches(stage, (light, depth)));
+                        match trees.deferral(index) {
+                            Deferral::Ready => stage.trees.lights[index],
+                            // No ray needs the tree of a light that reaches nothing.
+                            Deferral::IfReached(..) if !reaches() => continue,
+                            _ => Tree::all(trees.build(build, index)?),
+                        }
+                    }
                 };
                 report.stages.time("trace shadow", || {
                     report.shadow_ray_count += self.add_light(stage, (light, depth), &tree);
@@ -256,6 +267,7 @@ impl Renderer {
                 .stages
                 .time("trace mirror", || self.trace_paths(&Tree::all(bvh)));
         }
+        Ok(())
     }
 
     /// Whether a light reaches anything, as far as nothing stands in its way.

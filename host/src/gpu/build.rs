@@ -7,8 +7,8 @@ use self::scratch::{Scratch, pyramid_bytes};
 use super::buffer::Range;
 use super::bvh::{self, Built};
 use super::coding::Coding;
-use super::facing::{Components, FacingRanges, Subset};
 use super::program::{Program, Recorder};
+use super::sides::{Components, Subset, TargetRanges};
 use super::sort::Keys;
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Mesh};
@@ -47,7 +47,7 @@ enum Task {
     /// Builds over all of them.
     Build(Built),
     /// Builds over those that face a target.
-    BuildFacing(Built, Components, Box<FacingRanges>),
+    BuildFacing(Built, Components, Box<TargetRanges>),
     /// Moves boxes to where the triangles are now.
     Refit(Built),
 }

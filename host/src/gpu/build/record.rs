@@ -3,8 +3,8 @@
 use super::super::buffer::Range;
 use super::super::bvh::Built;
 use super::super::coding::Coding;
-use super::super::facing::{Components, FacingRanges};
 use super::super::program::{Groups, Recorder, Uniform, counted, groups, threads};
+use super::super::sides::{Components, TargetRanges};
 use super::super::{Gpu, Kernel, Mesh};
 use super::Builder;
 use super::scratch::pyramid_bytes;
@@ -53,7 +53,7 @@ impl Builder {
         recorder: &mut Recorder,
         mesh: &Mesh,
         bvh: &Built,
-        (components, facing): (&Components, &FacingRanges),
+        (components, facing): (&Components, &TargetRanges),
     ) {
         recorder.stage("classify");
         self.copy_state(gpu, recorder, bvh);

@@ -6,7 +6,7 @@ use crate::decisions::targets;
 use glam::Vec3;
 use proptest::prelude::*;
 use slimbvh::generate::{default_scene, icosphere, soup};
-use slimbvh::gpu::{self, Facing, Gpu, GpuError, Subset};
+use slimbvh::gpu::{self, Gpu, GpuError, Subset, TargetSides};
 use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind, View};
 use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
@@ -241,7 +241,7 @@ fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {
             done(cpu.sort(&mesh));
             let mut sets = Vec::new();
             for target in &targets {
-                let (mut facing, mut bvh) = (Facing::new(), gpu::Bvh::new());
+                let (mut facing, mut bvh) = (TargetSides::new(), gpu::Bvh::new());
                 done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1]));
                 let subset = Subset::Facing {
                     components: &on_gpu,

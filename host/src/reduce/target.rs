@@ -1,6 +1,7 @@
 //! Rays of one kind, and where they go.
 
-use super::Asked;
+use super::PlanRequest;
+use crate::backend::TargetSides;
 use crate::scene::{camera_target, frustum, light_target};
 use crate::{RenderSettings, Scene, View, ViewError};
 use slimbvh_core::Aabb;
@@ -9,7 +10,7 @@ use slimbvh_core::orientation::Target;
 
 /// Which rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AimKind {
+pub enum TargetKind {
     /// From the camera.
     Camera,
     /// To one light, or to some.
@@ -18,16 +19,16 @@ pub enum AimKind {
 
 /// Which triangles of closed surfaces may block rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Half {
+pub enum FacingSet {
     /// Those that face the target (C+, L+).
-    Toward,
+    Front,
     /// Those that face away from it (L−).
-    Away,
+    Back,
 }
 
 /// What rays of one kind are traced through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choice {
+pub enum TreeChoice {
     /// A tree over the triangles that count.
     Set,
     /// The whole tree, where the rule says what counts if there was a survey.
@@ -38,9 +39,9 @@ pub enum Choice {
 
 /// Rays of one kind, and what was decided for them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Aim {
+pub struct ViewTarget {
     /// Which rays.
-    pub kind: AimKind,
+    pub kind: TargetKind,
     /// The lights that they go to, by number from 0.
     pub lights: Vec<usize>,
     /// Where they come from or lead to, in the mesh's unit: all of the lights, for some.
@@ -48,12 +49,12 @@ pub struct Aim {
     /// Where they go. It bounds a set only; where it bounds nothing, nothing is left out for it.
     pub frustum: Frustum,
     /// Which half counts.
-    pub half: Half,
-    /// The side of each component that counts, see [`crate::topology::Topology::sides`]: negated for [`Half::Away`]. Empty
+    pub half: FacingSet,
+    /// The side of each component that counts, see [`crate::topology::Topology::sides`]: negated for [`FacingSet::Back`]. Empty
     /// without a survey, and where there are no rays.
     pub sides: Vec<i32>,
     /// What they are traced through.
-    pub choice: Choice,
+    pub choice: TreeChoice,
     /// How many triangles belong to components that this target may see a part of.
     pub reducible_count: usize,
     /// The share of the mesh's triangles that a set keeps, estimated.
@@ -64,20 +65,29 @@ pub struct Aim {
     pub saving_ms: f64,
 }
 
-impl Aim {
-    pub(super) fn new(kind: AimKind, lights: Vec<usize>, target: Target) -> Self {
+impl ViewTarget {
+    pub(super) fn new(kind: TargetKind, lights: Vec<usize>, target: Target) -> Self {
         Self {
             kind,
             lights,
             target,
             frustum: Frustum::EVERYWHERE,
-            half: Half::Toward,
+            half: FacingSet::Front,
             sides: Vec::new(),
-            choice: Choice::Whole,
+            choice: TreeChoice::Whole,
             reducible_count: 0,
             share: 1.0,
             effort: 1.0,
             saving_ms: 0.0,
+        }
+    }
+
+    /// What a set for it depends on, besides the mesh.
+    pub(super) fn sides(&self) -> TargetSides {
+        TargetSides {
+            target: self.target,
+            frustum: self.frustum,
+            sides: self.sides.clone(),
         }
     }
 
@@ -113,7 +123,7 @@ impl Aim {
 }
 
 /// The camera and each light, whole as long as nothing is known.
-pub fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
+pub fn aims(asked: &PlanRequest) -> Result<Vec<ViewTarget>, ViewError> {
     let RenderSettings {
         size,
         sample_count,
@@ -126,13 +136,17 @@ pub fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
     } = asked.scene;
     let camera = cameras.first().ok_or(ViewError::NoCamera)?;
     let core = camera.to_core(size, sample_count)?;
-    let mut aims = vec![Aim::new(AimKind::Camera, Vec::new(), camera_target(&core))];
+    let mut aims = vec![ViewTarget::new(
+        TargetKind::Camera,
+        Vec::new(),
+        camera_target(&core),
+    )];
     for (index, light) in lights.iter().enumerate() {
         let light = light.to_core(index)?;
-        let mut aim = Aim::new(AimKind::Lights, vec![index], light_target(&light));
+        let mut aim = ViewTarget::new(TargetKind::Lights, vec![index], light_target(&light));
         let is_used = view == View::Color && (dark_rays || light.color != [0.0; 3]);
         if !is_used {
-            aim.choice = Choice::Unused;
+            aim.choice = TreeChoice::Unused;
         }
         aims.push(aim);
     }
@@ -140,7 +154,7 @@ pub fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
 }
 
 /// What the camera's rays can reach of a box, which bounds nothing where that is all of it.
-pub fn frustum_within(asked: &Asked, bounds: &Aabb) -> Result<Frustum, ViewError> {
+pub fn frustum_within(asked: &PlanRequest, bounds: &Aabb) -> Result<Frustum, ViewError> {
     let settings = asked.settings;
     let camera = asked.scene.cameras.first().ok_or(ViewError::NoCamera)?;
     let frustum = frustum(&camera.to_core(settings.size, settings.sample_count)?);
@@ -174,7 +188,7 @@ mod tests {
     fn lights_are_named_in_runs() {
         let name = |lights: &[usize]| {
             let target = Target::position([0.0; 3]);
-            Aim::new(AimKind::Lights, lights.to_vec(), target).name()
+            ViewTarget::new(TargetKind::Lights, lights.to_vec(), target).name()
         };
         assert_eq!(name(&[]), "camera");
         assert_eq!(name(&[4]), "light 5");

@@ -34,7 +34,7 @@ impl Components {
 /// A target of rays, and the outer side of each component as it matters to that. Filled by [`Self::set`], or on the GPU by
 /// [`Self::decide`], which can fill it again without allocating.
 #[derive(Debug)]
-pub struct Facing {
+pub struct TargetSides {
     target: Slot,
     frustum: Slot,
     needed: Slot,
@@ -42,7 +42,7 @@ pub struct Facing {
     /// How large both sets are that answer for a light.
     pub(super) counts: Slot,
     pub(super) decider: Option<Decider>,
-    pub(super) ranges: Option<FacingRanges>,
+    pub(super) ranges: Option<TargetRanges>,
 }
 
 /// That something needs the set.
@@ -50,7 +50,7 @@ const NEEDED: [u32; 4] = [1, 0, 0, 0];
 
 /// Where the kernels find it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FacingRanges {
+pub struct TargetRanges {
     pub target: Range,
     pub frustum: Range,
     /// Whether anything needs the set: its first word is 0 where nothing does.
@@ -58,7 +58,7 @@ pub struct FacingRanges {
     pub sides: Range,
 }
 
-impl FacingRanges {
+impl TargetRanges {
     pub const fn target(&self) -> Uniform<'_> {
         Uniform::Stored(&self.target)
     }
@@ -72,7 +72,7 @@ impl FacingRanges {
     }
 }
 
-impl Default for Facing {
+impl Default for TargetSides {
     fn default() -> Self {
         let copied = BufferUsages::COPY_DST;
         Self {
@@ -95,7 +95,7 @@ impl Default for Facing {
     }
 }
 
-impl Facing {
+impl TargetSides {
     /// Nothing yet.
     #[must_use]
     pub fn new() -> Self {
@@ -134,9 +134,9 @@ impl Facing {
         frame: &mut Frame,
         side_count: usize,
         frustum: &Frustum,
-    ) -> FacingRanges {
+    ) -> TargetRanges {
         let gpu = frame.gpu();
-        let ranges = FacingRanges {
+        let ranges = TargetRanges {
             target: self.target.range(gpu, size_of::<Target>() as u64),
             frustum: self.frustum.range(gpu, size_of::<Frustum>() as u64),
             needed: self.needed.range(gpu, size_of_val(&NEEDED) as u64),
@@ -155,7 +155,7 @@ impl Facing {
         encoder.copy_buffer_to_buffer(&from, 0, &to.buffer, to.offset, to.size);
     }
 
-    pub(super) fn ranges(&self) -> Result<&FacingRanges, GpuError> {
+    pub(super) fn ranges(&self) -> Result<&TargetRanges, GpuError> {
         self.ranges.as_ref().ok_or_else(|| GpuError::Unfit {
             what: "the target",
             fault: "is empty; set or decide it first".into(),
@@ -173,6 +173,6 @@ pub enum Subset<'a> {
         /// The component of each triangle.
         components: &'a Components,
         /// The target, and which sides of which components face out.
-        facing: &'a Facing,
+        facing: &'a TargetSides,
     },
 }
