@@ -78,12 +78,9 @@ impl Bvh {
             rule: ButOne::new(&all, NO_PRIMITIVE),
             collector,
         };
-        with_stacks(|stacks| {
-            self.stored.visit(Alone {
-                stacks,
-                ray,
-                lane: &mut lane,
-            });
+        self.stored.visit(Alone {
+            ray,
+            lane: &mut lane,
         });
         lane.collector.closest.hit
     }
