@@ -77,12 +77,9 @@ impl Bvh {
             filter: SkipAnd::new(&all, NO_PRIMITIVE),
             collector,
         };
-        with_stacks(|stacks| {
-            self.stored.visit(Alone {
-                stacks,
-                ray,
-                lane: &mut lane,
-            });
+        self.stored.visit(Alone {
+            ray,
+            lane: &mut lane,
         });
         lane.collector.closest.hit
     }

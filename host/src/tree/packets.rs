@@ -2,7 +2,6 @@
 
 use super::bvh::Bvh;
 use super::lanes::{LANES, Numbers};
-use super::stored::with_stacks;
 use super::visitor::Together;
 use rayon::prelude::*;
 use slimbvh_core::classify::{FacingFilter, Sides};
@@ -130,13 +129,7 @@ impl Bvh {
     }
 
     fn trace(&self, rays: &mut PreparedRays<Numbers, LANES>, packet: &mut Packet) {
-        with_stacks(|stacks| {
-            self.stored.visit(Together {
-                stacks,
-                rays,
-                packet,
-            });
-        });
+        self.stored.visit(Together { rays, packet });
     }
 }
 

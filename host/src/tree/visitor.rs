@@ -3,7 +3,7 @@
 use super::lanes::{LANES, Numbers};
 use super::packets::Packet;
 use super::sources::{StoredNodes, StoredTriangles};
-use super::stored::Stacks;
+use super::stored::{Stacks, with_stacks};
 use slimbvh_core::Hit;
 use slimbvh_core::classify::FacingFilter;
 use slimbvh_core::ray::PreparedRay;
@@ -21,9 +21,10 @@ pub trait TreeVisitor {
     -> Self::Output;
 }
 
-/// Traces one ray, for the closest hit or any, as its collector asks.
+// Two references at most: they are passed in registers, and the compiler knows that they do not alias.
+
+/// Traces one ray with the thread's own stack, for the closest hit or any, as its collector asks.
 pub struct Alone<'a, 'b> {
-    pub stacks: &'a mut Stacks,
     pub ray: &'a PreparedRay,
     pub lane: &'a mut Lane<SkipAnd<'b, FacingFilter<'b>>, ClosestOrAny>,
 }
@@ -33,14 +34,15 @@ impl TreeVisitor for Alone<'_, '_> {
 
     #[inline(always)]
     fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
-        let stack = &mut N::stacks(self.stacks).alone;
-        trace_alone(stack, nodes, triangles, self.ray, self.lane);
+        with_stacks(|stacks| {
+            let stack = &mut N::stacks(stacks).alone;
+            trace_alone(stack, nodes, triangles, self.ray, self.lane);
+        });
     }
 }
 
-/// Traces several rays, for the closest hit or any, as their collectors ask.
+/// Traces several rays with the thread's own stacks, for the closest hit or any, as their collectors ask.
 pub struct Together<'a, 'b> {
-    pub stacks: &'a mut Stacks,
     pub rays: &'a mut PreparedRays<Numbers, LANES>,
     pub packet: &'a mut Packet<'b>,
 }
@@ -50,8 +52,10 @@ impl TreeVisitor for Together<'_, '_> {
 
     #[inline(always)]
     fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
-        let stacks = N::stacks(self.stacks);
-        trace_packet(stacks, nodes, triangles, self.rays, self.packet);
+        with_stacks(|stacks| {
+            let stacks = N::stacks(stacks);
+            trace_packet(stacks, nodes, triangles, self.rays, self.packet);
+        });
     }
 }
 
