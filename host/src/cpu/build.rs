@@ -1,10 +1,12 @@
 //! Builds and refits on the CPU.
 
+use super::bounds::scene_bounds;
+use super::classify::Division;
 use super::cluster::Clustering;
-use super::divide::Division;
 use super::encode::{Encoder, Unstored};
-use super::order::{Order, gather_again, scene_bounds};
+use super::order::Order;
 use super::refit::fill_pyramid;
+use super::snap::gather_again;
 use super::topology::Connections;
 use crate::tree::{Bvh, MeshCodec, NodeCodec, most_triangles};
 use crate::{Mesh, MeshError, Stages};

@@ -1,25 +1,32 @@
 //! The CPU backend: core's kernels under rayon. The number of threads never changes a bit.
 
 mod backend;
+mod bounds;
 mod build;
+mod camera;
+mod classify;
 mod cluster;
+mod compact;
 mod decide;
-mod divide;
 mod encode;
+mod morton;
 mod order;
-mod paint;
 mod refit;
 mod render;
-mod select;
+mod scan;
+mod shade;
+mod snap;
 mod sort;
 mod topology;
+mod trace;
 mod trees;
+mod view;
 
 pub use backend::{Cpu, CpuError};
+pub(crate) use bounds::scene_bounds;
 pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset, TreeKind};
+pub use classify::Division;
 pub use decide::Decisions;
-pub use divide::Division;
-pub(crate) use order::scene_bounds;
 pub use render::Renderer;
 pub use trees::{Tree, Trees};
 

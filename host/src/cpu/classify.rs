@@ -1,11 +1,34 @@
-//! Stages `classify` to `compact` by themselves: which triangles belong to a set, as a list.
+//! Stage `classify` on the CPU: which triangles belong to a set.
 
-use super::select::Selection;
+use super::compact::Selection;
 use crate::{Mesh, Stages};
-use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::{VisibleSet, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::{Aabb, IndexedTriangles};
+
+/// A bit for each triangle that is in a set, in the mesh's order, as memory likes it, and how many come before each word.
+pub fn classify(
+    members: &mut Selection,
+    triangles: &IndexedTriangles,
+    scale: &PowerOfTwo,
+    reach: &VisibleSet,
+) {
+    mark(members, triangles, scale, reach);
+    members.scan();
+}
+
+/// The bits, and how many are set in each word.
+fn mark(
+    members: &mut Selection,
+    triangles: &IndexedTriangles,
+    scale: &PowerOfTwo,
+    reach: &VisibleSet,
+) {
+    let reach = reach.scaled(scale);
+    let word = |word| word_of_set(word, triangles, scale, &reach);
+    members.mark_words(triangles.indices.len().div_ceil(32), word);
+}
 
 /// Finds the triangles that rays from or to a target may hit, and keeps its buffers from one target to the next.
 ///
@@ -30,13 +53,10 @@ impl Division {
     pub fn divide(&mut self, mesh: &Mesh, reach: &VisibleSet) -> Stages {
         let bounds = mesh.bounds().unwrap_or(Aabb::EMPTY);
         let scale = PowerOfTwo::new(scene_exponent(&bounds));
-        let (triangles, reach) = (mesh.triangles(), reach.scaled(&scale));
+        let triangles = mesh.triangles();
         let (selection, primitives) = (&mut self.selection, &mut self.primitives);
         let mut stages = Stages::default();
-        stages.time("classify", || {
-            let word = |word| word_of_set(word, &triangles, &scale, &reach);
-            selection.mark_words(mesh.indices.len().div_ceil(32), word);
-        });
+        stages.time("classify", || mark(selection, &triangles, &scale, reach));
         let count = stages.time("scan", || selection.scan());
         stages.time("compact", || {
             primitives.resize(count, 0);

@@ -1,9 +1,9 @@
-//! Stages `scan` and `compact` on the CPU: some of many, in order.
+//! Stage `compact` on the CPU: some of many, in order.
 
 use super::BLOCK;
+use super::scan::scan;
 use rayon::prelude::*;
 use slimbvh_core::compact::is_set;
-use slimbvh_core::scan::run_scan;
 
 /// Words of a task.
 const WORDS: usize = BLOCK / 32;
@@ -57,8 +57,12 @@ impl Selection {
 
     /// Second half: how many come before each word. Returns how many there are.
     pub fn scan(&mut self) -> usize {
-        let word_count = self.before.len() as u32;
-        self.count = run_scan(&mut self.before, 0, word_count, 0) as usize;
+        self.count = scan(&mut self.before) as usize;
+        self.count
+    }
+
+    /// How many items were taken.
+    pub const fn len(&self) -> usize {
         self.count
     }
 
