@@ -3,10 +3,10 @@
 #
 #   bench/all.sh FOLDER [--quick] [arguments of `record`...]
 #
-# peers.json, peers.txt    peers on the scenes of `slimbvh stress`
+# peers.json, peers.txt    peers on the scenes of `slimbvh-lab stress`
 # stress.json, stress.txt  slimbvh on them, with the peers' rows beside
 # record.md                times, side by side
-# page/                    `slimbvh bench`
+# page/                    `slimbvh-lab bench`
 #
 # Peers that need more than Cargo are taken where they are installed. SLIMBVH_SCENES names the folder of real meshes.
 # --quick: smaller scenes for stress and bench. Exit codes: 0 done, 1 an answer of slimbvh's is wrong, 2 usage or input.
@@ -47,7 +47,7 @@ echo "features: ${features[*]:-none}" >&2
 
 # Builds first: nothing is measured while the compiler works.
 cargo build --locked --release --bin peers --bin record ${flags[@]+"${flags[@]}"}
-cargo build --locked --release --manifest-path ../Cargo.toml -p slimbvh
+cargo build --locked --release --manifest-path ../Cargo.toml -p slimbvh-lab
 
 wrong=0
 # Notes that wrong answers were found, and goes on; any other failure ends it.
@@ -61,10 +61,10 @@ checked() {
   esac
 }
 bench=(cargo run --locked --release --quiet ${flags[@]+"${flags[@]}"} --bin)
-slimbvh=(cargo run --locked --release --quiet --manifest-path ../Cargo.toml -p slimbvh --)
+lab=(cargo run --locked --release --quiet --manifest-path ../Cargo.toml -p slimbvh-lab --)
 
 checked "${bench[@]}" record -- --out "$out/record.md" "$@" >/dev/null
 "${bench[@]}" peers -- ${quick[@]+"${quick[@]}"} --json "$out/peers.json" >"$out/peers.txt"
-checked "${slimbvh[@]}" stress ${quick[@]+"${quick[@]}"} --with "$out/peers.json" --json "$out/stress.json" >"$out/stress.txt"
-"${slimbvh[@]}" bench ${quick[@]+"${quick[@]}"} --out "$out/page" >"$out/bench.txt"
+checked "${lab[@]}" stress ${quick[@]+"${quick[@]}"} --with "$out/peers.json" --json "$out/stress.json" >"$out/stress.txt"
+"${lab[@]}" bench ${quick[@]+"${quick[@]}"} --out "$out/page" >"$out/bench.txt"
 exit $wrong

@@ -1,15 +1,11 @@
-#![doc = include_str!("../../README.md")]
+#![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 
 pub mod analysis;
 pub mod animate;
 pub mod backend;
-mod bvh;
-mod codec;
-mod coded;
 mod cpu;
-#[cfg(feature = "scenes")]
-pub mod file;
+mod dvec3;
 mod frame;
 #[cfg(feature = "scenes")]
 pub mod generate;
@@ -26,11 +22,9 @@ mod stages;
 mod text;
 mod tolerance;
 pub mod topology;
-mod wide;
+mod tree;
 
 pub use backend::{Backend, Change, Output};
-pub use bvh::{Bvh, TreeError};
-pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
 pub use cpu::{
     BuildConfig, Builder, CodeBits, Cpu, CpuError, Decisions, Division, RefitError, Renderer,
     Subset, Tree, TreeKind, Trees,
@@ -42,3 +36,11 @@ pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
+pub use tree::{
+    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, TreeError, check_codecs, sah_cost,
+};
+
+/// The examples of the repository's README.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

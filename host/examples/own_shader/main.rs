@@ -1,5 +1,5 @@
 //! A compute shader of one's own, in Rust, that calls slimbvh's core: `shader/` is a crate for rust-gpu with a query that
-//! slimbvh does not have. Here its module is run; the README tells how it is compiled.
+//! slimbvh does not have. Here its module is run; CONTRIBUTING.md says how to compile it.
 
 use slimbvh::generate::{TorusKnot, torus_knot};
 use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, wgpu};

@@ -5,7 +5,7 @@ use crate::backend::{
     Backend, DeferredTrees, Load, Output, Shot, Source, TargetSet, TargetSides, TreeSize,
 };
 use crate::{BuildConfig, Bvh, MeshError, RefitError, RenderReport, Stages, ViewError};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::orientation::Target;
 use std::convert::Infallible;
 use thiserror::Error;
@@ -30,8 +30,8 @@ pub enum CpuError {
 }
 
 impl TargetSet<'_, '_, Cpu> {
-    fn reach(&self) -> Reach<'_> {
-        Reach {
+    fn reach(&self) -> VisibleSet<'_> {
+        VisibleSet {
             sides: Sides {
                 components: self.components,
                 sides: &self.sides.sides,

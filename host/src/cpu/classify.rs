@@ -3,7 +3,7 @@
 use super::compact::Selection;
 use crate::{Mesh, Stages};
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::classify::{Reach, word_of_set};
+use slimbvh_core::classify::{VisibleSet, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::{Aabb, IndexedTriangles};
 
@@ -12,14 +12,19 @@ pub fn classify(
     members: &mut Selection,
     triangles: &IndexedTriangles,
     scale: &PowerOfTwo,
-    reach: &Reach,
+    reach: &VisibleSet,
 ) {
     mark(members, triangles, scale, reach);
     members.scan();
 }
 
 /// The bits, and how many are set in each word.
-fn mark(members: &mut Selection, triangles: &IndexedTriangles, scale: &PowerOfTwo, reach: &Reach) {
+fn mark(
+    members: &mut Selection,
+    triangles: &IndexedTriangles,
+    scale: &PowerOfTwo,
+    reach: &VisibleSet,
+) {
     let reach = reach.scaled(scale);
     let word = |word| word_of_set(word, triangles, scale, &reach);
     members.mark_words(triangles.indices.len().div_ceil(32), word);
@@ -45,7 +50,7 @@ impl Division {
     /// Finds the set of what rays may hit, in the mesh's unit. The mesh must be [sound](Mesh::validate). Returns the times of
     /// `classify` (a bit for each triangle, and how many are set in each word), `scan` (sums of these counts) and `compact`
     /// (the list).
-    pub fn divide(&mut self, mesh: &Mesh, reach: &Reach) -> Stages {
+    pub fn divide(&mut self, mesh: &Mesh, reach: &VisibleSet) -> Stages {
         let bounds = mesh.bounds().unwrap_or(Aabb::EMPTY);
         let scale = PowerOfTwo::new(scene_exponent(&bounds));
         let triangles = mesh.triangles();
@@ -93,7 +98,7 @@ mod tests {
                 components: &components,
                 sides: &sides,
             };
-            let reach = Reach {
+            let reach = VisibleSet {
                 sides,
                 target,
                 frustum: Frustum::EVERYWHERE,

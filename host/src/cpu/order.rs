@@ -6,7 +6,7 @@ use super::morton::{fill_codes, fill_codes_of_set};
 use super::snap::Leaves;
 use super::sort::Sorter;
 use crate::Stages;
-use slimbvh_core::classify::Reach;
+use slimbvh_core::classify::VisibleSet;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle};
 
@@ -41,7 +41,7 @@ impl<const W: usize> Order<W> {
         stages: &mut Stages,
         key_bits: [u32; W],
         triangles: &IndexedTriangles,
-        (scale, reach): (&PowerOfTwo, &Reach),
+        (scale, reach): (&PowerOfTwo, &VisibleSet),
         code: impl Fn(&Aabb) -> [u32; W] + Sync,
     ) {
         let (sorter, members) = (&mut self.sorter, &mut self.members);
@@ -73,7 +73,7 @@ impl<const W: usize> Order<W> {
         &mut self,
         stages: &mut Stages,
         triangles: &IndexedTriangles,
-        (scale, reach): (&PowerOfTwo, &Reach),
+        (scale, reach): (&PowerOfTwo, &VisibleSet),
         leaves: &mut Vec<LeafTriangle>,
     ) {
         let (members, selection) = (&mut self.members, &mut self.selection);

@@ -1,11 +1,11 @@
 //! Stage `shade` on the CPU: light, shadow rays, mirrors and glass.
 
-use super::packets::Question;
 use super::render::{BLOCK, Deferred, Prepared, Renderer};
 use super::trees::Tree;
 use crate::CpuError;
 use crate::backend::Deferral;
 use crate::picture::RenderReport;
+use crate::tree::Question;
 use rayon::prelude::*;
 use slimbvh_core::ray::Hit;
 use slimbvh_core::sampling::Draw;

@@ -1,9 +1,9 @@
 //! Stage `trace` on the CPU: what the rays of a wave meet.
 
-use super::packets::Question;
 use super::render::{BLOCK, Prepared, Renderer};
 use super::trees::Tree;
 use crate::picture::RenderReport;
+use crate::tree::Question;
 use rayon::prelude::*;
 use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::trace::{ClosestHit, Counted};

@@ -1,8 +1,7 @@
 //! Trees of the CPU, and what rays ask of them.
 
-use crate::Bvh;
 use crate::backend;
-use crate::cpu::packets::{Asked, Question};
+use crate::tree::{Bvh, PacketQuery, Question};
 use slimbvh_core::classify::Sides;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
@@ -33,11 +32,11 @@ impl Tree<'_> {
         rays: impl Iterator<Item = (usize, Ray, u32)>,
         answer: impl FnMut(usize, Hit),
     ) {
-        let all = Asked {
+        let query = PacketQuery {
             question,
             exponent: 0,
             target: self.rule,
         };
-        self.bvh.ask(&all, rays, answer);
+        self.bvh.trace_rays(&query, rays, answer);
     }
 }

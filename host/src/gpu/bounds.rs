@@ -26,14 +26,14 @@ impl Builder {
         );
         let grid = self
             .scratch
-            .frame
-            .range(gpu, size_of::<slimbvh_core::morton::Frame>() as u64);
+            .grid
+            .range(gpu, size_of::<slimbvh_core::morton::MortonGrid>() as u64);
         let cell_bits = match self.config.code_bits {
             CodeBits::Bits30 => 10,
             CodeBits::Bits63 => 21,
         };
         recorder.dispatch(
-            Kernel::frame,
+            Kernel::bounds_grid,
             &[Uniform::Params([cell_bits, 0, 0, 0])],
             &[blocks],
             &[

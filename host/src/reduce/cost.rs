@@ -43,7 +43,7 @@ impl Costs {
     /// programs in turn, on one thread, dragon, armadillo and sponza). Leaves of six and packets that stay together save about a fifth of
     /// everything but classifying.
     ///
-    /// For shadow rays in sets of either half, nodes were counted (`slimbvh reproduce reduced`): of doll, toasters, 24-cell and
+    /// For shadow rays in sets of either half, nodes were counted (`slimbvh-lab reproduce reduced`): of doll, toasters, 24-cell and
     /// armadillo a ray opens 0.33, 0.61, 0.57 and 0.32 times as many in L− as in L+. With 39 % of the triangles in both sets, of
     /// 4 and 9 lights, times were 0.82 and 0.84 of those in the whole tree, and with 56 %, of 16 lights, 2.6 times those in
     /// sets of single lights.

@@ -6,7 +6,7 @@ use crate::measure::walks::Walks;
 use crate::stress::{Moves, moved};
 use anyhow::Result;
 use slimbvh::reduce::{Planner, Saving, Savings};
-use slimbvh::{Builder, Bvh, Cpu, CpuError, FrameConfig, Frames, MeshCodec};
+use slimbvh::{Builder, Bvh, Cpu, CpuError, FrameConfig, Frames};
 
 /// Of the trees of a picture, the same on every machine.
 pub struct Facts {
@@ -19,7 +19,7 @@ pub struct Facts {
     pub node_bytes: usize,
     /// Bytes of all triangles in leaves.
     pub triangle_bytes: usize,
-    /// Of the tree for rays from the eye: 1 for each node opened and 1 for each triangle tested (`slimbvh::animate::sah_cost`).
+    /// Of the tree for rays from the eye: 1 for each node opened and 1 for each triangle tested (`slimbvh::sah_cost`).
     pub sah_cost: f64,
     pub counts: Counts,
     pub moves: Moves,
@@ -44,13 +44,12 @@ impl Facts {
         let trees = frames.trees(&plan);
         let counts = count(&prepared.scene, &Walks::new(&trees)?, &prepared.settings)?;
         let primary = trees.primary.bvh;
-        let moves = match prepared.config.mesh {
-            MeshCodec::Leaf10 => {
-                let mut builder = Builder::new(prepared.config.code_bits.into());
-                let plain = builder.build(&prepared.scene.mesh)?;
-                moved(&plain, &primary.decoded())?
-            }
-            MeshCodec::F32 | MeshCodec::Lattice { .. } => prepared.moves,
+        let moves = if prepared.config.mesh.moves_vertices() {
+            let mut builder = Builder::new(prepared.config.code_bits.into());
+            let plain = builder.build(&prepared.scene.mesh)?;
+            moved(&plain, &primary.decoded())?
+        } else {
+            prepared.moves
         };
         Ok(Self {
             trees: all().count(),

@@ -4,7 +4,7 @@ use super::setup::{Lights, Setup, Update};
 use crate::stress::{Moves, snapped};
 use slimbvh::animate::{Animation, Deform, Motion};
 use slimbvh::reduce::{PlanConfig, Saving, Savings, Switches};
-use slimbvh::{BuildConfig, MeshCodec, RenderSettings, Scene};
+use slimbvh::{BuildConfig, RenderSettings, Scene};
 use std::borrow::Cow;
 
 /// All that a picture with a setup is made from.
@@ -34,11 +34,11 @@ impl<'a> Prepared<'a> {
         let mut own = Cow::Borrowed(scene);
         let mut moves = Moves::default();
         let snap = |scene: &mut Scene| {
-            if let MeshCodec::Lattice { step_exponent } = config.mesh {
+            if let Some(step_exponent) = config.mesh.step_exponent() {
                 scene.mesh.snap(step_exponent);
             }
         };
-        if let MeshCodec::Lattice { step_exponent } = config.mesh {
+        if let Some(step_exponent) = config.mesh.step_exponent() {
             snap(own.to_mut());
             let (before, after) = (&scene.mesh.vertices, &own.mesh.vertices);
             moves = snapped(before, after, step_exponent);

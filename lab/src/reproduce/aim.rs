@@ -5,7 +5,7 @@ use slimbvh::backend::TargetSides;
 use slimbvh::scene::{camera_target, light_target};
 use slimbvh::topology::Topology;
 use slimbvh::{Division, Scene, Subset};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
@@ -59,8 +59,8 @@ impl Aim {
     }
 
     /// The papers leave out nothing for lying outside of the picture.
-    pub fn reach<'a>(&'a self, topology: &'a Topology) -> Reach<'a> {
-        Reach {
+    pub fn reach<'a>(&'a self, topology: &'a Topology) -> VisibleSet<'a> {
+        VisibleSet {
             sides: self.sides(topology),
             target: self.target,
             frustum: Frustum::EVERYWHERE,

@@ -49,7 +49,7 @@ pub fn snapped(before: &[[f32; 3]], after: &[[f32; 3]], step_exponent: i32) -> M
     moves
 }
 
-/// How far the printed codec moved the corners of triangles. `decoded` is the tree out of its codec, `plain` the one that it
+/// How far the paper10 codec moved the corners of triangles. `decoded` is the tree out of its codec, `plain` the one that it
 /// was made from. A corner may move half a cell of its leaf's grid along each axis.
 ///
 /// # Errors
@@ -128,7 +128,7 @@ mod tests {
             builder.build(mesh).unwrap()
         };
         let plain = build(NodeCodec::F32, MeshCodec::F32, &mesh);
-        let printed = build(NodeCodec::Printed, MeshCodec::Leaf10, &mesh);
+        let printed = build(NodeCodec::Paper10, MeshCodec::Leaf10, &mesh);
         let moves = moved(&plain, &printed.decoded()).unwrap();
         assert!(0.0 < moves.rms && moves.rms < moves.most && moves.most <= moves.bound);
         assert!(moves.bound < 0.01, "{moves:?}");

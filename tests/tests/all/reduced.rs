@@ -6,7 +6,7 @@ use slimbvh::{
     BuildConfig, Builder, Bvh, Camera, CodeBits, Light, Mesh, Picture, Projection, Ray,
     RenderSettings, Renderer, Scene, Subset, Tree, Trees, generate,
 };
-use slimbvh_core::classify::{Reach, Sides, faces};
+use slimbvh_core::classify::{Sides, VisibleSet, faces};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
@@ -89,7 +89,7 @@ fn targets() -> [Target; 3] {
 }
 
 fn subset(model: &Model, target: Target) -> Subset<'_> {
-    Subset::Of(Reach {
+    Subset::Of(VisibleSet {
         sides: Sides {
             components: &model.components,
             sides: &[1, 0, 0],

@@ -1,4 +1,4 @@
-//! Peers on the scenes and rays of `slimbvh stress`, judged as slimbvh is. Exit codes: 0 done, 2 usage or input.
+//! Peers on the scenes and rays of `slimbvh-lab stress`, judged as slimbvh is. Exit codes: 0 done, 2 usage or input.
 
 mod child;
 mod contain;
@@ -13,7 +13,7 @@ use serde::Serialize;
 use slimbvh_lab::stress::{Row, cases, run as ask};
 use std::process::ExitCode;
 
-/// What `slimbvh stress --with FILE` reads, and how to make it again.
+/// What `slimbvh-lab stress --with FILE` reads, and how to make it again.
 #[derive(Serialize)]
 struct Report {
     command: String,

@@ -12,7 +12,7 @@ peers [--quick] [--only PEER,...] [--family NAME] [--limit SECONDS] [--json FILE
   --only PEER,...    only peers with one of these in their names (default all)
   --family NAME      only families of scenes with this in their name (default all)
   --limit SECONDS    how long a peer may take for a scene (default 60)
-  --json FILE        write rows for `slimbvh stress --with FILE`; to standard output, without a table, for \"-\"";
+  --json FILE        write rows for `slimbvh-lab stress --with FILE`; to standard output, without a table, for \"-\"";
 
 const DEFAULT_LIMIT: u64 = 60;
 

@@ -6,7 +6,7 @@ use super::super::program::{Groups, Recorder, Uniform, counted, threads};
 use super::super::sides::{Components, TargetRanges};
 use super::super::{Gpu, Kernel, Mesh};
 use super::Builder;
-use crate::{CodeBits, MeshCodec};
+use crate::CodeBits;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::encode::FINEST_STEP;
@@ -95,9 +95,9 @@ impl Builder {
 
     /// The exponent of the lattice's step, and whether that is in the mesh's unit.
     pub(in crate::gpu) const fn lattice_step(&self) -> [u32; 4] {
-        match self.config.mesh {
-            MeshCodec::Lattice { step_exponent } => [step_exponent as u32, 1, 0, 0],
-            MeshCodec::F32 | MeshCodec::Leaf10 => [FINEST_STEP as u32, 0, 0, 0],
+        match self.config.mesh.step_exponent() {
+            Some(step_exponent) => [step_exponent as u32, 1, 0, 0],
+            None => [FINEST_STEP as u32, 0, 0, 0],
         }
     }
 

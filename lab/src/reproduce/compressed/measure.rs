@@ -16,7 +16,7 @@ use crate::reproduce::steps::Steps;
 use crate::stress::moved;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::{Cpu, MeshCodec, Picture, RenderSettings, Trees};
+use slimbvh::{Cpu, Picture, RenderSettings, Trees};
 use slimbvh_cli::backend::Chosen;
 
 /// What was measured of one scene.
@@ -154,12 +154,11 @@ fn facts(
     let bvh = own.tree(0);
     let trees = Trees::all(bvh, prepared.scene.lights.len());
     let counts = count(&prepared.scene, &Walks::new(&trees)?, settings)?;
-    let moved = match prepared.config.mesh {
-        MeshCodec::Leaf10 => {
-            let moves = moved(reference.tree(0), &bvh.decoded())?;
-            Some([moves.most, moves.bound].map(|distance| distance as f32))
-        }
-        _ => prepared.moved,
+    let moved = if prepared.config.mesh.moves_vertices() {
+        let moves = moved(reference.tree(0), &bvh.decoded())?;
+        Some([moves.most, moves.bound].map(|distance| distance as f32))
+    } else {
+        prepared.moved
     };
     let cracks = aimed_rays.map(|count| aim(&prepared.scene, bvh, count));
     let differences = Differences {

@@ -242,7 +242,7 @@ fn compressed_trees_as_text_markdown_and_json() {
     check_scene(&scenes[0], "shiny");
     check_scene(&scenes[1], "bunny");
 
-    // Nothing of ours lets rays in between triangles; the printed codec of triangles does.
+    // Nothing of ours lets rays in between triangles; the paper10 codec of triangles does.
     let got_in = |method: usize| number(&scenes[1]["methods"][method]["cracks"], "leaked");
     assert!(got_in(2) > 500.0);
     assert!(

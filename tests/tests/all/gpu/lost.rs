@@ -31,7 +31,7 @@ fn errors_after_destruction(gpu: &Gpu) -> Vec<(&'static str, Result<(), GpuError
     let uploaded = done(gpu::Scene::upload(gpu, &scene));
     let mut builder = gpu::Builder::new(BuildConfig::default());
     let (mut bvh, mut renderer) = (gpu::Bvh::new(), gpu::Renderer::new());
-    let rays = storage(gpu, &[Ray::NOTHING; 8]);
+    let rays = storage(gpu, &[Ray::EMPTY; 8]);
     let hits = storage(gpu, &[Hit::MISS; 8]);
     let mut whole = |frame: &mut gpu::Frame| {
         builder.build(frame, &uploaded.mesh, &mut bvh)?;

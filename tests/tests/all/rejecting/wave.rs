@@ -3,7 +3,7 @@
 
 use slimbvh::{Picture, RenderSettings, Scene, Tree, Trees};
 use slimbvh_core::camera::Camera;
-use slimbvh_core::classify::{Except, Facing};
+use slimbvh_core::classify::FacingFilter;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
@@ -11,6 +11,7 @@ use slimbvh_core::shade::{
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
+use slimbvh_core::trace::Skip;
 use slimbvh_core::{Hit, Ray, Vec3, trace};
 use slimbvh_tests::gpu::done;
 
@@ -140,7 +141,7 @@ impl<'a> Stage<'a> {
     fn closest_hit(&self, tree: &Tree, ray: &Ray, skip: u32) -> Hit {
         let (nodes, triangles) = (tree.bvh.node_source(), tree.bvh.triangle_source());
         match self.rule(tree, skip) {
-            None => trace::closest_hit(&nodes, &triangles, ray, 0, &Except(skip)),
+            None => trace::closest_hit(&nodes, &triangles, ray, 0, &Skip(skip)),
             Some(rule) => trace::closest_hit(&nodes, &triangles, ray, 0, &rule),
         }
     }
@@ -148,14 +149,14 @@ impl<'a> Stage<'a> {
     fn any_hit(&self, tree: &Tree, ray: &Ray, skip: u32) -> bool {
         let (nodes, triangles) = (tree.bvh.node_source(), tree.bvh.triangle_source());
         match self.rule(tree, skip) {
-            None => trace::any_hit(&nodes, &triangles, ray, 0, &Except(skip)),
+            None => trace::any_hit(&nodes, &triangles, ray, 0, &Skip(skip)),
             Some(rule) => trace::any_hit(&nodes, &triangles, ray, 0, &rule),
         }
     }
 
-    fn rule<'b>(&self, tree: &Tree<'b>, skip: u32) -> Option<Facing<'b>> {
+    fn rule<'b>(&self, tree: &Tree<'b>, skip: u32) -> Option<FacingFilter<'b>> {
         let (sides, target) = tree.rule?;
-        Some(Facing {
+        Some(FacingFilter {
             skip,
             sides,
             target: target.scaled(&self.scale),
