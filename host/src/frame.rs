@@ -222,8 +222,8 @@ impl<B: Backend> Frames<B> {
             settings,
             begin,
         };
-        let in_turn = plan.in_turn.then_some(&mut deferred as _);
-        let (build, render) = backend.render(recording, renderer, &shot, in_turn, output)?;
+        let deferring = plan.defers_lights.then_some(&mut deferred as _);
+        let (build, render) = backend.render(recording, renderer, &shot, deferring, output)?;
         let mut sizes = Vec::new();
         for (place, size) in deferred.sizes() {
             sizes.push((place, backend.pending_size(size)?));
