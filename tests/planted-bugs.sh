@@ -45,16 +45,16 @@ plant() {
 
 chosen="$*"
 
-plant union-of-boxes core/src/refit.rs \
+plant union-of-boxes core/src/build/refit.rs \
   'max: self.max.max(other.max),' 'max: self.max.min(other.max),' \
   slimbvh-tests trees::
-plant odd-end-of-a-range core/src/refit.rs \
+plant odd-end-of-a-range core/src/build/refit.rs \
   'if low & 1 == 1' 'if low & 1 == 0' \
   slimbvh-tests trees::
-plant number-rounded-to-nearest core/src/encode/lattice_node.rs \
+plant number-rounded-to-nearest core/src/codec/lattice_node.rs \
   '(inner as u32 >> shift) & ((1 << BITS) - 1)' '((inner as u32 + ((1 << shift) >> 1)) >> shift) & ((1 << BITS) - 1)' \
   slimbvh-core lattice_node::
-plant plane-rounded-to-nearest core/src/lattice.rs \
+plant plane-rounded-to-nearest core/src/geometry/lattice.rs \
   'let steps = x * power_of_two(-step_exponent);
     let [a, b, c, d] = [' 'let steps = x * power_of_two(-step_exponent) + 0.5;
     let [a, b, c, d] = [' \
@@ -62,10 +62,10 @@ plant plane-rounded-to-nearest core/src/lattice.rs \
 plant no-tie-break core/src/trace/collect.rs \
   'a.t < b.t || (a.t == b.t && a.primitive < b.primitive)' 'a.t < b.t || (a.t == b.t && !b.is_hit())' \
   slimbvh-tests answers::
-plant no-sign-guard core/src/orientation.rs \
+plant no-sign-guard core/src/geometry/orientation.rs \
   'self.volume * side > self.error' 'self.volume * side > 0.0' \
   slimbvh-core orientation::
-plant fused-edge core/src/watertight.rs \
+plant fused-edge core/src/geometry/watertight.rs \
   'let Meeting { t, u, v, met } = meet(&ray.lanes(), &corners, limit);' 'let passage = pass(ray.origin, ray.direction, corners);
     let [sa, sb, sc] = passage.corners;
     let [[_, f0], [_, f1], [_, f2]] = passage.products;
@@ -75,15 +75,15 @@ plant fused-edge core/src/watertight.rs \
     let Meeting { t, u, v, met } = meet(&ray.lanes(), &corners, limit);
     let met = met & inside;' \
   slimbvh-tests watertight::
-plant fused-orientation core/src/orientation.rs \
+plant fused-orientation core/src/geometry/orientation.rs \
   'let normal = Vec3::new(yz - zy, zx - xz, xy - yx);' 'let fused = |x: f32, y: f32, z: f32| (f64::from(x) * f64::from(y) - f64::from(z)) as f32;
         let normal = Vec3::new(fused(a.y, b.z, zy), fused(a.z, b.x, xz), fused(a.x, b.y, yx));' \
   slimbvh-core orientation::
-plant printed-number-inside core/src/encode/printed.rs \
+plant paper10-number-inside core/src/codec/paper10.rs \
   'below + 1
     } else {' 'below
     } else {' \
-  slimbvh-core printed::
+  slimbvh-core paper10::
 plant strangers-in-a-packet core/src/trace/packet.rs \
   'let who = self.who & W::bits(meets);' 'let who = W::bits(meets);' \
   slimbvh-tests packets::
@@ -94,8 +94,8 @@ plant axes-of-others core/src/trace/prepare.rs \
   'let alike = ordinary & alike;' 'let _ = alike; let alike = ordinary;' \
   slimbvh-core prepare::
 # What fuzzing found is in the seeds.
-plant cells-that-underflow core/src/encode/printed.rs \
-  'if decode(number, low, high, zero) < x {' 'if false {' \
+plant cells-that-underflow core/src/codec/paper10.rs \
+  'if decode(number, low, high, opaque_zero) < x {' 'if false {' \
   slimbvh-tests fuzz_seeds::
 
 if ((${#missed[@]})); then

@@ -1,7 +1,10 @@
 //! The algorithms of slimbvh, written once: plain functions of an index, small parameters and read-only slices that
 //! return what to store. They run on the CPU and, compiled to SPIR-V, on the GPU.
 //!
-//! Stages, in the order of a frame, a file each: `bounds → morton → sort → snap → topology or cluster → refit → trace → shade`.
+//! Each stage is a module, here at the root. In the order of a frame:
+//! `bounds → (decide → classify → compact) → morton → sort, scan → snap → topology or cluster → refit → encode → camera →
+//! trace → shade → view`; those in brackets only where a tree holds a part of the mesh. They live in rooms, each of which
+//! uses only rooms before it: [`geometry`], [`build`], [`trace`], [`codec`], [`reduce`] and [`shade`].
 //!
 //! Conventions: right-handed, counter-clockwise is front, t in units of the ray direction's length, angles in radians.
 #![no_std]
@@ -10,45 +13,27 @@
 #[cfg(test)]
 extern crate std;
 
-pub mod aabb;
-pub mod bounds;
-pub mod camera;
-pub mod classify;
-pub mod cluster;
-pub mod color;
-pub mod compact;
-pub mod decide;
-pub mod encode;
-pub mod float;
-pub mod frustum;
-pub mod lanes;
-pub mod lattice;
+pub mod build;
+pub mod codec;
+pub mod geometry;
 pub mod launch;
-pub mod light;
-pub mod material;
-pub mod morton;
-pub mod node;
-pub mod orientation;
-pub mod ray;
-pub mod refit;
-pub mod sampling;
-pub mod scan;
+pub mod reduce;
 pub mod shade;
-pub mod slab;
-pub mod snap;
-pub mod sort;
-pub mod surface;
-pub mod topology;
 pub mod trace;
-pub mod triangle;
-pub mod view;
-pub mod watertight;
 
-pub use aabb::Aabb;
+pub use build::{bounds, cluster, compact, morton, node, refit, scan, snap, sort, topology};
+pub use codec as encode;
+pub use geometry::{
+    aabb, float, frustum, lanes, lattice, orientation, planes, ray, slab, triangle, watertight,
+};
+pub use reduce::{classify, decide};
+pub use shade::{camera, color, light, material, sampling, surface, view};
+
+pub use build::node::{Node, NodeRef};
+pub use geometry::aabb::Aabb;
+pub use geometry::ray::{Hit, NO_PRIMITIVE, Ray};
+pub use geometry::triangle::{IndexedTriangles, LeafTriangle, Triangle};
 pub use glam::Vec3;
-pub use node::{Node, NodeRef};
-pub use ray::{Hit, NO_PRIMITIVE, Ray};
-pub use triangle::{IndexedTriangles, LeafTriangle, Triangle};
 
 /// Largest number of triangles in one hierarchy: a leaf reference holds its first triangle in 28 bits.
 pub const MAX_TRIANGLES: u32 = 1 << 28;

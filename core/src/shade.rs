@@ -3,13 +3,21 @@
 //! A sample is a path: it begins at the camera, gathers light where it hits, and goes on at mirrors and through glass
 //! ([`Material`]). To shadow rays glass is as any other surface: it stops them.
 
-pub use crate::light::Light;
-pub use crate::material::Material;
+pub mod camera;
+pub mod color;
+pub mod light;
+pub mod material;
+pub mod sampling;
+pub mod surface;
+pub mod view;
 
-use crate::float::max;
-use crate::orientation::{Orientation, Target};
-use crate::ray::{NO_PRIMITIVE, Ray};
-use crate::surface::{Surface, normalize};
+pub use crate::shade::light::Light;
+pub use crate::shade::material::Material;
+
+use crate::geometry::float::max;
+use crate::geometry::orientation::{Orientation, Target};
+use crate::geometry::ray::{NO_PRIMITIVE, Ray};
+use crate::shade::surface::{Surface, normalize};
 use bytemuck::{Pod, Zeroable};
 use core::f32::consts::FRAC_1_PI;
 use glam::Vec3;
@@ -57,7 +65,7 @@ impl Environment {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Path {
-    /// Bytes 0–31: where it goes next; [`Ray::NOTHING`] when it has ended.
+    /// Bytes 0–31: where it goes next; [`Ray::EMPTY`] when it has ended.
     pub ray: Ray,
     /// Bytes 32–43: how much of what it meets reaches the eye.
     pub throughput: [f32; 3],
@@ -109,7 +117,7 @@ impl Path {
     pub fn escaped(self, environment: &Environment) -> Self {
         let radiance = environment.radiance(Vec3::from_array(self.ray.direction));
         Self {
-            ray: Ray::NOTHING,
+            ray: Ray::EMPTY,
             ..self.with_light(radiance)
         }
     }
@@ -121,7 +129,7 @@ impl Path {
     pub fn scattered(self, surface: &Surface, material: &Material, primitive: u32) -> Self {
         if material.onward_share() <= 0.0 {
             return Self {
-                ray: Ray::NOTHING,
+                ray: Ray::EMPTY,
                 ..self
             };
         }
@@ -140,7 +148,7 @@ impl Path {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Shadow {
-    /// Bytes 0–31: from the surface to the light; [`Ray::NOTHING`] where no ray is needed as there is no light.
+    /// Bytes 0–31: from the surface to the light; [`Ray::EMPTY`] where no ray is needed as there is no light.
     pub ray: Ray,
     /// Bytes 32–43: radiance to the eye.
     pub radiance: [f32; 3],
@@ -153,7 +161,7 @@ const _: () = assert!(size_of::<Shadow>() == 48);
 impl Shadow {
     /// No light.
     pub const NONE: Self = Self {
-        ray: Ray::NOTHING,
+        ray: Ray::EMPTY,
         radiance: [0.0; 3],
         skip: NO_PRIMITIVE,
     };
@@ -271,9 +279,9 @@ fn diffuse(material: &Material) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::light::RECTANGLE;
-    use crate::ray::Hit;
-    use crate::triangle::Triangle;
+    use crate::geometry::ray::Hit;
+    use crate::geometry::triangle::Triangle;
+    use crate::shade::light::RECTANGLE;
 
     fn floor() -> Surface {
         let triangle = Triangle {

@@ -1,11 +1,11 @@
 //! Stage `trace`: one traversal for every tree, every codec and every question.
 
-use crate::classify::Except;
-use crate::ray::{Hit, PreparedRay, Ray};
-use crate::slab::PlanePair;
+use crate::geometry::planes::PlanePair;
+use crate::geometry::ray::{Hit, PreparedRay, Ray};
 use query::{Query, Single};
 
 mod collect;
+mod filter;
 #[cfg(not(target_arch = "spirv"))]
 mod packet;
 #[cfg(not(target_arch = "spirv"))]
@@ -16,6 +16,9 @@ mod stack;
 
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits};
 #[cfg(not(target_arch = "spirv"))]
+pub use filter::SkipAnd;
+pub use filter::{HitFilter, Skip};
+#[cfg(not(target_arch = "spirv"))]
 pub use packet::{Lane, PacketStacks, trace_alone, trace_packet};
 #[cfg(not(target_arch = "spirv"))]
 pub use prepare::PreparedRays;
@@ -24,17 +27,17 @@ pub use stack::{BoxColumns, Column, Cursor, STACK_SIZE, Stack};
 
 /// Where the traversal finds nodes.
 pub trait NodeSource {
-    /// What names a node on the stack, with all that decoding it needs.
+    /// A node on the stack: its reference, and the decoded box where decoding its children needs that.
     type Cursor: Cursor;
 
-    /// What decoding a leaf's triangles needs: its box, where that is their frame.
-    type Frame: Copy;
+    /// A leaf's decoded box, where triangles are decoded relative to it; else `()`.
+    type Bounds: Copy;
 
     /// Where to begin, for a ray whose axes are in this order.
     fn root(&self, axes: [u32; 3]) -> Self::Cursor;
 
     /// What a cursor stands for: a leaf and its triangles, or an inner node.
-    fn leaf(&self, cursor: Self::Cursor) -> LeafRun<Self::Frame>;
+    fn leaf(&self, cursor: Self::Cursor) -> LeafRun<Self::Bounds>;
 
     /// An inner node's children.
     fn children(&self, cursor: Self::Cursor, axes: [u32; 3]) -> Children<Self::Cursor>;
@@ -45,26 +48,26 @@ pub trait NodeSource {
 
 /// What a cursor stands for.
 #[derive(Clone, Copy, Debug)]
-pub struct LeafRun<F> {
+pub struct LeafRun<B> {
     /// Whether it is a leaf at all.
     pub is_leaf: bool,
     /// Where its triangles begin.
     pub first: u32,
     /// How many.
     pub count: u32,
-    /// In what they are to be read.
-    pub frame: F,
+    /// The leaf's decoded box, which codecs decode triangles relative to.
+    pub bounds: B,
 }
 
 /// A triangle of a leaf.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<F> {
+pub struct LeafSlot<B> {
     /// Where its leaf's triangles begin.
     pub first: u32,
     /// Its number among them.
     pub number: u32,
-    /// In what they are to be read.
-    pub frame: F,
+    /// The leaf's decoded box, which codecs decode triangles relative to.
+    pub bounds: B,
 }
 
 /// An inner node, opened.
@@ -78,48 +81,41 @@ pub struct Children<C> {
     pub right: C,
 }
 
-/// Where the traversal finds triangles, in leaves with frames of this kind.
-pub trait TriangleSource<F: Copy> {
-    /// The corners of a triangle, coordinates in the order of the axes, as the frame's are.
-    fn corners(&self, place: &Place<F>, axes: [u32; 3]) -> [[f32; 3]; 3];
+/// Where the traversal finds triangles, in leaves whose decoded boxes are of this type.
+pub trait TriangleSource<B: Copy> {
+    /// The corners of a triangle, coordinates in the order of the axes, as those of the leaf's box are.
+    fn corners(&self, slot: &LeafSlot<B>, axes: [u32; 3]) -> [[f32; 3]; 3];
 
     /// Its index in the caller's list.
-    fn primitive(&self, place: &Place<F>) -> u32;
-}
-
-/// Which triangles count for a ray.
-pub trait Rule {
-    /// Whether a triangle that the ray meets counts, by its index in the caller's list and its corners, coordinates in the
-    /// order of the axes.
-    fn counts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool;
+    fn primitive(&self, slot: &LeafSlot<B>) -> u32;
 }
 
 /// [`traverse_with`], with a stack of its own.
 #[inline(always)]
-pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
+pub fn traverse<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector>(
     nodes: &N,
     triangles: &T,
     ray: &PreparedRay,
-    rule: &R,
+    filter: &F,
     collector: &mut C,
 ) {
     let mut stack = Stack::EMPTY;
-    traverse_with(&mut stack, nodes, triangles, ray, rule, collector);
+    traverse_with(&mut stack, nodes, triangles, ray, filter, collector);
 }
 
-/// Offers every triangle that the ray meets and that counts by the rule to the collector.
+/// Offers every triangle that the ray meets and the filter accepts to the collector.
 #[inline(always)]
-pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
+pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector>(
     stack: &mut Stack<N::Cursor>,
     nodes: &N,
     triangles: &T,
     ray: &PreparedRay,
-    rule: &R,
+    filter: &F,
     collector: &mut C,
 ) {
     let query = Single {
         ray,
-        rule,
+        filter,
         collector,
     };
     walk(stack, nodes, triangles, query);
@@ -130,7 +126,7 @@ pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Col
 /// A node is passed over only if all rays miss its box or enter it beyond their collectors' limits. Ends after as many steps as a
 /// sound tree takes at most.
 #[inline(always)]
-fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
+fn walk<N: NodeSource, T: TriangleSource<N::Bounds>, Q: Query<N, T>>(
     stack: &mut Stack<N::Cursor, Q::Enter>,
     nodes: &N,
     triangles: &T,
@@ -153,12 +149,12 @@ fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
             let run = nodes.leaf(cursor);
             if run.is_leaf {
                 for number in 0..run.count {
-                    let place = Place {
+                    let slot = LeafSlot {
                         first: run.first,
                         number,
-                        frame: run.frame,
+                        bounds: run.bounds,
                     };
-                    query.test(triangles, &place);
+                    query.test(triangles, &slot);
                 }
                 at_node = false;
                 if query.is_done() {
@@ -192,16 +188,16 @@ fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
 /// The hit with the smallest `(t, primitive)`, or [`Hit::MISS`].
 #[inline]
 #[must_use]
-pub fn closest_hit<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule>(
+pub fn closest_hit<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,
     scene_exponent: i32,
-    rule: &R,
+    filter: &F,
 ) -> Hit {
     let prepared = PreparedRay::new(ray, scene_exponent);
     let mut collector = ClosestHit::new(prepared.t_max);
-    traverse(nodes, triangles, &prepared, rule, &mut collector);
+    traverse(nodes, triangles, &prepared, filter, &mut collector);
     prepared.restore(collector.hit)
 }
 
@@ -209,23 +205,23 @@ pub fn closest_hit<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule>(
 #[doc(alias = "occluded")]
 #[inline]
 #[must_use]
-pub fn any_hit<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule>(
+pub fn any_hit<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,
     scene_exponent: i32,
-    rule: &R,
+    filter: &F,
 ) -> bool {
     let prepared = PreparedRay::new(ray, scene_exponent);
     let mut collector = AnyHit::new(prepared.t_max);
-    traverse(nodes, triangles, &prepared, rule, &mut collector);
+    traverse(nodes, triangles, &prepared, filter, &mut collector);
     collector.found
 }
 
 /// The K hits with the smallest `(t, primitive)` in order, the rest [`Hit::MISS`].
 #[inline]
 #[must_use]
-pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource<N::Frame>>(
+pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource<N::Bounds>>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,
@@ -233,13 +229,7 @@ pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource<N::Frame>>(
 ) -> [Hit; K] {
     let prepared = PreparedRay::new(ray, scene_exponent);
     let mut collector = NearestHits::<K>::new(prepared.t_max);
-    traverse(
-        nodes,
-        triangles,
-        &prepared,
-        &Except::NOTHING,
-        &mut collector,
-    );
+    traverse(nodes, triangles, &prepared, &Skip::NONE, &mut collector);
     for i in 0..K {
         collector.hits[i] = prepared.restore(collector.hits[i]);
     }

@@ -4,7 +4,7 @@ use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::{UVec3, UVec4, Vec3};
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent, unite};
 use slimbvh_core::launch::LANES;
-use slimbvh_core::morton::Frame;
+use slimbvh_core::morton::MortonGrid;
 use slimbvh_core::{Aabb, IndexedTriangles};
 use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
 use spirv_std::spirv;
@@ -31,13 +31,13 @@ pub fn bounds(
 }
 
 /// One workgroup. Reads the boxes of all blocks; `params.x` is the bits of a cell's number on an axis, 10 or 21. Stores
-/// the frame of the codes, the scene's exponent and its box.
+/// the grid of the codes, the scene's exponent and its box.
 #[spirv(compute(threads(64)))]
-pub fn frame(
+pub fn bounds_grid(
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] params: &UVec4,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] blocks: &[[f32; 6]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] frames: &mut [Frame],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] grids: &mut [MortonGrid],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] exponents: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] scene: &mut [[f32; 6]],
     #[spirv(workgroup)] boxes: &mut [Aabb; LANES],
@@ -52,9 +52,9 @@ pub fn frame(
         }
     }
     reduce(lane, own, boxes);
-    if lane == 0 && !frames.is_empty() && !exponents.is_empty() && !scene.is_empty() {
+    if lane == 0 && !grids.is_empty() && !exponents.is_empty() && !scene.is_empty() {
         let all = boxes[0];
-        frames[0] = Frame::new(&all, params.x);
+        grids[0] = MortonGrid::new(&all, params.x);
         exponents[0] = scene_exponent(&all) as u32;
         scene[0] = unpacked(all);
     }

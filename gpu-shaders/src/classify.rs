@@ -5,7 +5,7 @@ use crate::trace::scaled_target;
 use crate::{LANES, thread_index};
 use glam::{UVec3, UVec4};
 use slimbvh_core::IndexedTriangles;
-use slimbvh_core::classify::{Reach, Sides, is_in_set};
+use slimbvh_core::classify::{Sides, VisibleSet, is_in_set};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
@@ -32,7 +32,7 @@ pub fn classify(
     let i = thread_index(id);
     let mut flag = 0;
     if needed.x > 0 && (i as usize) < indices.len() {
-        let reach = Reach {
+        let reach = VisibleSet {
             sides: Sides { components, sides },
             target: scaled_target(target, exponent.x),
             frustum: scaled_frustum(frustum, exponent.x),

@@ -34,7 +34,7 @@ pub fn decide_spans(
     let span = if i < spans.len() {
         spans[i]
     } else {
-        Span::NOTHING
+        Span::EMPTY
     };
     let surfaces = Surfaces {
         vertices,
@@ -43,7 +43,7 @@ pub fn decide_spans(
     };
     let unit = Unit {
         scale: PowerOfTwo::new(exponent.x as i32),
-        zero: params.x,
+        opaque_zero: params.x,
     };
     join(lane, lane_measure(lane, &span, &surfaces, &unit), measures);
     if lane == 0 && i < spans.len() && i < measured.len() {
@@ -65,7 +65,7 @@ pub fn decide_components(
     let component = if i < components.len() {
         components[i]
     } else {
-        Component::NOTHING
+        Component::EMPTY
     };
     join(lane, lane_joined(lane, &component, spans), measures);
     if lane == 0 && i < components.len() && i < measured.len() {

@@ -3,8 +3,8 @@
 use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
-    FINEST_STEP, LatticeCodec, LeafCorner, Links, PrintedBox, PrintedCodec, PrintedNode,
-    PrintedTriangle, RootWords, RoundedNode, encode_printed_triangle, encode_triangle, node_bounds,
+    FINEST_STEP, LatticeCodec, LeafCorner, Links, Paper10Box, Paper10Codec, Paper10Node,
+    Paper10Triangle, RootWords, RoundedNode, encode_paper10_triangle, encode_triangle, node_bounds,
     scaled_step, with_links,
 };
 use slimbvh_core::float::power_of_two;
@@ -12,49 +12,65 @@ use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
 use spirv_std::spirv;
 
-/// One thread per node. Reads the number of nodes, a zero and the plain nodes. Stores the node in the printed codec, with links
+/// One thread per node. Reads the number of nodes, a zero and the plain nodes. Stores the node in the paper10 codec, with links
 /// to triangles that are stored in full, and the root's box.
 #[spirv(compute(threads(64)))]
-pub fn encode_printed_f32(
+pub fn encode_paper10_f32(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] zero: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] opaque_zero: &UVec4,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [PrintedNode],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [Paper10Node],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] root: &mut [RootWords],
 ) {
     let node = thread_index(id);
     let i = node as usize;
     if node < total.x && i < plain.len() && i < nodes.len() {
-        let codec = PrintedCodec { zero: zero.x };
+        let codec = Paper10Codec {
+            opaque_zero: opaque_zero.x,
+        };
         let bounds = node_bounds(node, plain, &codec);
         nodes[i] = codec.encode(&bounds, &plain[i]).node;
-        store_root(node, RootWords::of_printed(&bounds), root);
+        store_root(node, RootWords::of_paper10(&bounds), root);
     }
 }
 
-/// As [`encode_printed_f32`]. Reads the triangles, too. Stores those of the leaves below the node in its boxes.
+/// As [`encode_paper10_f32`]. Reads the triangles, too. Stores those of the leaves below the node in its boxes.
 #[spirv(compute(threads(64)))]
-pub fn encode_printed_leaf10(
+pub fn encode_paper10_leaf10(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] zero: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] opaque_zero: &UVec4,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[Node],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [PrintedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] records: &mut [PrintedTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [Paper10Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] records: &mut [Paper10Triangle],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] root: &mut [RootWords],
 ) {
     let node = thread_index(id);
     let i = node as usize;
     if node < total.x && i < plain.len() && i < nodes.len() {
-        let codec = PrintedCodec { zero: zero.x };
+        let codec = Paper10Codec {
+            opaque_zero: opaque_zero.x,
+        };
         let bounds = node_bounds(node, plain, &codec);
         let coded = codec.encode(&bounds, &plain[i]);
         nodes[i] = coded.node;
-        store_printed(plain[i].left, &coded.left, zero.x, triangles, records);
-        store_printed(plain[i].right, &coded.right, zero.x, triangles, records);
-        store_root(node, RootWords::of_printed(&bounds), root);
+        store_paper10(
+            plain[i].left,
+            &coded.left,
+            opaque_zero.x,
+            triangles,
+            records,
+        );
+        store_paper10(
+            plain[i].right,
+            &coded.right,
+            opaque_zero.x,
+            triangles,
+            records,
+        );
+        store_root(node, RootWords::of_paper10(&bounds), root);
     }
 }
 
@@ -210,18 +226,18 @@ fn store_root(node: u32, words: RootWords, root: &mut [RootWords]) {
 }
 
 #[inline(always)]
-fn store_printed(
+fn store_paper10(
     child: NodeRef,
-    bounds: &PrintedBox,
-    zero: u32,
+    bounds: &Paper10Box,
+    opaque_zero: u32,
     triangles: &[LeafTriangle],
-    records: &mut [PrintedTriangle],
+    records: &mut [Paper10Triangle],
 ) {
     if child.is_leaf() {
         for number in 0..child.count() {
             let i = (child.first() + number) as usize;
             if i < triangles.len() && i < records.len() {
-                records[i] = encode_printed_triangle(&triangles[i], bounds, zero);
+                records[i] = encode_paper10_triangle(&triangles[i], bounds, opaque_zero);
             }
         }
     }

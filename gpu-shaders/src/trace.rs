@@ -2,13 +2,13 @@
 
 use crate::thread_index;
 use glam::{UVec3, UVec4, Vec4};
-use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::shade::{Path, Shadow};
-use slimbvh_core::trace::{ClosestOrAny, LeafTriangles, PlainNodes, traverse};
+use slimbvh_core::trace::{ClosestOrAny, LeafTriangles, PlainNodes, Skip, traverse};
 use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
 use spirv_std::spirv;
 
@@ -90,7 +90,7 @@ pub fn trace_paths(
 ) {
     let i = thread_index(id);
     let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    let rule = Except(store::path_skip(i, paths));
+    let rule = Skip(store::path_skip(i, paths));
     store::paths(i, nodes, triangles, &rule, paths, hits, counters);
 }
 
@@ -124,7 +124,7 @@ pub fn trace_shadows(
 ) {
     let i = thread_index(id);
     let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    let rule = Except(store::shadow_skip(i, shadows));
+    let rule = Skip(store::shadow_skip(i, shadows));
     store::shadows(i, nodes, triangles, &rule, shadows, paths, counters);
 }
 
@@ -145,7 +145,7 @@ pub fn trace_paths_facing(
 ) {
     let i = thread_index(id);
     let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    let rule = Facing {
+    let rule = FacingFilter {
         skip: store::path_skip(i, paths),
         sides: Sides { components, sides },
         target: scaled_target(target, exponent.x),
@@ -170,7 +170,7 @@ pub fn trace_shadows_facing(
 ) {
     let i = thread_index(id);
     let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    let rule = Facing {
+    let rule = FacingFilter {
         skip: store::shadow_skip(i, shadows),
         sides: Sides { components, sides },
         target: scaled_target(target, exponent.x),
@@ -224,7 +224,7 @@ pub fn call_trace(
         &PlainNodes(nodes),
         &LeafTriangles(triangles),
         &ray,
-        &Except::NOTHING,
+        &Skip::NONE,
         &mut collector,
     );
     let found = ray.restore(collector.closest.hit);

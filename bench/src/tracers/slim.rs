@@ -5,9 +5,8 @@ use crate::rays::BLOCK;
 use anyhow::Result;
 use rayon::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, Mesh, Stages};
-use slimbvh_core::classify::Except;
 use slimbvh_core::ray::{Hit, PreparedRay, Ray};
-use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, traverse};
+use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, Skip, traverse};
 use std::ops::Add;
 
 /// slimbvh's plain tree.
@@ -40,7 +39,7 @@ impl<'a> Slim<'a> {
             &self.bvh.node_source(),
             &self.bvh.triangle_source(),
             &ray,
-            &Except::NOTHING,
+            &Skip::NONE,
             &mut counted,
         );
         Visits {

@@ -15,7 +15,7 @@ const SMALL: [&str; 6] = [
 /// Bytes per node.
 const NODES: [(&str, u64); 9] = [
     ("f32", 64),
-    ("printed", 24),
+    ("paper10", 24),
     ("q4", 12),
     ("q6", 16),
     ("q8", 16),
@@ -83,7 +83,7 @@ fn a_mesh_on_the_lattice_makes_one_picture_for_each_tolerance() {
 }
 
 #[test]
-fn printed_leaves_render() {
+fn paper10_leaves_render() {
     let folder = Folder::new();
     let (_, report) = render(&folder, &["--mesh=leaf10"]);
     let triangles = report["triangles"].as_u64().expect("it is a number");

@@ -1,6 +1,6 @@
 //! What a traversal is asked for.
 
-use crate::ray::Hit;
+use crate::geometry::ray::Hit;
 
 /// The limit where no hit can change the answer: no t is below it. A ray that has it is done, unless its
 /// range begins there.

@@ -1,32 +1,33 @@
 //! Several rays that walk a tree together, on a CPU: what is read of it, and what is decided about it, is shared.
 //!
 //! Each ray's answer is the one that it would find alone, bit for bit: boxes and triangles are tested by the same arithmetic
-//! ([`crate::lanes`]), and no answer depends on which other nodes are opened.
+//! ([`crate::geometry::lanes`]), and no answer depends on which other nodes are opened.
 
 use super::prepare::PreparedRays;
 use super::query::{Opened, Query};
 use super::stack::Enter;
 use super::{
-    Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, traverse_with, walk,
+    Collector, Cursor, HitFilter, LeafSlot, NodeSource, Stack, TriangleSource, traverse_with, walk,
 };
-use crate::lanes::{Lanes, Wide};
-use crate::ray::{Hit, PreparedRay};
-use crate::slab::{BoxSpan, PlanePair, Planes, crossings};
-use crate::watertight::{Meeting, meet};
+use crate::geometry::lanes::{Lanes, Wide};
+use crate::geometry::planes::{BoxSpan, PlanePair, Planes};
+use crate::geometry::ray::{Hit, PreparedRay};
+use crate::geometry::slab::crossings;
+use crate::geometry::watertight::{Meeting, meet};
 use core::array::from_fn;
 
 /// What a ray of a packet asks.
 #[derive(Clone, Copy, Debug)]
-pub struct Lane<R, C> {
+pub struct Lane<F, C> {
     /// Which triangles count.
-    pub rule: R,
+    pub filter: F,
     /// What is asked.
     pub collector: C,
 }
 
 /// The limits of all lanes.
 #[inline(always)]
-fn limits<W: Wide<LANES>, R, C: Collector, const LANES: usize>(packet: &[Lane<R, C>; LANES]) -> W {
+fn limits<W: Wide<LANES>, F, C: Collector, const LANES: usize>(packet: &[Lane<F, C>; LANES]) -> W {
     W::from_array(from_fn(|i| packet[i].collector.limit()))
 }
 
@@ -49,16 +50,16 @@ impl<C: Cursor, W: Lanes> PacketStacks<C, W> {
 /// [`super::traverse_with`] of all rays of a packet: together, as far as the order of their axes is the same and they begin and go
 /// side by side. One that is left over walks alone.
 #[inline(always)]
-pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
+pub fn trace_packet<N, T, F, C, W, const LANES: usize>(
     stacks: &mut PacketStacks<N::Cursor, W>,
     nodes: &N,
     triangles: &T,
     rays: &mut PreparedRays<W, LANES>,
-    packet: &mut [Lane<R, C>; LANES],
+    packet: &mut [Lane<F, C>; LANES],
 ) where
     N: NodeSource,
-    T: TriangleSource<N::Frame>,
-    R: Rule,
+    T: TriangleSource<N::Bounds>,
+    F: HitFilter,
     C: Collector,
     W: Wide<LANES>,
 {
@@ -87,31 +88,31 @@ pub fn trace_packet<N, T, R, C, W, const LANES: usize>(
 
 /// [`super::traverse_with`] of one ray, never part of its caller.
 #[inline(never)]
-pub fn trace_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
+pub fn trace_alone<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector>(
     stack: &mut Stack<N::Cursor>,
     nodes: &N,
     triangles: &T,
     ray: &PreparedRay,
-    lane: &mut Lane<R, C>,
+    lane: &mut Lane<F, C>,
 ) {
     traverse_with(
         stack,
         nodes,
         triangles,
         ray,
-        &lane.rule,
+        &lane.filter,
         &mut lane.collector,
     );
 }
 
 /// Offers a hit, if it counts: never part of the walk.
 #[inline(never)]
-fn offer<R: Rule, C: Collector>(
-    lane: &mut Lane<R, C>,
+fn offer<F: HitFilter, C: Collector>(
+    lane: &mut Lane<F, C>,
     (corners, axes): (&[[f32; 3]; 3], [u32; 3]),
     hit: Hit,
 ) {
-    if lane.rule.counts(hit.primitive, corners, axes) {
+    if lane.filter.accepts(hit.primitive, corners, axes) {
         lane.collector.offer(hit);
     }
 }
@@ -132,9 +133,9 @@ impl<W: Lanes> Enter for Entries<W> {
 }
 
 /// Rays that walk together.
-struct Together<'a, R, C, W: Wide<LANES>, const LANES: usize> {
+struct Together<'a, F, C, W: Wide<LANES>, const LANES: usize> {
     rays: &'a PreparedRays<W, LANES>,
-    packet: &'a mut [Lane<R, C>; LANES],
+    packet: &'a mut [Lane<F, C>; LANES],
     /// Below everything for rays that want nothing more.
     limit: W,
     /// A bit for each ray that walks along.
@@ -153,7 +154,7 @@ fn each_of(mut who: u32) -> impl Iterator<Item = usize> {
     })
 }
 
-impl<R, C, W: Wide<LANES>, const LANES: usize> Together<'_, R, C, W, LANES> {
+impl<F, C, W: Wide<LANES>, const LANES: usize> Together<'_, F, C, W, LANES> {
     #[inline(always)]
     fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<W> {
         let rays = &self.rays.lanes;
@@ -166,11 +167,11 @@ impl<R, C, W: Wide<LANES>, const LANES: usize> Together<'_, R, C, W, LANES> {
     }
 }
 
-impl<N, T, R, C, W, const LANES: usize> Query<N, T> for Together<'_, R, C, W, LANES>
+impl<N, T, F, C, W, const LANES: usize> Query<N, T> for Together<'_, F, C, W, LANES>
 where
     N: NodeSource,
-    T: TriangleSource<N::Frame>,
-    R: Rule,
+    T: TriangleSource<N::Bounds>,
+    F: HitFilter,
     C: Collector,
     W: Wide<LANES>,
 {
@@ -216,13 +217,13 @@ where
     }
 
     #[inline(always)]
-    fn test(&mut self, triangles: &T, place: &Place<N::Frame>) {
+    fn test(&mut self, triangles: &T, slot: &LeafSlot<N::Bounds>) {
         let axes = self.rays.axes;
-        let corners = triangles.corners(place, axes);
+        let corners = triangles.corners(slot, axes);
         let Meeting { t, u, v, met } = meet(&self.rays.lanes, &corners, self.limit);
         let who = self.who & W::bits(met);
         if who != 0 {
-            let primitive = triangles.primitive(place);
+            let primitive = triangles.primitive(slot);
             let (t, u, v) = (t.to_array(), u.to_array(), v.to_array());
             for i in each_of(who) {
                 let i = i % LANES;

@@ -1,9 +1,9 @@
 //! Rays of a packet, prepared together: what is ordinary about them at once, each other one alone.
 
-use crate::float::{exponent, power_of_two};
-use crate::lanes::{Lanes, Wide};
-use crate::ray::{Axis, FARTHEST_ORIGIN, Hit, PreparedRay, Ray, RayLanes, restore};
-use crate::slab::{BoxSpan, Planes};
+use crate::geometry::float::{exponent, power_of_two};
+use crate::geometry::lanes::{Lanes, Wide};
+use crate::geometry::planes::{BoxSpan, Planes};
+use crate::geometry::ray::{Axis, FARTHEST_ORIGIN, Hit, PreparedRay, Ray, RayLanes, restore};
 
 /// Rays whose origins or directions are farther from the first one's, on any axis, walk alone. In the scene's magnitude, whose largest
 /// coordinate is at most 1, and in that of directions, whose largest component is at most 2.
@@ -33,7 +33,7 @@ pub struct PreparedRays<W: Lanes, const LANES: usize> {
 
 impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
     /// None yet: they hit nothing.
-    pub const NOTHING: Self = Self {
+    pub const EMPTY: Self = Self {
         axes: [0, 1, 2],
         lanes: RayLanes {
             origin: [W::ZERO; 3],
@@ -48,7 +48,7 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
         members: 0,
         t_max: [0.0; LANES],
         t_exponent: [0; LANES],
-        alone: [PreparedRay::NOTHING; LANES],
+        alone: [PreparedRay::EMPTY; LANES],
         ready: u32::MAX,
     };
 
@@ -228,7 +228,7 @@ fn turned<T>([x, y, z]: [T; 3], last: u32) -> [T; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::Each;
+    use crate::geometry::lanes::Each;
     use proptest::array::uniform3;
     use proptest::prelude::*;
 
@@ -299,7 +299,7 @@ mod tests {
 
     fn prepared(rays: &[Ray; 8], exponent: i32) -> PreparedRays<Each<8>, 8> {
         // Whatever was there before.
-        let mut prepared = PreparedRays::NOTHING;
+        let mut prepared = PreparedRays::EMPTY;
         prepared.prepare(&[Ray::new([1.0, 2.0, 3.0], [4.0, 5.0, 6.0]); 8], 3);
         for i in 0..8 {
             prepared.alone(i);

@@ -1,13 +1,14 @@
 //! Who walks a tree: one ray, or several together.
 
-use super::{Collector, NodeSource, Place, Rule, TriangleSource};
-use crate::ray::PreparedRay;
-use crate::slab::{PlanePair, slab};
+use super::{Collector, HitFilter, LeafSlot, NodeSource, TriangleSource};
+use crate::geometry::planes::PlanePair;
+use crate::geometry::ray::PreparedRay;
+use crate::geometry::slab::slab;
+use crate::geometry::watertight::intersect;
 use crate::trace::stack::Enter;
-use crate::watertight::intersect;
 
 /// What rays that walk a tree decide on their way.
-pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Frame>> {
+pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Bounds>> {
     /// Where they enter a node.
     type Enter: Enter;
 
@@ -28,7 +29,7 @@ pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Frame>> {
     fn follow(&mut self, _: Self::Enter) {}
 
     /// Tests a triangle.
-    fn test(&mut self, triangles: &T, place: &Place<N::Frame>);
+    fn test(&mut self, triangles: &T, slot: &LeafSlot<N::Bounds>);
 
     /// Whether all answers are final.
     fn is_done(&self) -> bool;
@@ -65,14 +66,14 @@ impl<E: Enter> Opened<E> {
 }
 
 /// One ray.
-pub(super) struct Single<'a, R, C> {
+pub(super) struct Single<'a, F, C> {
     pub ray: &'a PreparedRay,
-    pub rule: &'a R,
+    pub filter: &'a F,
     pub collector: &'a mut C,
 }
 
-impl<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector> Query<N, T>
-    for Single<'_, R, C>
+impl<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector> Query<N, T>
+    for Single<'_, F, C>
 {
     type Enter = f32;
 
@@ -105,12 +106,12 @@ impl<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector> Query<N,
     }
 
     #[inline(always)]
-    fn test(&mut self, triangles: &T, place: &Place<N::Frame>) {
+    fn test(&mut self, triangles: &T, slot: &LeafSlot<N::Bounds>) {
         self.collector.count_triangle();
-        let primitive = triangles.primitive(place);
-        let corners = triangles.corners(place, self.ray.axes);
+        let primitive = triangles.primitive(slot);
+        let corners = triangles.corners(slot, self.ray.axes);
         let hit = intersect(self.ray, corners, self.collector.limit(), primitive);
-        if hit.is_hit() && self.rule.counts(primitive, &corners, self.ray.axes) {
+        if hit.is_hit() && self.filter.accepts(primitive, &corners, self.ray.axes) {
             self.collector.offer(hit);
         }
     }

@@ -1,10 +1,10 @@
 //! Where nodes and triangles come from: the plain tree, and the brute-force list that every tree must agree with.
 
-use super::{Children, LeafRun, NodeSource, Place, TriangleSource};
-use crate::node::{Node, NodeRef};
-use crate::ray::NO_PRIMITIVE;
-use crate::slab::PlanePair;
-use crate::triangle::LeafTriangle;
+use super::{Children, LeafRun, LeafSlot, NodeSource, TriangleSource};
+use crate::build::node::{Node, NodeRef};
+use crate::geometry::planes::PlanePair;
+use crate::geometry::ray::NO_PRIMITIVE;
+use crate::geometry::triangle::LeafTriangle;
 
 /// Uncompressed nodes, the root first.
 #[derive(Clone, Copy)]
@@ -12,12 +12,12 @@ pub struct PlainNodes<'a>(pub &'a [Node]);
 
 impl NodeSource for PlainNodes<'_> {
     type Cursor = NodeRef;
-    type Frame = ();
+    type Bounds = ();
 
     #[inline(always)]
     fn root(&self, _axes: [u32; 3]) -> NodeRef {
         if self.0.is_empty() {
-            NodeRef::NOTHING
+            NodeRef::EMPTY_LEAF
         } else {
             NodeRef::inner(0)
         }
@@ -29,7 +29,7 @@ impl NodeSource for PlainNodes<'_> {
             is_leaf: cursor.is_leaf(),
             first: cursor.first(),
             count: cursor.count(),
-            frame: (),
+            bounds: (),
         }
     }
 
@@ -62,8 +62,8 @@ impl NodeSource for PlainNodes<'_> {
 /// What an index out of range opens.
 const NO_CHILDREN: Children<NodeRef> = Children {
     planes: [PlanePair::ZERO; 3],
-    left: NodeRef::NOTHING,
-    right: NodeRef::NOTHING,
+    left: NodeRef::EMPTY_LEAF,
+    right: NodeRef::EMPTY_LEAF,
 };
 
 /// No tree at all: one leaf with this many triangles.
@@ -72,7 +72,7 @@ pub struct BruteForce(pub u32);
 
 impl NodeSource for BruteForce {
     type Cursor = ();
-    type Frame = ();
+    type Bounds = ();
 
     #[inline(always)]
     fn root(&self, _axes: [u32; 3]) {}
@@ -83,7 +83,7 @@ impl NodeSource for BruteForce {
             is_leaf: true,
             first: 0,
             count: self.0,
-            frame: (),
+            bounds: (),
         }
     }
 
@@ -108,12 +108,12 @@ pub struct LeafTriangles<'a>(pub &'a [LeafTriangle]);
 
 impl<F: Copy> TriangleSource<F> for LeafTriangles<'_> {
     #[inline(always)]
-    fn corners(&self, place: &Place<F>, axes: [u32; 3]) -> [[f32; 3]; 3] {
-        let place = (place.first + place.number) as usize;
-        if place >= self.0.len() {
+    fn corners(&self, slot: &LeafSlot<F>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let index = (slot.first + slot.number) as usize;
+        if index >= self.0.len() {
             return [[0.0; 3]; 3];
         }
-        let v = &self.0[place].vertices;
+        let v = &self.0[index].vertices;
         let a = axes[0] as usize % 3;
         let b = axes[1] as usize % 3;
         let c = axes[2] as usize % 3;
@@ -125,10 +125,10 @@ impl<F: Copy> TriangleSource<F> for LeafTriangles<'_> {
     }
 
     #[inline(always)]
-    fn primitive(&self, place: &Place<F>) -> u32 {
-        let place = (place.first + place.number) as usize;
-        if place < self.0.len() {
-            self.0[place].primitive
+    fn primitive(&self, slot: &LeafSlot<F>) -> u32 {
+        let index = (slot.first + slot.number) as usize;
+        if index < self.0.len() {
+            self.0[index].primitive
         } else {
             NO_PRIMITIVE
         }

@@ -1,13 +1,13 @@
 //! Nodes that wait in a traversal.
 
-use crate::node::NodeRef;
-use crate::topology::depth_bound;
+use crate::build::node::NodeRef;
+use crate::build::topology::depth_bound;
 
 /// The stack holds one entry a level below the root. Trees of 63-bit codes have at most 63 + 28 levels
-/// ([`crate::topology::depth_bound`]), trees of 30-bit codes 30 + 28, clustered ones 126 ([`crate::cluster::depth_bound`]).
+/// ([`crate::build::topology::depth_bound`]), trees of 30-bit codes 30 + 28, clustered ones 126 ([`crate::build::cluster::depth_bound`]).
 pub const STACK_SIZE: usize = 128;
 const _: () = assert!(STACK_SIZE as u32 > depth_bound(63, crate::MAX_TRIANGLES));
-const _: () = assert!(STACK_SIZE as u32 > crate::cluster::depth_bound(crate::MAX_TRIANGLES));
+const _: () = assert!(STACK_SIZE as u32 > crate::build::cluster::depth_bound(crate::MAX_TRIANGLES));
 
 /// A number of each entry of the stack.
 pub type Column<T> = [T; STACK_SIZE];

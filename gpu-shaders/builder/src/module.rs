@@ -1,4 +1,4 @@
-//! One compiled module: stripped, checked, translated and described.
+//! One compiled module: stripped, checked and described.
 
 use anyhow::{Context, Result, anyhow, bail};
 use naga::front::spv;
@@ -12,8 +12,6 @@ pub struct Module {
     pub spirv: Vec<u8>,
     /// As naga sees it.
     pub ir: naga::Module,
-    /// Its translation.
-    pub wgsl: String,
     /// Its entry in the manifest.
     pub manifest: Value,
 }
@@ -28,17 +26,13 @@ impl Module {
         let module = spv::parse_u8_slice(&spirv, &spv::Options::default())
             .map_err(|error| anyhow!("naga cannot read it: {error}"))?;
         // Capabilities beyond none would not be there on every device.
-        let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+        Validator::new(ValidationFlags::all(), Capabilities::empty())
             .validate(&module)
             .map_err(|error| anyhow!("naga refuses it: {}", error.emit_to_string("")))?;
-        let wgsl =
-            naga::back::wgsl::write_string(&module, &info, naga::back::wgsl::WriterFlags::empty())
-                .context("naga cannot translate it")?;
         let manifest = describe(name, &module)?;
         Ok(Self {
             spirv,
             ir: module,
-            wgsl,
             manifest,
         })
     }

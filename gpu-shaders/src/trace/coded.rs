@@ -4,9 +4,9 @@ use super::{scaled_target, store};
 use crate::encode::root_words;
 use crate::thread_index;
 use glam::{UVec3, UVec4};
-use slimbvh_core::classify::{Facing, Sides};
+use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::encode::{
-    LatticeNodes, LatticeTriangles, PrintedNode, PrintedNodes, PrintedTriangle, PrintedTriangles,
+    LatticeNodes, LatticeTriangles, Paper10Node, Paper10Nodes, Paper10Triangle, Paper10Triangles,
     RootWords,
 };
 use slimbvh_core::float::power_of_two;
@@ -118,7 +118,7 @@ macro_rules! traces {
         ) {
             let ($root, i) = (root_words($root), thread_index(id));
             let (nodes, triangles) = (&$node_source, &$triangle_source);
-            let rule = Facing {
+            let rule = FacingFilter {
                 skip: store::path_skip(i, paths),
                 sides: Sides { components, sides },
                 target: scaled_target(target, exponent.x),
@@ -160,7 +160,7 @@ macro_rules! traces {
         ) {
             let ($root, i) = (root_words($root), thread_index(id));
             let (nodes, triangles) = (&$node_source, &$triangle_source);
-            let rule = Facing {
+            let rule = FacingFilter {
                 skip: store::shadow_skip(i, shadows),
                 sides: Sides { components, sides },
                 target: scaled_target(target, exponent.x),
@@ -171,25 +171,25 @@ macro_rules! traces {
 }
 
 traces! {
-    |root, nodes: PrintedNode, triangles: LeafTriangle| PrintedNodes { nodes, root: root.printed(), zero: root.zero() }, LeafTriangles(triangles);
-    pub fn trace_closest_printed_f32;
-    pub fn trace_any_printed_f32;
-    pub fn trace_nearest_printed_f32;
-    pub fn trace_counted_printed_f32;
-    pub fn trace_paths_printed_f32;
-    pub fn trace_paths_counted_printed_f32;
-    pub fn trace_shadows_printed_f32;
+    |root, nodes: Paper10Node, triangles: LeafTriangle| Paper10Nodes { nodes, root: root.paper10(), opaque_zero: root.opaque_zero() }, LeafTriangles(triangles);
+    pub fn trace_closest_paper10_f32;
+    pub fn trace_any_paper10_f32;
+    pub fn trace_nearest_paper10_f32;
+    pub fn trace_counted_paper10_f32;
+    pub fn trace_paths_paper10_f32;
+    pub fn trace_paths_counted_paper10_f32;
+    pub fn trace_shadows_paper10_f32;
 }
 
 traces! {
-    |root, nodes: PrintedNode, triangles: PrintedTriangle| PrintedNodes { nodes, root: root.printed(), zero: root.zero() }, PrintedTriangles { triangles, zero: root.zero() };
-    pub fn trace_closest_printed_leaf10;
-    pub fn trace_any_printed_leaf10;
-    pub fn trace_nearest_printed_leaf10;
-    pub fn trace_counted_printed_leaf10;
-    pub fn trace_paths_printed_leaf10;
-    pub fn trace_paths_counted_printed_leaf10;
-    pub fn trace_shadows_printed_leaf10;
+    |root, nodes: Paper10Node, triangles: Paper10Triangle| Paper10Nodes { nodes, root: root.paper10(), opaque_zero: root.opaque_zero() }, Paper10Triangles { triangles, opaque_zero: root.opaque_zero() };
+    pub fn trace_closest_paper10_leaf10;
+    pub fn trace_any_paper10_leaf10;
+    pub fn trace_nearest_paper10_leaf10;
+    pub fn trace_counted_paper10_leaf10;
+    pub fn trace_paths_paper10_leaf10;
+    pub fn trace_paths_counted_paper10_leaf10;
+    pub fn trace_shadows_paper10_leaf10;
 }
 
 traces! {

@@ -2,18 +2,17 @@
 
 use crate::count;
 use glam::Vec3;
-use slimbvh_core::classify::Except;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
-    ClosestHit, Counted, NodeSource, Rule, TriangleSource, any_hit, closest_hit, nearest_hits,
-    traverse,
+    ClosestHit, Counted, HitFilter, NodeSource, Skip, TriangleSource, any_hit, closest_hit,
+    nearest_hits, traverse,
 };
 use slimbvh_core::{Hit, Ray};
 
 #[inline(always)]
-pub fn closest<N: NodeSource, T: TriangleSource<N::Frame>>(
+pub fn closest<N: NodeSource, T: TriangleSource<N::Bounds>>(
     i: u32,
     exponent: i32,
     nodes: &N,
@@ -23,12 +22,12 @@ pub fn closest<N: NodeSource, T: TriangleSource<N::Frame>>(
 ) {
     let i = i as usize;
     if i < rays.len() && i < hits.len() {
-        hits[i] = closest_hit(nodes, triangles, &rays[i], exponent, &Except::NOTHING);
+        hits[i] = closest_hit(nodes, triangles, &rays[i], exponent, &Skip::NONE);
     }
 }
 
 #[inline(always)]
-pub fn any<N: NodeSource, T: TriangleSource<N::Frame>>(
+pub fn any<N: NodeSource, T: TriangleSource<N::Bounds>>(
     i: u32,
     exponent: i32,
     nodes: &N,
@@ -38,12 +37,12 @@ pub fn any<N: NodeSource, T: TriangleSource<N::Frame>>(
 ) {
     let i = i as usize;
     if i < rays.len() && i < found.len() {
-        found[i] = any_hit(nodes, triangles, &rays[i], exponent, &Except::NOTHING) as u32;
+        found[i] = any_hit(nodes, triangles, &rays[i], exponent, &Skip::NONE) as u32;
     }
 }
 
 #[inline(always)]
-pub fn nearest<N: NodeSource, T: TriangleSource<N::Frame>>(
+pub fn nearest<N: NodeSource, T: TriangleSource<N::Bounds>>(
     i: u32,
     exponent: i32,
     nodes: &N,
@@ -58,7 +57,7 @@ pub fn nearest<N: NodeSource, T: TriangleSource<N::Frame>>(
 }
 
 #[inline(always)]
-pub fn counted<N: NodeSource, T: TriangleSource<N::Frame>>(
+pub fn counted<N: NodeSource, T: TriangleSource<N::Bounds>>(
     i: u32,
     exponent: i32,
     nodes: &N,
@@ -70,7 +69,7 @@ pub fn counted<N: NodeSource, T: TriangleSource<N::Frame>>(
     if i < rays.len() && i < counts.len() {
         let ray = PreparedRay::new(&rays[i], exponent);
         let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-        traverse(nodes, triangles, &ray, &Except::NOTHING, &mut collector);
+        traverse(nodes, triangles, &ray, &Skip::NONE, &mut collector);
         counts[i] = [collector.node_count, collector.triangle_count];
     }
 }
@@ -97,7 +96,7 @@ pub fn shadow_skip(i: u32, shadows: &[Shadow]) -> u32 {
 
 /// The range of an ended path's ray is empty: it meets nothing.
 #[inline(always)]
-pub fn paths<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule>(
+pub fn paths<N: NodeSource, T: TriangleSource<N::Bounds>, R: HitFilter>(
     i: u32,
     nodes: &N,
     triangles: &T,
@@ -116,7 +115,7 @@ pub fn paths<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule>(
 }
 
 #[inline(always)]
-pub fn paths_counted<N: NodeSource, T: TriangleSource<N::Frame>>(
+pub fn paths_counted<N: NodeSource, T: TriangleSource<N::Bounds>>(
     i: u32,
     nodes: &N,
     triangles: &T,
@@ -129,7 +128,7 @@ pub fn paths_counted<N: NodeSource, T: TriangleSource<N::Frame>>(
     if i < paths.len() && i < hits.len() && i < counts.len() {
         let ray = PreparedRay::new(&paths[i].ray, 0);
         let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-        let rule = Except(paths[i].skip);
+        let rule = Skip(paths[i].skip);
         traverse(nodes, triangles, &ray, &rule, &mut collector);
         let hit = ray.restore(collector.inner.hit);
         hits[i] = hit;
@@ -141,7 +140,7 @@ pub fn paths_counted<N: NodeSource, T: TriangleSource<N::Frame>>(
 }
 
 #[inline(always)]
-pub fn shadows<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule>(
+pub fn shadows<N: NodeSource, T: TriangleSource<N::Bounds>, R: HitFilter>(
     i: u32,
     nodes: &N,
     triangles: &T,

@@ -1,13 +1,13 @@
 //! Stage `cluster` on the CPU, and stage `topology` of the tree that it leaves.
 
 use super::BLOCK;
-use super::select::Selection;
+use super::compact::Selection;
 use super::topology::Connections;
 use rayon::prelude::*;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::cluster::{
-    Active, Change, Merged, Merges, NOTHING, Place, PlacedNode, Round, Size, merge, merging_pairs,
-    open, rotate, triangle_box,
+    Active, Change, Merged, Merges, NO_CLUSTER, Place, PlacedNode, Round, Size, merge,
+    merging_pairs, open, rotate, triangle_box,
 };
 use slimbvh_core::compact::{is_set, rank};
 use slimbvh_core::node::{Connection, LEAF_SIZE};
@@ -230,7 +230,7 @@ impl Block<'_> {
                 let rotated = rotate(i as u32, merge.rotation, active, old);
                 *node = rotated.node;
                 changes.push(rotated.first);
-                if rotated.second.id != NOTHING {
+                if rotated.second.id != NO_CLUSTER {
                     changes.push(rotated.second);
                 }
             }

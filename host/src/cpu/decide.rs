@@ -52,17 +52,17 @@ impl Decisions {
         self.exponent = scene_exponent(&mesh.bounds().unwrap_or(Aabb::EMPTY));
         let unit = Unit {
             scale: PowerOfTwo::new(self.exponent),
-            zero: 0,
+            opaque_zero: 0,
         };
         let surfaces = self.runs.surfaces(&mesh.vertices);
         let spans = self.runs.spans.par_iter().map(|span| {
             let own = |lane| lane_measure(lane, span, &surfaces, &unit);
-            reduce(Measure::NOTHING, own, join_step::<LANES>)
+            reduce(Measure::EMPTY, own, join_step::<LANES>)
         });
         let spans: Vec<Measure> = spans.collect();
         let components = self.runs.components.par_iter().map(|component| {
             let own = |lane| lane_joined(lane, component, &spans);
-            reduce(Measure::NOTHING, own, join_step::<LANES>)
+            reduce(Measure::EMPTY, own, join_step::<LANES>)
         });
         components.collect_into_vec(&mut self.measures);
     }

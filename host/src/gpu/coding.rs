@@ -2,13 +2,13 @@
 
 use super::{GpuError, Kernel};
 use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind};
-use slimbvh_core::encode::{LeafWidth, PrintedNode, PrintedTriangle, node_words};
+use slimbvh_core::encode::{LeafWidth, Paper10Node, Paper10Triangle, node_words};
 
 /// How nodes and triangles are stored, where that is not in full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coding {
-    PrintedF32,
-    PrintedLeaf10,
+    Paper10F32,
+    Paper10Leaf10,
     Q10F32,
     Q10Lattice,
     Q21F32,
@@ -27,8 +27,8 @@ impl Coding {
         let is_f32 = config.mesh == MeshCodec::F32;
         Ok(match config.nodes {
             NodeCodec::F32 => None,
-            NodeCodec::Printed if is_f32 => Some(Self::PrintedF32),
-            NodeCodec::Printed => Some(Self::PrintedLeaf10),
+            NodeCodec::Paper10 if is_f32 => Some(Self::Paper10F32),
+            NodeCodec::Paper10 => Some(Self::Paper10Leaf10),
             NodeCodec::Lattice(LatticeBits::Q10) if is_f32 => Some(Self::Q10F32),
             NodeCodec::Lattice(LatticeBits::Q10) => Some(Self::Q10Lattice),
             NodeCodec::Lattice(LatticeBits::Q21) if is_f32 => Some(Self::Q21F32),
@@ -42,7 +42,7 @@ impl Coding {
     /// Bytes of a node.
     pub const fn node_bytes(self) -> u64 {
         match self {
-            Self::PrintedF32 | Self::PrintedLeaf10 => size_of::<PrintedNode>() as u64,
+            Self::Paper10F32 | Self::Paper10Leaf10 => size_of::<Paper10Node>() as u64,
             Self::Q10F32 | Self::Q10Lattice => 4 * node_words(10) as u64,
             Self::Q21F32 | Self::Q21Lattice => 4 * node_words(21) as u64,
         }
@@ -51,20 +51,68 @@ impl Coding {
     /// The most bytes of a triangle; none where it is stored in full.
     pub const fn most_triangle_bytes(self) -> Option<u64> {
         match self {
-            Self::PrintedF32 | Self::Q10F32 | Self::Q21F32 => None,
-            Self::PrintedLeaf10 => Some(size_of::<PrintedTriangle>() as u64),
+            Self::Paper10F32 | Self::Q10F32 | Self::Q21F32 => None,
+            Self::Paper10Leaf10 => Some(size_of::<Paper10Triangle>() as u64),
             Self::Q10Lattice | Self::Q21Lattice => Some(4 * LeafWidth::Wide.words() as u64),
         }
     }
 
     /// Whether nodes are on a lattice.
     pub const fn is_lattice(self) -> bool {
-        !matches!(self, Self::PrintedF32 | Self::PrintedLeaf10)
+        !matches!(self, Self::Paper10F32 | Self::Paper10Leaf10)
     }
 
     /// Whether triangles take as many words as their leaf needs.
     pub const fn is_mixed(self) -> bool {
         matches!(self, Self::Q10Lattice | Self::Q21Lattice)
+    }
+}
+
+/// The kernels that encode one kind of hierarchies.
+#[derive(Clone, Copy, Debug)]
+pub enum Encodes {
+    /// One encodes nodes; triangles stay in full.
+    Nodes(Kernel),
+    /// The same, for floats whose products must not be fused: it reads a zero that the compiler does not know.
+    NodesInFloats(Kernel),
+    /// One encodes nodes and triangles, as [`Self::NodesInFloats`].
+    AllInFloats(Kernel),
+    /// Triangles take as many words as their leaf needs: one encodes nodes and finds sizes, another links nodes to triangles.
+    Mixed { sizes: Kernel, links: Kernel },
+}
+
+impl Coding {
+    /// The kernels that encode.
+    pub const fn encodes(self) -> Encodes {
+        match self {
+            Self::Paper10F32 => Encodes::NodesInFloats(Kernel::encode_paper10_f32),
+            Self::Paper10Leaf10 => Encodes::AllInFloats(Kernel::encode_paper10_leaf10),
+            Self::Q10F32 => Encodes::Nodes(Kernel::encode_q10_f32),
+            Self::Q21F32 => Encodes::Nodes(Kernel::encode_q21_f32),
+            Self::Q10Lattice => Encodes::Mixed {
+                sizes: Kernel::encode_q10_sizes,
+                links: Kernel::encode_q10_links,
+            },
+            Self::Q21Lattice => Encodes::Mixed {
+                sizes: Kernel::encode_q21_sizes,
+                links: Kernel::encode_q21_links,
+            },
+        }
+    }
+}
+
+/// Names of the codecs of nodes that the GPU has, for messages.
+pub fn node_names() -> String {
+    let with = |nodes| BuildConfig {
+        nodes,
+        ..BuildConfig::default()
+    };
+    let all = NodeCodec::ALL.into_iter();
+    let known = all.filter(|nodes| Coding::of(&with(*nodes)).is_ok());
+    let names: Vec<&str> = known.map(NodeCodec::name).collect();
+    match names.split_last() {
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        None => String::new(),
     }
 }
 
@@ -95,23 +143,23 @@ const PLAIN: Traces = Traces {
 pub const fn traces(coding: Option<Coding>) -> Traces {
     let Some(coding) = coding else { return PLAIN };
     match coding {
-        Coding::PrintedF32 => Traces {
-            closest: Kernel::trace_closest_printed_f32,
-            any: Kernel::trace_any_printed_f32,
-            nearest: Kernel::trace_nearest_printed_f32,
-            counted: Kernel::trace_counted_printed_f32,
-            paths: Kernel::trace_paths_printed_f32,
-            paths_counted: Kernel::trace_paths_counted_printed_f32,
-            shadows: Kernel::trace_shadows_printed_f32,
+        Coding::Paper10F32 => Traces {
+            closest: Kernel::trace_closest_paper10_f32,
+            any: Kernel::trace_any_paper10_f32,
+            nearest: Kernel::trace_nearest_paper10_f32,
+            counted: Kernel::trace_counted_paper10_f32,
+            paths: Kernel::trace_paths_paper10_f32,
+            paths_counted: Kernel::trace_paths_counted_paper10_f32,
+            shadows: Kernel::trace_shadows_paper10_f32,
         },
-        Coding::PrintedLeaf10 => Traces {
-            closest: Kernel::trace_closest_printed_leaf10,
-            any: Kernel::trace_any_printed_leaf10,
-            nearest: Kernel::trace_nearest_printed_leaf10,
-            counted: Kernel::trace_counted_printed_leaf10,
-            paths: Kernel::trace_paths_printed_leaf10,
-            paths_counted: Kernel::trace_paths_counted_printed_leaf10,
-            shadows: Kernel::trace_shadows_printed_leaf10,
+        Coding::Paper10Leaf10 => Traces {
+            closest: Kernel::trace_closest_paper10_leaf10,
+            any: Kernel::trace_any_paper10_leaf10,
+            nearest: Kernel::trace_nearest_paper10_leaf10,
+            counted: Kernel::trace_counted_paper10_leaf10,
+            paths: Kernel::trace_paths_paper10_leaf10,
+            paths_counted: Kernel::trace_paths_counted_paper10_leaf10,
+            shadows: Kernel::trace_shadows_paper10_leaf10,
         },
         Coding::Q10F32 => Traces {
             closest: Kernel::trace_closest_q10_f32,

@@ -2,7 +2,7 @@
 
 use crate::Scene;
 use slimbvh_core::IndexedTriangles;
-use slimbvh_core::classify::{Reach, Sides, is_in_set};
+use slimbvh_core::classify::{Sides, VisibleSet, is_in_set};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
@@ -29,7 +29,7 @@ impl<'a> Samples<'a> {
     /// The share of the triangles that rays may hit, with all in the mesh's unit.
     pub fn share(&self, sides: &[i32], target: &Target, frustum: &Frustum) -> f64 {
         let components = self.components;
-        let reach = Reach {
+        let reach = VisibleSet {
             sides: Sides { components, sides },
             target: *target,
             frustum: *frustum,

@@ -1,6 +1,6 @@
 //! The planes beyond which no ray of a camera comes.
 
-use crate::wide::{cross, dot, normalized};
+use crate::dvec3::{cross, dot, normalized};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::frustum::Frustum;
 
@@ -100,10 +100,9 @@ mod tests {
     use proptest::prelude::*;
     use slimbvh_core::Triangle;
     use slimbvh_core::bounds::scene_exponent;
-    use slimbvh_core::classify::Except;
     use slimbvh_core::float::PowerOfTwo;
     use slimbvh_core::snap::leaf_triangle;
-    use slimbvh_core::trace::{BruteForce, LeafTriangles, closest_hit};
+    use slimbvh_core::trace::{BruteForce, LeafTriangles, Skip, closest_hit};
 
     /// Samples a pixel.
     const SAMPLE_COUNT: u32 = 4;
@@ -162,7 +161,7 @@ mod tests {
                 let camera = camera.scaled(&scale);
                 for sample in 0..35 * SAMPLE_COUNT {
                     let ray = camera.ray(sample);
-                    let hit = closest_hit(&BruteForce(1), &LeafTriangles(&[leaf]), &ray, 0, &Except::NOTHING);
+                    let hit = closest_hit(&BruteForce(1), &LeafTriangles(&[leaf]), &ray, 0, &Skip::NONE);
                     prop_assert!(!hit.is_hit(), "sample {sample} {hit:?}");
                 }
             }

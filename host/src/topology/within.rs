@@ -16,7 +16,7 @@ pub(super) fn for_each_within(
     if nodes.is_empty() {
         return ControlFlow::Continue(());
     }
-    let mut stack = [NodeRef::NOTHING; STACK_SIZE + 1];
+    let mut stack = [NodeRef::EMPTY_LEAF; STACK_SIZE + 1];
     stack[0] = NodeRef::inner(0);
     let mut count = 1;
     while count > 0 {

@@ -101,8 +101,8 @@ impl Setup {
             };
             all.push((Knob::Lights, apart));
         }
-        let widths = LatticeBits::ALL.map(NodeCodec::Lattice);
-        for nodes in [NodeCodec::Printed].into_iter().chain(widths) {
+        let others = NodeCodec::ALL.into_iter();
+        for nodes in others.filter(|nodes| *nodes != usual.nodes) {
             all.push((Knob::Nodes, Self { nodes, ..usual }));
         }
         let steps = TOLERANCES.map(Step::Pixels);
@@ -139,7 +139,7 @@ impl Setup {
         match self.mesh {
             Triangles::Full => true,
             Triangles::Leaf10 => {
-                self.nodes == NodeCodec::Printed
+                self.nodes == NodeCodec::Paper10
                     && self.reduce == Reduce::Off
                     && self.lights == Lights::Grouped
             }
@@ -150,7 +150,7 @@ impl Setup {
     /// Whether there are kernels for its tree and its codecs.
     pub fn has_kernels(&self) -> bool {
         let has_nodes = match self.nodes {
-            NodeCodec::F32 | NodeCodec::Printed => true,
+            NodeCodec::F32 | NodeCodec::Paper10 => true,
             NodeCodec::Lattice(bits) => matches!(bits, LatticeBits::Q10 | LatticeBits::Q21),
         };
         has_nodes && self.tree == TreeKind::Radix
@@ -199,7 +199,7 @@ impl Triangles {
     pub fn nodes(self) -> NodeCodec {
         match self {
             Self::Full => NodeCodec::F32,
-            Self::Leaf10 => NodeCodec::Printed,
+            Self::Leaf10 => NodeCodec::Paper10,
             Self::Lattice(_) => NodeCodec::Lattice(LatticeBits::Q10),
         }
     }

@@ -131,7 +131,7 @@ fn setups_are_what_they_are_called() {
     );
     for name in [
         "nodes q10",
-        "nodes printed",
+        "nodes paper10",
         "63-bit codes",
         "refit",
         "1 thread",
@@ -199,7 +199,7 @@ fn corners_of_ten_bits_are_compared_in_any_order() {
     let mut moves = Vec::new();
     for codes in [CodeBits::Bits30, CodeBits::Bits63] {
         let setup = Setup {
-            nodes: NodeCodec::Printed,
+            nodes: NodeCodec::Paper10,
             mesh: Triangles::Leaf10,
             codes,
             ..Setup::plain(2)
@@ -246,10 +246,10 @@ fn setups_on_a_gpu() {
         "reduce off",
         "reduce on",
         "reduce on, lights apart",
-        "nodes printed",
+        "nodes paper10",
         "nodes q10",
         "nodes q21",
-        "nodes printed, mesh leaf10",
+        "nodes paper10, mesh leaf10",
         "nodes q10, mesh lattice",
         "nodes q10, mesh lattice 0.1px",
         "nodes q10, mesh lattice 0.5px",

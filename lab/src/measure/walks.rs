@@ -3,15 +3,15 @@
 use super::counts::Tally;
 use super::paths::Kind;
 use anyhow::{Result, ensure};
-use slimbvh::{Bvh, Hit, LeafTriangle, MeshCodec, Node, NodeCodec, Ray, Tree, Trees};
-use slimbvh_core::classify::{Except, Facing, Sides};
-use slimbvh_core::encode::{LeafWidth, PrintedNode, PrintedTriangle, node_words};
+use slimbvh::{Bvh, Hit, Ray, Tree, Trees};
+use slimbvh_core::classify::{FacingFilter, Sides};
+use slimbvh_core::encode::LeafWidth;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, Counted, LeafTriangles, Place, Rule, TriangleSource, traverse,
+    ClosestOrAny, Counted, HitFilter, LeafSlot, LeafTriangles, Skip, TriangleSource, traverse,
 };
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -127,12 +127,12 @@ impl Walk<'_> {
             None => {
                 self.stored.bvh.collect(&ray, skip, &mut found);
                 if let Records::ByLeaf(_) = self.stored.records {
-                    read = self.stored.traverse(&ray, &Except(skip), &mut new());
+                    read = self.stored.traverse(&ray, &Skip(skip), &mut new());
                 }
             }
             Some((sides, target)) => {
                 let (sides, target) = (*sides, *target);
-                let rule = Facing {
+                let rule = FacingFilter {
                     skip,
                     sides,
                     target,
@@ -160,13 +160,10 @@ impl<'a> Stored<'a> {
         let mut stored = Self {
             bvh,
             decoded: None,
-            node_bytes: node_bytes(bvh.codecs().0) as u64,
-            records: Records::Even(match bvh.codecs().1 {
-                MeshCodec::Leaf10 => size_of::<PrintedTriangle>() as u64,
-                MeshCodec::F32 | MeshCodec::Lattice { .. } => size_of::<LeafTriangle>() as u64,
-            }),
+            node_bytes: bvh.codecs().0.node_bytes() as u64,
+            records: Records::Even((bvh.triangle_bytes() / bvh.triangle_count().max(1)) as u64),
         };
-        if let MeshCodec::Lattice { step_exponent } = bvh.codecs().1 {
+        if let Some(step_exponent) = bvh.codecs().1.step_exponent() {
             let step_exponent = (step_exponent + bvh.scene_exponent()).clamp(-126, 127);
             stored.records = leaf_bytes(stored.decode(), step_exponent, bvh.triangle_bytes())?;
         }
@@ -186,7 +183,7 @@ impl<'a> Stored<'a> {
     fn traverse(
         &self,
         ray: &PreparedRay,
-        rule: &impl Rule,
+        rule: &impl HitFilter,
         found: &mut Counted<ClosestOrAny>,
     ) -> Option<u64> {
         let decoded = self.decoded.as_deref()?;
@@ -200,15 +197,6 @@ impl<'a> Stored<'a> {
         };
         traverse(&decoded.node_source(), &source, ray, rule, found);
         Some(source.read.get())
-    }
-}
-
-/// Bytes per node.
-pub fn node_bytes(codec: NodeCodec) -> usize {
-    match codec {
-        NodeCodec::F32 => size_of::<Node>(),
-        NodeCodec::Printed => size_of::<PrintedNode>(),
-        NodeCodec::Lattice(bits) => 4 * node_words(bits.count()),
     }
 }
 
@@ -237,14 +225,14 @@ struct Metered<'a> {
 }
 
 impl TriangleSource<()> for Metered<'_> {
-    fn corners(&self, place: &Place<()>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+    fn corners(&self, place: &LeafSlot<()>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let bytes = self.bytes.get((place.first + place.number) as usize);
         let read = self.read.get() + u64::from(bytes.copied().unwrap_or_default());
         self.read.set(read);
         self.triangles.corners(place, axes)
     }
 
-    fn primitive(&self, place: &Place<()>) -> u32 {
+    fn primitive(&self, place: &LeafSlot<()>) -> u32 {
         TriangleSource::<()>::primitive(&self.triangles, place)
     }
 }

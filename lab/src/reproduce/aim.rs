@@ -1,10 +1,11 @@
 //! Where rays of one kind come from or lead to.
 
 use anyhow::{Context, Result};
+use slimbvh::backend::TargetSides;
 use slimbvh::scene::{camera_target, light_target};
 use slimbvh::topology::Topology;
 use slimbvh::{Division, Scene, Subset};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
@@ -58,8 +59,8 @@ impl Aim {
     }
 
     /// The papers leave out nothing for lying outside of the picture.
-    pub fn reach<'a>(&'a self, topology: &'a Topology) -> Reach<'a> {
-        Reach {
+    pub fn reach<'a>(&'a self, topology: &'a Topology) -> VisibleSet<'a> {
+        VisibleSet {
             sides: self.sides(topology),
             target: self.target,
             frustum: Frustum::EVERYWHERE,
@@ -68,6 +69,15 @@ impl Aim {
 
     pub fn subset<'a>(&'a self, topology: &'a Topology) -> Subset<'a> {
         Subset::Of(self.reach(topology))
+    }
+
+    /// The target with these sides, for a backend.
+    pub fn target_sides(&self) -> TargetSides {
+        TargetSides {
+            target: self.target,
+            frustum: Frustum::EVERYWHERE,
+            sides: self.sides.clone(),
+        }
     }
 
     /// How many triangles are in the set.

@@ -6,13 +6,12 @@ use rayon::prelude::*;
 use serde::Serialize;
 use slimbvh::topology::Topology;
 use slimbvh::{BuildConfig, Builder, Bvh, Hit, Ray, Scene, Subset};
-use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::shade::{Light, Shadow, direct_light};
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
-use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, traverse};
+use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, Skip, traverse};
 
 /// Means a ray.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -117,5 +116,5 @@ fn mean<C: Collector>(bvh: &Bvh, rays: &[(Ray, u32)], collector: impl Fn(f32) ->
 fn walk(bvh: &Bvh, ray: &Ray, skip: u32, collector: &mut impl Collector) {
     let ray = PreparedRay::new(ray, 0);
     let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
-    traverse(&nodes, &triangles, &ray, &Except(skip), collector);
+    traverse(&nodes, &triangles, &ray, &Skip(skip), collector);
 }

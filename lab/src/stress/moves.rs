@@ -128,7 +128,7 @@ mod tests {
             builder.build(mesh).unwrap()
         };
         let plain = build(NodeCodec::F32, MeshCodec::F32, &mesh);
-        let printed = build(NodeCodec::Printed, MeshCodec::Leaf10, &mesh);
+        let printed = build(NodeCodec::Paper10, MeshCodec::Leaf10, &mesh);
         let moves = moved(&plain, &printed.decoded()).unwrap();
         assert!(0.0 < moves.rms && moves.rms < moves.most && moves.most <= moves.bound);
         assert!(moves.bound < 0.01, "{moves:?}");

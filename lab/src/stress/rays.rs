@@ -62,7 +62,7 @@ fn not_rays(good: &Ray) -> impl Iterator<Item = Ray> + use<> {
         ..good
     };
     let zero = Ray::new(good.origin, [0.0, -0.0, 0.0]);
-    let ends = [nan, zero, Ray::NOTHING];
+    let ends = [nan, zero, Ray::EMPTY];
     bad.into_iter().flat_map(of_bad).chain(ends)
 }
 

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use slimbvh::reduce::{Seams, survey};
 use slimbvh::topology;
 use slimbvh::{Builder, Bvh, Mesh, Ray, Subset};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::float::scale_by_power_of_two;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
@@ -114,7 +114,7 @@ impl Facing {
 
     fn subset(&self) -> Subset<'_> {
         let of = |target| {
-            Subset::Of(Reach {
+            Subset::Of(VisibleSet {
                 sides: Sides {
                     components: &self.components,
                     sides: &self.sides,

@@ -2,11 +2,10 @@
 
 use slimbvh::Bvh;
 use slimbvh_core::Ray;
-use slimbvh_core::classify::Except;
 use slimbvh_core::node::NodeRef;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    Children, ClosestHit, Column, Cursor, LeafRun, NodeSource, PlainNodes, traverse,
+    Children, ClosestHit, Column, Cursor, LeafRun, NodeSource, PlainNodes, Skip, traverse,
 };
 use std::cell::Cell;
 
@@ -39,13 +38,7 @@ pub fn longest(bvh: &Bvh, ray: &Ray) -> u32 {
     let prepared = PreparedRay::new(ray, bvh.scene_exponent());
     let mut closest = ClosestHit::new(prepared.t_max);
     let (nodes, triangles) = (Noted(bvh.node_source()), bvh.triangle_source());
-    traverse(
-        &nodes,
-        &triangles,
-        &prepared,
-        &Except::NOTHING,
-        &mut closest,
-    );
+    traverse(&nodes, &triangles, &prepared, &Skip::NONE, &mut closest);
     LONGEST.get()
 }
 
@@ -75,7 +68,7 @@ impl Cursor for NotedRef {
 
 impl NodeSource for Noted<'_> {
     type Cursor = NotedRef;
-    type Frame = ();
+    type Bounds = ();
 
     fn root(&self, axes: [u32; 3]) -> NotedRef {
         NotedRef(self.0.root(axes))

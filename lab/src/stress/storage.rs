@@ -66,7 +66,7 @@ impl Storage {
     pub fn all(effort: Effort, on_gpu: bool) -> Vec<Self> {
         let leaf10 = Self {
             triangles: Triangles::Leaf10,
-            ..Self::nodes(NodeCodec::Printed)
+            ..Self::nodes(NodeCodec::Paper10)
         };
         let q10 = NodeCodec::Lattice(LatticeBits::Q10);
         let coarse = Self::lattice(LatticeBits::Q10, COARSE);
@@ -75,7 +75,7 @@ impl Storage {
             all.push(Self::PLAIN.clustered());
         }
         if effort == Effort::Full {
-            all.push(Self::nodes(NodeCodec::Printed));
+            all.push(Self::nodes(NodeCodec::Paper10));
             let others = LatticeBits::ALL
                 .into_iter()
                 .filter(|&bits| bits != LatticeBits::Q10 && (!on_gpu || bits == LatticeBits::Q21));
@@ -90,13 +90,9 @@ impl Storage {
 
     /// The name in tables: the nodes, then the triangles unless in full precision, then the kind of tree unless radix.
     pub fn name(self) -> String {
-        let nodes = match self.nodes {
-            NodeCodec::F32 => "f32".into(),
-            NodeCodec::Printed => "printed".into(),
-            NodeCodec::Lattice(bits) => format!("q{}", bits.count()),
-        };
+        let nodes = self.nodes.name();
         let codec = match self.triangles {
-            Triangles::Full => nodes,
+            Triangles::Full => nodes.into(),
             Triangles::Leaf10 => format!("{nodes}+leaf10"),
             Triangles::Lattice { coarser: 0 } => format!("{nodes}+lattice"),
             Triangles::Lattice { coarser } => format!("{nodes}+lattice*2^{coarser}"),

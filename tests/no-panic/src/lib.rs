@@ -5,7 +5,7 @@
 use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
 use slimbvh_core::camera::Camera;
-use slimbvh_core::classify::{Except, Facing, Reach, Sides, is_in_set, word_of_set};
+use slimbvh_core::classify::{FacingFilter, Sides, VisibleSet, is_in_set, word_of_set};
 use slimbvh_core::cluster::{
     Active, Merge, Merges, Rotated, Round, merge, merging_pairs, node_at, rotate, triangle_at,
     triangle_box,
@@ -17,17 +17,17 @@ use slimbvh_core::decide::{
     lane_counts, lane_joined, lane_measure, lane_total,
 };
 use slimbvh_core::encode::{
-    EncodedNode, EncodedPrinted, FINEST_STEP, LatticeCodec, LatticeCursor, LatticeNodes,
-    LatticeTriangles, LeafCorner, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
-    PrintedNodes, PrintedTriangle, PrintedTriangles, RootWords, RoundedNode, decode_node,
-    decode_printed_node, encode_printed_triangle, encode_triangle, links_of, node_bounds,
+    EncodedNode, EncodedPaper10, FINEST_STEP, LatticeCodec, LatticeCursor, LatticeNodes,
+    LatticeTriangles, LeafCorner, LeafWidth, Links, Paper10Box, Paper10Codec, Paper10Node,
+    Paper10Nodes, Paper10Triangle, Paper10Triangles, RootWords, RoundedNode, decode_node,
+    decode_paper10_node, encode_paper10_triangle, encode_triangle, links_of, node_bounds,
     scaled_step, with_links,
 };
 use slimbvh_core::float::{PowerOfTwo, power_of_two};
 use slimbvh_core::lanes::Each;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::launch::carries;
-use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
 use slimbvh_core::sampling::Draw;
@@ -42,8 +42,8 @@ use slimbvh_core::sort::{
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, ClosestHit, Lane, LeafTriangles, PacketStacks, PlainNodes, PreparedRays, any_hit,
-    closest_hit, nearest_hits, trace_packet,
+    BruteForce, ClosestHit, Lane, LeafTriangles, PacketStacks, PlainNodes, PreparedRays, Skip,
+    any_hit, closest_hit, nearest_hits, trace_packet,
 };
 use slimbvh_core::{
     Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
@@ -72,18 +72,18 @@ pub fn build(
     i: u32,
     triangles: &IndexedTriangles,
     boxes: &[Aabb; 64],
-    to: Out<(Aabb, i32, Frame, u32, [u32; 2], LeafTriangle)>,
+    to: Out<(Aabb, i32, MortonGrid, u32, [u32; 2], LeafTriangle)>,
 ) {
     let bounds = run_bounds(i, 64, triangles).union(reduce_step(i, 8, boxes));
-    let frame = Frame::new(&bounds, 21);
+    let grid = MortonGrid::new(&bounds, 21);
     let exponent = scene_exponent(&bounds);
     let own = triangles.triangle(i).bounds();
     *to = (
         bounds,
         exponent,
-        frame,
-        morton_code_30(&own, &frame),
-        morton_code_63(&own, &frame),
+        grid,
+        morton_code_30(&own, &grid),
+        morton_code_63(&own, &grid),
         leaf_triangle(i, triangles, &PowerOfTwo::new(exponent)),
     );
 }
@@ -219,9 +219,9 @@ pub fn encode_lattice_21(
 #[unsafe(no_mangle)]
 pub fn encode_leaf(
     triangle: &LeafTriangle,
-    bounds: &(LatticeBox, PrintedBox),
-    zero: u32,
-    to: Out<([u32; 10], PrintedTriangle)>,
+    bounds: &(LatticeBox, Paper10Box),
+    opaque_zero: u32,
+    to: Out<([u32; 10], Paper10Triangle)>,
 ) {
     *to = (
         encode_triangle(
@@ -229,23 +229,23 @@ pub fn encode_leaf(
             &LeafCorner::of(&bounds.0),
             power_of_two(FINEST_STEP),
         ),
-        encode_printed_triangle(triangle, &bounds.1, zero),
+        encode_paper10_triangle(triangle, &bounds.1, opaque_zero),
     );
 }
 
 #[unsafe(no_mangle)]
-pub fn encode_printed(
+pub fn encode_paper10(
     i: u32,
     nodes: &[Node],
     node: &Node,
-    zero: u32,
-    to: Out<(EncodedPrinted, [PrintedBox; 2], RootWords)>,
+    opaque_zero: u32,
+    to: Out<(EncodedPaper10, [Paper10Box; 2], RootWords)>,
 ) {
-    let codec = PrintedCodec { zero };
+    let codec = Paper10Codec { opaque_zero };
     let bounds = node_bounds(i, nodes, &codec);
     let encoded = codec.encode(&bounds, node);
-    let boxes = decode_printed_node(&encoded.node, &bounds, zero);
-    *to = (encoded, boxes, RootWords::of_printed(&bounds));
+    let boxes = decode_paper10_node(&encoded.node, &bounds, opaque_zero);
+    *to = (encoded, boxes, RootWords::of_paper10(&bounds));
 }
 
 #[unsafe(no_mangle)]
@@ -270,30 +270,33 @@ pub fn trace_lattice(
     };
     let (words, triangles) = (LatticeTriangles { words, step }, LeafTriangles(triangles));
     *to = (
-        closest_hit(&mixed, &words, ray, 3, &Except(4)),
-        closest_hit(&full, &triangles, ray, 3, &Except(4)),
+        closest_hit(&mixed, &words, ray, 3, &Skip(4)),
+        closest_hit(&full, &triangles, ray, 3, &Skip(4)),
         nearest_hits::<8, _, _>(&mixed, &words, ray, 3),
     );
 }
 
 #[unsafe(no_mangle)]
-pub fn trace_printed(
+pub fn trace_paper10(
     ray: &Ray,
-    nodes: &[PrintedNode],
-    triangles: &[PrintedTriangle],
+    nodes: &[Paper10Node],
+    triangles: &[Paper10Triangle],
     root: &RootWords,
     to: Out<(Hit, bool)>,
 ) {
-    let zero = root.zero();
-    let nodes = PrintedNodes {
+    let opaque_zero = root.opaque_zero();
+    let nodes = Paper10Nodes {
         nodes,
-        root: root.printed(),
-        zero,
+        root: root.paper10(),
+        opaque_zero,
     };
-    let triangles = PrintedTriangles { triangles, zero };
+    let triangles = Paper10Triangles {
+        triangles,
+        opaque_zero,
+    };
     *to = (
-        closest_hit(&nodes, &triangles, ray, root.step_exponent(), &Except(4)),
-        any_hit(&nodes, &triangles, ray, 3, &Except(4)),
+        closest_hit(&nodes, &triangles, ray, root.step_exponent(), &Skip(4)),
+        any_hit(&nodes, &triangles, ray, 3, &Skip(4)),
     );
 }
 
@@ -308,7 +311,7 @@ pub fn trace_together(
         &mut PacketStacks<LatticeCursor, Each<8>>,
         &mut PreparedRays<Each<8>, 8>,
     ),
-    to: Out<[[Lane<Except, ClosestHit>; 8]; 2]>,
+    to: Out<[[Lane<Skip, ClosestHit>; 8]; 2]>,
 ) {
     let triangles = LeafTriangles(triangles);
     let coded = LatticeNodes::<10, 4, false> {
@@ -321,7 +324,7 @@ pub fn trace_together(
     for packet in to.iter_mut() {
         for (lane, t_max) in packet.iter_mut().zip(prepared.t_max()) {
             *lane = Lane {
-                rule: Except(4),
+                filter: Skip(4),
                 collector: ClosestHit::new(*t_max),
             };
         }
@@ -343,22 +346,27 @@ pub fn trace(
     to: Out<(Hit, bool, [Hit; 8], Hit)>,
 ) {
     let (components, sides, target) = facing;
-    let rule = Facing {
+    let rule = FacingFilter {
         skip: 4,
         sides: Sides { components, sides },
         target: target.scaled(&PowerOfTwo::new(3)),
     };
     let (nodes, triangles) = (PlainNodes(nodes), LeafTriangles(triangles));
     *to = (
-        closest_hit(&nodes, &triangles, ray, 3, &Except(4)),
+        closest_hit(&nodes, &triangles, ray, 3, &Skip(4)),
         any_hit(&nodes, &triangles, ray, 3, &rule),
         nearest_hits::<8, _, _>(&nodes, &triangles, ray, 3),
-        closest_hit(&BruteForce(9), &triangles, ray, 3, &Except(4)),
+        closest_hit(&BruteForce(9), &triangles, ray, 3, &Skip(4)),
     );
 }
 
 #[unsafe(no_mangle)]
-pub fn classify(primitive: u32, mesh: &IndexedTriangles, reach: &Reach, flags: &[u32; 64]) -> u32 {
+pub fn classify(
+    primitive: u32,
+    mesh: &IndexedTriangles,
+    reach: &VisibleSet,
+    flags: &[u32; 64],
+) -> u32 {
     let scale = PowerOfTwo::new(5);
     let reach = reach.scaled(&scale);
     u32::from(is_in_set(primitive, mesh, &scale, &reach))
@@ -377,7 +385,7 @@ pub fn decide(
     let (span, component, surfaces, choice, target) = parts;
     let unit = Unit {
         scale: PowerOfTwo::new(5),
-        zero: 0,
+        opaque_zero: 0,
     };
     *to = (
         lane_measure(lane, span, surfaces, &unit),

@@ -62,7 +62,7 @@ pub fn build_and_trace(data: &[u8]) {
     });
     let coded = coded.expect("codecs that go together");
 
-    // What a leaf of the printed codec moves is another mesh.
+    // What a leaf of the paper10 codec moves is another mesh.
     let expected = match codec {
         MeshCodec::Leaf10 => coded.decoded(),
         _ => plain,
@@ -147,8 +147,8 @@ fn as_tests_draw(data: &[u8]) -> Option<(Mesh, Vec<Ray>)> {
 fn codecs(choice: u8, step_exponent: i32) -> (NodeCodec, MeshCodec) {
     let bits = LatticeBits::ALL[usize::from(choice >> 2) % LatticeBits::ALL.len()];
     match choice % 4 {
-        0 => (NodeCodec::Printed, MeshCodec::F32),
-        1 => (NodeCodec::Printed, MeshCodec::Leaf10),
+        0 => (NodeCodec::Paper10, MeshCodec::F32),
+        1 => (NodeCodec::Paper10, MeshCodec::Leaf10),
         2 => (NodeCodec::Lattice(bits), MeshCodec::F32),
         _ => (
             NodeCodec::Lattice(bits),

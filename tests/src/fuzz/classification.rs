@@ -4,7 +4,7 @@
 use super::input::{any, below_one};
 use arbitrary::Arbitrary;
 use glam::Vec3;
-use slimbvh_core::classify::{Reach, Sides, faces, is_in_set, word_of_set};
+use slimbvh_core::classify::{Sides, VisibleSet, faces, is_in_set, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::{Orientation, Target};
@@ -117,7 +117,7 @@ fn together(input: &Input, vertices: &[[f32; 3]; 3], target: Target) {
         vertices,
         indices: &indices,
     };
-    let reach = Reach {
+    let reach = VisibleSet {
         sides: Sides {
             components: &components,
             sides: &sides,

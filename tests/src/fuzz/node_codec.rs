@@ -4,9 +4,9 @@
 use super::input::{Extent, any, below_one, between, lattice_box};
 use arbitrary::Arbitrary;
 use slimbvh_core::encode::{
-    LatticeFrame, LatticeNodes, LeafWidth, Links, PrintedBox, PrintedNodes, RoundedNode,
-    decode_node, decode_printed_node, encode_child, encode_node, encode_printed_node, links_of,
-    node_words, printed_child, with_links,
+    LatticeBounds, LatticeNodes, LeafWidth, Links, Paper10Box, Paper10Nodes, RoundedNode,
+    decode_node, decode_paper10_node, encode_child, encode_node, encode_paper10_node, links_of,
+    node_words, paper10_child, with_links,
 };
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::node::LEAF_SIZE;
@@ -45,7 +45,7 @@ pub fn node_codec(data: &[u8]) {
     on_lattice::<12, 5>(&parent, &children, links, step);
     on_lattice::<16, 7>(&parent, &children, links, step);
     on_lattice::<21, 7>(&parent, &children, links, step);
-    as_printed(&input, links);
+    as_paper10(&input, links);
 }
 
 fn inside(parent: &LatticeBox, axes: [[u32; 2]; 3]) -> LatticeBox {
@@ -132,7 +132,7 @@ fn on_lattice<const BITS: u32, const WORDS: usize>(
     };
     let stride = LeafWidth::of(&node.left).words();
     for axes in ORDERS {
-        let frames = decoded.map(|bounds| LatticeFrame::new(&bounds, step, axes));
+        let frames = decoded.map(|bounds| LatticeBounds::new(&bounds, step, axes));
         let seen = plain.children(plain.root(axes), axes);
         assert_eq!([seen.left.bounds, seen.right.bounds], frames, "{BITS}");
         assert_eq!([seen.left.node, seen.right.node], children);
@@ -142,12 +142,12 @@ fn on_lattice<const BITS: u32, const WORDS: usize>(
     }
 }
 
-fn as_printed(input: &Input, [left_child, right_child]: [NodeRef; 2]) {
+fn as_paper10(input: &Input, [left_child, right_child]: [NodeRef; 2]) {
     let axis_of = |[a, b]: [u32; 2]| {
         let (a, b) = (below_one(a), below_one(b));
         [a.min(b), a.max(b)]
     };
-    let box_of = |axes: [[f32; 2]; 3]| PrintedBox {
+    let box_of = |axes: [[f32; 2]; 3]| Paper10Box {
         min: axes.map(|[low, _]| low),
         max: axes.map(|[_, high]| high),
     };
@@ -164,15 +164,15 @@ fn as_printed(input: &Input, [left_child, right_child]: [NodeRef; 2]) {
         right: right_child,
         ..Node::EMPTY
     };
-    let coded = encode_printed_node(&parent, &exact[0], &exact[1], &plain, 0);
+    let coded = encode_paper10_node(&parent, &exact[0], &exact[1], &plain, 0);
     assert_eq!(
         [coded.node.left, coded.node.right],
         [left_child, right_child]
     );
     let decoded = [coded.left, coded.right];
-    assert_eq!(decode_printed_node(&coded.node, &parent, 0), decoded);
+    assert_eq!(decode_paper10_node(&coded.node, &parent, 0), decoded);
     for (decoded, exact) in decoded.iter().zip(&exact) {
-        assert_eq!(printed_child(&parent, exact, 0), *decoded);
+        assert_eq!(paper10_child(&parent, exact, 0), *decoded);
         for axis in 0..3 {
             let [low, high] = [parent.min[axis], parent.max[axis]];
             let [below, above] = [decoded.min[axis], decoded.max[axis]];
@@ -187,14 +187,14 @@ fn as_printed(input: &Input, [left_child, right_child]: [NodeRef; 2]) {
         }
     }
     let nodes = [coded.node];
-    let source = PrintedNodes {
+    let source = Paper10Nodes {
         nodes: &nodes,
         root: parent,
-        zero: 0,
+        opaque_zero: 0,
     };
     for axes in ORDERS {
         let order = |v: [f32; 3]| axes.map(|axis| v[axis as usize]);
-        let ordered = decoded.map(|bounds| PrintedBox {
+        let ordered = decoded.map(|bounds| Paper10Box {
             min: order(bounds.min),
             max: order(bounds.max),
         });

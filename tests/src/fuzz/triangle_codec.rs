@@ -1,13 +1,13 @@
-//! Any triangle in any leaf: exact on the lattice, and half a cell away in the printed codec.
+//! Any triangle in any leaf: exact on the lattice, and half a cell away in the paper10 codec.
 
 use super::input::{Extent, any, below_one, between, lattice_box};
 use arbitrary::Arbitrary;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::encode::{
-    LatticeFrame, LatticeTriangles, LeafCorner, LeafWidth, PrintedBox, PrintedTriangles,
-    encode_printed_triangle, encode_triangle,
+    LatticeBounds, LatticeTriangles, LeafCorner, LeafWidth, Paper10Box, Paper10Triangles,
+    encode_paper10_triangle, encode_triangle,
 };
-use slimbvh_core::trace::{Place, TriangleSource};
+use slimbvh_core::trace::{LeafSlot, TriangleSource};
 
 /// Orders of axes that rays have.
 const ORDERS: [[u32; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
@@ -30,7 +30,7 @@ pub fn triangle_codec(data: &[u8]) {
         return;
     };
     on_lattice(&input);
-    as_printed(&input);
+    as_paper10(&input);
 }
 
 /// A triangle somewhere in the leaf's box comes back to the bit, whatever stands before it.
@@ -60,12 +60,12 @@ fn on_lattice(input: &Input) {
         step,
     };
     for axes in ORDERS {
-        let frame = LatticeFrame::new(&bounds, step, axes);
-        assert_eq!(LeafWidth::of_frame(&frame, step), width);
-        let place = Place {
+        let frame = LatticeBounds::new(&bounds, step, axes);
+        assert_eq!(LeafWidth::of_bounds(&frame, step), width);
+        let place = LeafSlot {
             first,
             number,
-            frame,
+            bounds: frame,
         };
         let expected = vertices.map(|v| axes.map(|axis| v[axis as usize] as f32 * step));
         assert_eq!(triangles.corners(&place, axes), expected, "{bounds:?}");
@@ -74,12 +74,12 @@ fn on_lattice(input: &Input) {
 }
 
 /// Every coordinate stays in the box and moves half a cell at most, but for the roundings of the cell's ends.
-fn as_printed(input: &Input) {
+fn as_paper10(input: &Input) {
     let planes = input.bounds.map(|(a, b, _)| {
         let (a, b) = (below_one(a as u32), below_one(b));
         [a.min(b), a.max(b)]
     });
-    let bounds = PrintedBox {
+    let bounds = Paper10Box {
         min: planes.map(|[low, _]| low),
         max: planes.map(|[_, high]| high),
     };
@@ -91,17 +91,17 @@ fn as_printed(input: &Input) {
         let [low, high] = planes[i % 3];
         *to = below_one(input.corners[i / 3][i % 3]).clamp(low, high);
     }
-    let own = [encode_printed_triangle(&triangle, &bounds, 0)];
-    let source = PrintedTriangles {
+    let own = [encode_paper10_triangle(&triangle, &bounds, 0)];
+    let source = Paper10Triangles {
         triangles: &own,
-        zero: 0,
+        opaque_zero: 0,
     };
     for axes in ORDERS {
         let order = |v: [f32; 3]| axes.map(|axis| v[axis as usize]);
-        let place = Place {
+        let place = LeafSlot {
             first: 0,
             number: 0,
-            frame: PrintedBox {
+            bounds: Paper10Box {
                 min: order(bounds.min),
                 max: order(bounds.max),
             },

@@ -1,8 +1,7 @@
 //! No tree at all: core's traversal over one leaf that holds everything. Every tree must agree with it bit for bit.
 
-use slimbvh_core::classify::Except;
 use slimbvh_core::trace::{
-    self, BruteForce, LeafTriangles, NodeSource, PlainNodes, TriangleSource,
+    self, BruteForce, LeafTriangles, NodeSource, PlainNodes, Skip, TriangleSource,
 };
 use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
 
@@ -23,15 +22,15 @@ pub struct Answers {
 
 impl Answers {
     /// Asks some source of nodes.
-    pub fn of<N: NodeSource, T: TriangleSource<N::Frame>>(
+    pub fn of<N: NodeSource, T: TriangleSource<N::Bounds>>(
         nodes: &N,
         triangles: &T,
         ray: &Ray,
         scene_exponent: i32,
     ) -> Self {
         Self {
-            closest: trace::closest_hit(nodes, triangles, ray, scene_exponent, &Except::NOTHING),
-            any: trace::any_hit(nodes, triangles, ray, scene_exponent, &Except::NOTHING),
+            closest: trace::closest_hit(nodes, triangles, ray, scene_exponent, &Skip::NONE),
+            any: trace::any_hit(nodes, triangles, ray, scene_exponent, &Skip::NONE),
             nearest_1: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
             nearest_4: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
             nearest_8: trace::nearest_hits(nodes, triangles, ray, scene_exponent),

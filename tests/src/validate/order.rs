@@ -4,7 +4,7 @@ use super::Fault;
 use slimbvh::{CodeBits, Mesh};
 use slimbvh_core::bounds::{run_bounds, scene_exponent};
 use slimbvh_core::float::PowerOfTwo;
-use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle, Node};
@@ -48,14 +48,14 @@ pub fn validate_order(
         return Err(Fault::NotAPermutation { place, primitive });
     }
 
-    let frame = match code_bits {
-        CodeBits::Bits30 => Frame::new(&bounds, 10),
-        CodeBits::Bits63 => Frame::new(&bounds, 21),
+    let grid = match code_bits {
+        CodeBits::Bits30 => MortonGrid::new(&bounds, 10),
+        CodeBits::Bits63 => MortonGrid::new(&bounds, 21),
     };
     let bounds_of = |leaf: &LeafTriangle| indexed.triangle(leaf.primitive).bounds();
     let codes: Vec<u64> = triangles
         .iter()
-        .map(|leaf| code(&bounds_of(leaf), &frame, code_bits))
+        .map(|leaf| code(&bounds_of(leaf), &grid, code_bits))
         .collect();
     for place in 1..codes.len() {
         let before = (codes[place - 1], triangles[place - 1].primitive);
@@ -72,11 +72,11 @@ pub fn validate_order(
     Ok(())
 }
 
-fn code(bounds: &Aabb, frame: &Frame, code_bits: CodeBits) -> u64 {
+fn code(bounds: &Aabb, grid: &MortonGrid, code_bits: CodeBits) -> u64 {
     match code_bits {
-        CodeBits::Bits30 => morton_code_30(bounds, frame).into(),
+        CodeBits::Bits30 => morton_code_30(bounds, grid).into(),
         CodeBits::Bits63 => {
-            let [high, low] = morton_code_63(bounds, frame);
+            let [high, low] = morton_code_63(bounds, grid);
             u64::from(high) << 32 | u64::from(low)
         }
     }

@@ -3,8 +3,9 @@
 use glam::Vec3;
 use proptest::array::uniform3;
 use proptest::prelude::*;
+use slimbvh_core::planes::PlanePair;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::slab::{PlanePair, slab};
+use slimbvh_core::slab::slab;
 use slimbvh_core::{Aabb, Ray};
 use slimbvh_tests::cases;
 

@@ -5,7 +5,7 @@ use slimbvh::generate::{soup, terrain};
 use slimbvh::{
     BuildConfig, Builder, Bvh, CodeBits, LatticeBits, Mesh, NodeCodec, Subset, TreeKind,
 };
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::cluster::depth_bound;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::node::LEAF_SIZE;
@@ -74,7 +74,7 @@ proptest! {
     #[test]
     fn coded_nodes_answer_as_plain_ones_do(mesh in any_mesh(), recipes in some_rays(16)) {
         let plain = clustered(&mesh, CodeBits::Bits30);
-        for nodes in [NodeCodec::Printed, NodeCodec::Lattice(LatticeBits::Q4), NodeCodec::Lattice(LatticeBits::Q10)] {
+        for nodes in [NodeCodec::Paper10, NodeCodec::Lattice(LatticeBits::Q4), NodeCodec::Lattice(LatticeBits::Q10)] {
             let coded = build_as(&mesh, BuildConfig { nodes, ..config(CodeBits::Bits30) });
             let decoded = coded.decoded();
             prop_assert_eq!(decoded.leaf_triangles(), plain.leaf_triangles());
@@ -137,7 +137,7 @@ fn buffers_are_used_again_and_a_refit_keeps_the_tree() {
 fn a_set_is_the_same_sorted_alone() {
     let mesh = slimbvh::generate::icosphere([0.5, 0.0, 0.0].into(), 1.0, 4);
     let components = vec![0; mesh.indices.len()];
-    let reach = || Reach {
+    let reach = || VisibleSet {
         sides: Sides {
             components: &components,
             sides: &[1],

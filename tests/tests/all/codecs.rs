@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, MeshCodec, NodeCodec};
 use slimbvh_core::encode::{
-    BoxCodec, FINEST_STEP, LatticeCodec, Links, PrintedCodec, RootWords, RoundedNode, node_bounds,
+    BoxCodec, FINEST_STEP, LatticeCodec, Links, Paper10Codec, RootWords, RoundedNode, node_bounds,
     with_links,
 };
 use slimbvh_core::{Aabb, Node, NodeRef};
@@ -15,7 +15,7 @@ use slimbvh_tests::{CODE_BITS, build, build_as, cases};
 /// All codecs of nodes but that in full.
 pub fn node_codecs() -> Vec<NodeCodec> {
     let lattice = LatticeBits::ALL.into_iter().map(NodeCodec::Lattice);
-    [NodeCodec::Printed].into_iter().chain(lattice).collect()
+    [NodeCodec::Paper10].into_iter().chain(lattice).collect()
 }
 
 fn config(nodes: NodeCodec, mesh: MeshCodec) -> BuildConfig {
@@ -46,12 +46,13 @@ fn fault(plain: &[Node], decoded: &[Node]) -> Option<usize> {
             .get(child.index() as usize)
             .filter(|_| !child.is_leaf());
         let mut inner = grandchildren.into_iter().flat_map(parts);
-        inner.all(|(child, inner)| child == NodeRef::NOTHING || outer.contains(&inner))
+        inner.all(|(child, inner)| child == NodeRef::EMPTY_LEAF || outer.contains(&inner))
     };
     let is_sound = |(a, b): (&Node, &Node)| {
         let links = |node: &Node| (node.left, node.right, node.first, node.last);
         let mut pairs = parts(a).into_iter().zip(parts(b));
-        let holds = pairs.all(|((child, a), (_, b))| child == NodeRef::NOTHING || b.contains(&a));
+        let holds =
+            pairs.all(|((child, a), (_, b))| child == NodeRef::EMPTY_LEAF || b.contains(&a));
         links(a) == links(b) && holds && parts(b).into_iter().all(is_in_parent)
     };
     if plain.len() != decoded.len() {
@@ -110,13 +111,13 @@ proptest! {
         for code_bits in CODE_BITS {
             let plain = build(&mesh, code_bits);
             let nodes = plain.nodes();
-            let codec = PrintedCodec { zero: 0 };
+            let codec = Paper10Codec { opaque_zero: 0 };
             let printed = alone(nodes, &codec, |bounds, node| {
                 bytemuck::bytes_of(&codec.encode(bounds, node).node).to_vec()
             });
-            let root = RootWords::of_printed(&node_bounds(0, nodes, &codec));
+            let root = RootWords::of_paper10(&node_bounds(0, nodes, &codec));
             for (nodes, alone) in [
-                (NodeCodec::Printed, (printed, root)),
+                (NodeCodec::Paper10, (printed, root)),
                 (NodeCodec::Lattice(LatticeBits::Q4), alone_on_lattice::<4, 3>(nodes)),
                 (NodeCodec::Lattice(LatticeBits::Q10), alone_on_lattice::<10, 4>(nodes)),
                 (NodeCodec::Lattice(LatticeBits::Q21), alone_on_lattice::<21, 7>(nodes)),
@@ -173,11 +174,11 @@ proptest! {
         }
     }
 
-    /// The printed codec moves vertices leaf by leaf. What comes out is a mesh like any other: its tree is that of all of it.
+    /// The paper10 codec moves vertices leaf by leaf. What comes out is a mesh like any other: its tree is that of all of it.
     #[test]
-    fn printed_leaves_answer_as_the_decoded_mesh_does(mesh in any_mesh(), recipes in some_rays(24)) {
+    fn paper10_leaves_answer_as_the_decoded_mesh_does(mesh in any_mesh(), recipes in some_rays(24)) {
         let plain = build_as(&mesh, BuildConfig::default());
-        let coded = build_as(&mesh, config(NodeCodec::Printed, MeshCodec::Leaf10));
+        let coded = build_as(&mesh, config(NodeCodec::Paper10, MeshCodec::Leaf10));
         let decoded = coded.decoded();
         prop_assert_eq!(fault(plain.nodes(), decoded.nodes()), None);
         prop_assert_eq!(stray(&decoded), None);
@@ -209,7 +210,7 @@ proptest! {
         prop_assert!(builder.refit(&moved, &mut plain).is_ok());
         let lattice = MeshCodec::Lattice { step_exponent };
         let q10 = NodeCodec::Lattice(LatticeBits::Q10);
-        for config in [config(NodeCodec::Printed, MeshCodec::F32), config(q10, MeshCodec::F32), config(q10, lattice)] {
+        for config in [config(NodeCodec::Paper10, MeshCodec::F32), config(q10, MeshCodec::F32), config(q10, lattice)] {
             let mut builder = Builder::new(config);
             let mut coded = build_as(&mesh, config);
             prop_assert!(builder.refit(&moved, &mut coded).is_ok());

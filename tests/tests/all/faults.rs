@@ -17,7 +17,7 @@ fn thousands_of_builds_in_a_row_take_no_more_memory() {
     let lattice = MeshCodec::Lattice { step_exponent };
     for (nodes, mesh) in [
         (NodeCodec::F32, MeshCodec::F32),
-        (NodeCodec::Printed, MeshCodec::Leaf10),
+        (NodeCodec::Paper10, MeshCodec::Leaf10),
         (NodeCodec::Lattice(LatticeBits::Q10), MeshCodec::F32),
         (NodeCodec::Lattice(LatticeBits::Q10), lattice),
     ] {

@@ -43,7 +43,7 @@ fn rays_that_are_not_rays_miss() {
     for zero in [0.0, -0.0] {
         assert_misses(&bvh, &Ray::new([0.0; 3], [zero; 3]));
     }
-    assert_misses(&bvh, &Ray::NOTHING);
+    assert_misses(&bvh, &Ray::EMPTY);
     assert!(bvh.any_hit(&Ray {
         t_max: f32::INFINITY,
         ..good

@@ -6,12 +6,11 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use slimbvh::generate::{icosphere, terrain};
 use slimbvh::{BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind};
-use slimbvh_core::classify::Except;
 use slimbvh_core::lanes::Each;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{
     Children, ClosestHit, Collector, Lane, LeafRun, LeafTriangles, NodeSource, PacketStacks,
-    PlainNodes, PreparedRays, trace_alone, trace_packet,
+    PlainNodes, PreparedRays, Skip, trace_alone, trace_packet,
 };
 use slimbvh_core::{Hit, Node, NodeRef, Ray};
 use slimbvh_tests::parity::same_bits;
@@ -99,7 +98,7 @@ fn codecs() -> Vec<BuildConfig> {
     let lattice = |bits| NodeCodec::Lattice(bits);
     let nodes = [
         NodeCodec::F32,
-        NodeCodec::Printed,
+        NodeCodec::Paper10,
         lattice(LatticeBits::Q10),
         lattice(LatticeBits::Q21),
     ];
@@ -115,7 +114,7 @@ fn codecs() -> Vec<BuildConfig> {
         ..BuildConfig::default()
     });
     all.push(BuildConfig {
-        nodes: NodeCodec::Printed,
+        nodes: NodeCodec::Paper10,
         mesh: MeshCodec::Leaf10,
         ..BuildConfig::default()
     });
@@ -223,7 +222,7 @@ struct Opened<'a>(PlainNodes<'a>, Cell<u32>);
 
 impl NodeSource for Opened<'_> {
     type Cursor = NodeRef;
-    type Frame = ();
+    type Bounds = ();
 
     fn root(&self, axes: [u32; 3]) -> NodeRef {
         self.0.root(axes)
@@ -259,7 +258,7 @@ fn a_tree_with_circles_is_left() {
     let rays = [0, 1, 2, 3, 4, 5, 6, 7].map(ray);
     let first = PreparedRay::new(&rays[0], 0);
     let lane = Lane {
-        rule: Except::NOTHING,
+        filter: Skip::NONE,
         collector: ClosestHit::new(first.t_max),
     };
     let mut stacks: PacketStacks<NodeRef, Each<8>> = PacketStacks::EMPTY;
@@ -267,7 +266,7 @@ fn a_tree_with_circles_is_left() {
     let mut alone = lane;
     trace_alone(&mut stacks.alone, &counted, &triangles, &first, &mut alone);
     assert_eq!(counted.1.replace(0), limit);
-    let mut prepared = PreparedRays::NOTHING;
+    let mut prepared = PreparedRays::EMPTY;
     prepared.prepare(&rays, 0);
     let mut packet = [lane; 8];
     trace_packet(

@@ -1,9 +1,9 @@
 //! Saved hierarchies: what is read answers as what was written, and every tree that is built is sound.
 
 use proptest::prelude::*;
-use slimbvh::file::{read, write};
+use slimbvh::scene::slim::{read, write};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, NodeCodec, Scene, Subset};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use slimbvh_tests::rays::some_rays;
@@ -14,8 +14,8 @@ use slimbvh_tests::{CODE_BITS, build_as, cases};
 fn codecs(step_exponent: i32) -> Vec<(NodeCodec, MeshCodec)> {
     let mut all = vec![
         (NodeCodec::F32, MeshCodec::F32),
-        (NodeCodec::Printed, MeshCodec::F32),
-        (NodeCodec::Printed, MeshCodec::Leaf10),
+        (NodeCodec::Paper10, MeshCodec::F32),
+        (NodeCodec::Paper10, MeshCodec::Leaf10),
     ];
     for nodes in LatticeBits::ALL.map(NodeCodec::Lattice) {
         all.push((nodes, MeshCodec::F32));
@@ -102,7 +102,7 @@ proptest! {
     #[test]
     fn reduced_trees_are_sound(mesh in any_mesh(), eye in proptest::array::uniform3(-9f32..9.0)) {
         let components = vec![0; mesh.indices.len()];
-        let reach = Reach {
+        let reach = VisibleSet {
             sides: Sides { components: &components, sides: &[1] },
             target: Target::position(eye),
             frustum: Frustum::EVERYWHERE,

@@ -20,7 +20,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "bounds",
         what: "box of all triangles, the scene's power of two",
-        core: &["bounds", "aabb"],
+        core: &["build/bounds", "geometry/aabb"],
         shaders: &["bounds"],
         cpu: &["order"],
         gpu: &["build/record"],
@@ -28,7 +28,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "morton",
         what: "cell of each triangle's box centre, 30 or 63 bits, integers only",
-        core: &["morton", "lattice"],
+        core: &["build/morton", "geometry/lattice"],
         shaders: &["morton"],
         cpu: &["order"],
         gpu: &["build/record"],
@@ -36,7 +36,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "sort",
         what: "stable radix sort of (code, index)",
-        core: &["sort"],
+        core: &["build/sort"],
         shaders: &["sort"],
         cpu: &["sort"],
         gpu: &["sort"],
@@ -44,7 +44,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "scan",
         what: "exclusive prefix sums",
-        core: &["scan"],
+        core: &["build/scan"],
         shaders: &["scan"],
         cpu: &["sort", "select"],
         gpu: &["scan"],
@@ -52,7 +52,12 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "decide",
         what: "outer sides of components where the vertices are now, the smaller of L+ and L−",
-        core: &["decide", "decide/measure", "decide/clear", "decide/counts"],
+        core: &[
+            "reduce/decide",
+            "reduce/decide/measure",
+            "reduce/decide/clear",
+            "reduce/decide/counts",
+        ],
         shaders: &["decide"],
         cpu: &["decide"],
         gpu: &["decide", "decisions"],
@@ -60,7 +65,11 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "classify",
         what: "which triangles rays of one origin may hit",
-        core: &["classify", "orientation", "frustum"],
+        core: &[
+            "reduce/classify",
+            "geometry/orientation",
+            "geometry/frustum",
+        ],
         shaders: &["classify"],
         cpu: &["order", "select"],
         gpu: &["build/record", "facing"],
@@ -68,7 +77,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "compact",
         what: "the items whose bit is set",
-        core: &["compact"],
+        core: &["build/compact"],
         shaders: &["compact"],
         cpu: &["select"],
         gpu: &["compact"],
@@ -76,7 +85,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "snap",
         what: "triangles in leaf order, scaled to magnitude 1",
-        core: &["snap", "triangle"],
+        core: &["build/snap", "geometry/triangle"],
         shaders: &["snap"],
         cpu: &["order"],
         gpu: &["build/record"],
@@ -84,7 +93,11 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "cluster",
         what: "a tree from the leaves up, where one is asked for; its places (on the CPU)",
-        core: &["cluster", "cluster/merge", "cluster/place"],
+        core: &[
+            "build/cluster",
+            "build/cluster/merge",
+            "build/cluster/place",
+        ],
         shaders: &[],
         cpu: &["cluster"],
         gpu: &[],
@@ -92,7 +105,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "topology",
         what: "nodes that cover more than `LEAF_SIZE` triangles, Karras' or those of `cluster`",
-        core: &["topology", "node"],
+        core: &["build/topology", "build/node"],
         shaders: &["topology"],
         cpu: &["topology", "cluster"],
         gpu: &["build/record"],
@@ -100,7 +113,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "refit",
         what: "both children's boxes of each node",
-        core: &["refit"],
+        core: &["build/refit"],
         shaders: &["refit"],
         cpu: &["refit"],
         gpu: &["build/record"],
@@ -109,15 +122,16 @@ const STAGES: &[Stage] = &[
         name: "encode",
         what: "nodes and triangles in codecs, from the root down",
         core: &[
-            "encode",
-            "encode/links",
-            "encode/lattice_node",
-            "encode/lattice_nodes",
-            "encode/lattice_leaf",
-            "encode/printed",
-            "encode/root",
-            "encode/rounded",
-            "encode/walk",
+            "codec",
+            "codec/encode",
+            "codec/links",
+            "codec/lattice_node",
+            "codec/lattice_nodes",
+            "codec/leaf_width",
+            "codec/lattice_leaf",
+            "codec/paper10",
+            "codec/root",
+            "codec/rounded",
         ],
         shaders: &["encode"],
         cpu: &[
@@ -125,15 +139,15 @@ const STAGES: &[Stage] = &[
             "encode/tree",
             "encode/lattice",
             "encode/lattice_mesh",
-            "encode/printed",
-            "decode",
+            "encode/paper10",
+            "tree/decode",
         ],
         gpu: &["encode", "coding"],
     },
     Stage {
         name: "camera",
         what: "from samples to rays, and to pixels",
-        core: &["camera", "sampling", "color"],
+        core: &["shade/camera", "shade/sampling", "shade/color"],
         shaders: &["camera"],
         cpu: &["render", "paint"],
         gpu: &["render/wave", "render/target"],
@@ -144,25 +158,27 @@ const STAGES: &[Stage] = &[
         core: &[
             "trace",
             "trace/collect",
+            "trace/filter",
             "trace/packet",
             "trace/prepare",
             "trace/query",
             "trace/sources",
             "trace/stack",
-            "lanes",
-            "lanes/each",
-            "ray",
-            "slab",
-            "watertight",
+            "geometry/lanes",
+            "geometry/lanes/each",
+            "geometry/ray",
+            "geometry/planes",
+            "geometry/slab",
+            "geometry/watertight",
         ],
         shaders: &["trace", "trace/store", "trace/coded"],
-        cpu: &["lanes", "packets", "render"],
+        cpu: &["tree/lanes", "tree/packets", "render"],
         gpu: &["trace", "trace/paths", "render/wave"],
     },
     Stage {
         name: "shade",
         what: "light, shadow rays, mirrors, glass",
-        core: &["shade", "light", "surface", "material"],
+        core: &["shade", "shade/light", "shade/surface", "shade/material"],
         shaders: &["shade"],
         cpu: &["render"],
         gpu: &["render/wave"],
@@ -170,7 +186,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "view",
         what: "normals, primitives, depth, heat",
-        core: &["view"],
+        core: &["shade/view"],
         shaders: &["view"],
         cpu: &["paint"],
         gpu: &["render"],
@@ -181,11 +197,21 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
+/// The folder that a file is listed from: the tree's room is named with its files.
+fn home<'a>(folder: &'a str, file: &str) -> &'a str {
+    if file.starts_with("tree/") {
+        "host/src"
+    } else {
+        folder
+    }
+}
+
 /// The code of some files, up to their tests, without comments and blank lines.
 fn code(folder: &str, files: &[&str]) -> Vec<String> {
     let mut lines = Vec::new();
     for file in files {
-        let path = root().join(folder).join(file).with_extension("rs");
+        let path = root().join(home(folder, file)).join(file);
+        let path = path.with_extension("rs");
         let text = std::fs::read_to_string(&path)
             .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let code = text.lines().map(str::trim);

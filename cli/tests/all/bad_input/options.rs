@@ -258,18 +258,18 @@ fn codecs_that_do_not_go_together() {
     for (options, expected) in [
         (
             &["--mesh=leaf10", "--nodes=q10"][..],
-            &["--mesh leaf10", "--nodes printed"][..],
+            &["--mesh leaf10", "--nodes paper10"][..],
         ),
         (
             &["--mesh=leaf10", "--nodes=f32"],
-            &["--mesh leaf10", "--nodes printed"],
+            &["--mesh leaf10", "--nodes paper10"],
         ),
         (
             &["--mesh=lattice", "--nodes=f32"],
             &["--mesh lattice", "q4 to q21"],
         ),
         (
-            &["--tolerance=1", "--nodes=printed"],
+            &["--tolerance=1", "--nodes=paper10"],
             &["--mesh lattice", "q4 to q21"],
         ),
         (

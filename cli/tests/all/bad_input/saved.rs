@@ -79,7 +79,7 @@ fn other_trees_than_the_file_has() {
         (&["--nodes", "f32"][..], &["--nodes", "q10"][..]),
         (&["--nodes", "q12"], &["--nodes", "q10"]),
         (
-            &["--mesh", "leaf10", "--nodes", "printed"],
+            &["--mesh", "leaf10", "--nodes", "paper10"],
             &["--nodes", "q10"],
         ),
         (&["--mesh", "lattice", "--nodes", "q10"], &["--mesh", "f32"]),

@@ -11,7 +11,7 @@ const STORED: [&[&str]; 6] = [
     &[],
     &["--codes", "63"],
     &["--nodes", "q6"],
-    &["--nodes", "printed"],
+    &["--nodes", "paper10"],
     &["--mesh", "leaf10"],
     &["--tolerance", "0.4px"],
 ];
@@ -146,7 +146,7 @@ fn info_tells_of_hierarchies() {
     for word in [
         "12, of which",
         "hierarchy",
-        "nodes printed",
+        "nodes paper10",
         "triangles leaf10",
         "closed",
     ] {
@@ -156,7 +156,7 @@ fn info_tells_of_hierarchies() {
     let hierarchy = &info["hierarchy"];
     assert_eq!(number(hierarchy, "triangles"), 12.0);
     assert_eq!(number(hierarchy, "triangle_bytes"), 12.0 * 16.0);
-    assert_eq!(hierarchy["node_codec"], "printed");
+    assert_eq!(hierarchy["node_codec"], "paper10");
     let plain = parse(&folder.succeed(["info", "box.obj", "--json", "-"]));
     assert!(plain.get("hierarchy").is_none());
     assert_eq!(plain["components"], info["components"]);

@@ -9,7 +9,7 @@ const STORED: [&[&str]; 6] = [
     &["--nodes", "q10"],
     &["--tolerance", "0.4px"],
     &["--nodes", "q21", "--codes", "63"],
-    &["--nodes", "printed"],
+    &["--nodes", "paper10"],
     &["--mesh", "leaf10"],
 ];
 

@@ -3,12 +3,12 @@
 use super::super::buffer::Range;
 use super::super::bvh::Built;
 use super::super::coding::Coding;
-use super::super::facing::{Components, FacingRanges};
 use super::super::program::{Groups, Recorder, Uniform, counted, groups, threads};
+use super::super::sides::{Components, TargetRanges};
 use super::super::{Gpu, Kernel, Mesh};
 use super::Builder;
 use super::scratch::pyramid_bytes;
-use crate::{CodeBits, MeshCodec};
+use crate::CodeBits;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::encode::FINEST_STEP;
@@ -18,13 +18,13 @@ use slimbvh_core::refit::{PyramidBox, group_count};
 impl Builder {
     /// Stages `bounds`, `morton` and `sort`.
     pub(super) fn record_sort(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh) {
-        let frame = &self.record_bounds(gpu, recorder, mesh);
+        let grid = &self.record_bounds(gpu, recorder, mesh);
         recorder.stage("morton");
         let (keys, items) = (self.keys(), self.items(gpu, mesh));
         recorder.dispatch(
             self.of_bits(Kernel::morton_30, Kernel::morton_63),
             &[],
-            &[frame, &mesh.vertices, &mesh.indices],
+            &[grid, &mesh.vertices, &mesh.indices],
             &[&items],
             threads(mesh.triangle_count),
         );
@@ -53,7 +53,7 @@ impl Builder {
         recorder: &mut Recorder,
         mesh: &Mesh,
         bvh: &Built,
-        (components, facing): (&Components, &FacingRanges),
+        (components, facing): (&Components, &TargetRanges),
     ) {
         recorder.stage("classify");
         self.copy_state(gpu, recorder, bvh);
@@ -182,9 +182,9 @@ impl Builder {
 
     /// The exponent of the lattice's step, and whether that is in the mesh's unit.
     const fn lattice_step(&self) -> [u32; 4] {
-        match self.config.mesh {
-            MeshCodec::Lattice { step_exponent } => [step_exponent as u32, 1, 0, 0],
-            MeshCodec::F32 | MeshCodec::Leaf10 => [FINEST_STEP as u32, 0, 0, 0],
+        match self.config.mesh.step_exponent() {
+            Some(step_exponent) => [step_exponent as u32, 1, 0, 0],
+            None => [FINEST_STEP as u32, 0, 0, 0],
         }
     }
 
@@ -234,7 +234,7 @@ impl Builder {
         }
     }
 
-    /// Stage `bounds`. Returns the frame of the codes.
+    /// Stage `bounds`. Returns the Morton grid.
     fn record_bounds(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh) -> Range {
         recorder.stage("bounds");
         let block_count = mesh.triangle_count.div_ceil(BLOCK);
@@ -246,26 +246,26 @@ impl Builder {
             &[blocks],
             groups(block_count),
         );
-        let frame = self
+        let grid = self
             .scratch
-            .frame
-            .range(gpu, size_of::<slimbvh_core::morton::Frame>() as u64);
+            .grid
+            .range(gpu, size_of::<slimbvh_core::morton::MortonGrid>() as u64);
         let cell_bits = match self.config.code_bits {
             CodeBits::Bits30 => 10,
             CodeBits::Bits63 => 21,
         };
         recorder.dispatch(
-            Kernel::frame,
+            Kernel::bounds_grid,
             &[Uniform::Params([cell_bits, 0, 0, 0])],
             &[blocks],
             &[
-                &frame,
+                &grid,
                 &self.scratch.exponent.range(gpu, 16),
                 &self.scratch.bounds.range(gpu, 24),
             ],
             groups(1),
         );
-        frame
+        grid
     }
 
     /// Stage `refit`: the pyramid, then all boxes.

@@ -11,7 +11,7 @@ use wgpu::BufferUsages;
 #[derive(Debug)]
 pub struct Scratch {
     pub blocks: Slot,
-    pub frame: Slot,
+    pub grid: Slot,
     pub exponent: Slot,
     pub bounds: Slot,
     pub items: Slot,
@@ -37,7 +37,7 @@ impl Scratch {
         let state = BufferUsages::INDIRECT.union(BufferUsages::COPY_DST);
         Self {
             blocks: Slot::storage("slimbvh block bounds"),
-            frame: Slot::storage("slimbvh code frame"),
+            grid: Slot::storage("slimbvh morton grid"),
             exponent: Slot::storage("slimbvh bounds' exponent"),
             bounds: Slot::storage("slimbvh bounds"),
             items: Slot::storage("slimbvh items"),
@@ -65,7 +65,7 @@ impl Scratch {
     pub fn bytes(&self) -> u64 {
         let slots = [
             &self.blocks,
-            &self.frame,
+            &self.grid,
             &self.items,
             &self.codes,
             &self.kept,

@@ -6,12 +6,12 @@ pub mod likeness;
 mod on_gpu;
 
 use super::frames::{Round, take_turns};
-use super::machine::Cpu;
 use super::methods::Prepared;
 use crate::measure::rounds::Rounds;
+use crate::reproduce::steps::Steps;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::RenderSettings;
+use slimbvh::{Cpu, RenderSettings};
 use slimbvh_cli::backend::Chosen;
 
 /// The kind of machine that times frames.
@@ -30,12 +30,16 @@ pub enum Place {
 /// A machine that times the methods on a scene.
 pub trait Bench {
     /// The GPU's record of the plain tree, if a GPU times. `reference` is the same tree on the CPU, with its picture.
-    fn plain(&mut self, reference: &Cpu, settings: &RenderSettings) -> Result<Option<GpuRecord>>;
+    fn plain(
+        &mut self,
+        reference: &Steps<Cpu>,
+        settings: &RenderSettings,
+    ) -> Result<Option<GpuRecord>>;
 
     /// Times a method, alternating with the plain tree. Both are on the CPU already.
     fn time(
         &mut self,
-        both: (&mut Cpu, &mut Cpu),
+        both: (&mut Steps<Cpu>, &mut Steps<Cpu>),
         prepared: &Prepared,
         settings: &RenderSettings,
         round_count: u32,
@@ -57,13 +61,13 @@ pub fn open<'a>(chosen: &'a Chosen, plain: &'a Prepared) -> Result<Box<dyn Bench
 struct Cores;
 
 impl Bench for Cores {
-    fn plain(&mut self, _: &Cpu, _: &RenderSettings) -> Result<Option<GpuRecord>> {
+    fn plain(&mut self, _: &Steps<Cpu>, _: &RenderSettings) -> Result<Option<GpuRecord>> {
         Ok(None)
     }
 
     fn time(
         &mut self,
-        (plain, own): (&mut Cpu, &mut Cpu),
+        (plain, own): (&mut Steps<Cpu>, &mut Steps<Cpu>),
         _: &Prepared,
         settings: &RenderSettings,
         round_count: u32,

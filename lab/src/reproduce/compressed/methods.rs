@@ -1,7 +1,6 @@
 //! The methods of storing trees that are measured.
 
 use crate::measure::step::Step;
-use crate::measure::walks::node_bytes;
 use crate::stress::snapped;
 use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene};
 use std::borrow::Cow;
@@ -70,7 +69,7 @@ impl Method {
     fn nodes(self) -> NodeCodec {
         match self {
             Self::Plain => NodeCodec::F32,
-            Self::Node | Self::NodeMesh => NodeCodec::Printed,
+            Self::Node | Self::NodeMesh => NodeCodec::Paper10,
             Self::Lattice(bits) => NodeCodec::Lattice(bits),
             Self::LatticeMesh(_) => NodeCodec::Lattice(LatticeBits::Q10),
         }
@@ -78,7 +77,7 @@ impl Method {
 
     /// Bytes per node.
     pub fn node_bytes(self) -> usize {
-        node_bytes(self.nodes())
+        self.nodes().node_bytes()
     }
 
     /// Prepares a scene. Pixels are those of a picture with these settings.

@@ -79,7 +79,7 @@ fn lines_fit_120_columns() {
     let mut row = row(
         "teapot, stadium",
         "corners at ±f32::MAX/4",
-        "printed+leaf10",
+        "paper10+leaf10",
     );
     row.tracer = "parry3d".into();
     row.reduction = "reduced".into();

@@ -5,7 +5,7 @@ use slimbvh::{CodeBits, Mesh};
 use slimbvh_core::bounds::{run_bounds, scene_exponent};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::BLOCK;
-use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::{PyramidBox, group_bounds, group_count, parent_bounds, refit_node};
 use slimbvh_core::snap::leaf_triangle;
@@ -18,7 +18,7 @@ pub struct Chain {
     pub blocks: Vec<[f32; 6]>,
     pub scene: [f32; 6],
     pub exponent: i32,
-    pub frame: Frame,
+    pub grid: MortonGrid,
     /// As the sort takes them, in the order of the mesh and sorted: words of a key, then the primitive.
     pub items: Vec<u32>,
     pub sorted: Vec<u32>,
@@ -49,14 +49,14 @@ impl Chain {
         let firsts = (0..count).step_by(BLOCK as usize);
         let bounds = run_bounds(0, count, &triangles);
         let exponent = scene_exponent(&bounds);
-        let frame = Frame::new(&bounds, if is_short(code_bits) { 10 } else { 21 });
+        let grid = MortonGrid::new(&bounds, if is_short(code_bits) { 10 } else { 21 });
 
         // A stable sort by the key, and nothing else.
         let key = |i: u32| {
             let bounds = triangles.triangle(i).bounds();
             match code_bits {
-                CodeBits::Bits30 => vec![morton_code_30(&bounds, &frame)],
-                CodeBits::Bits63 => morton_code_63(&bounds, &frame).to_vec(),
+                CodeBits::Bits30 => vec![morton_code_30(&bounds, &grid)],
+                CodeBits::Bits63 => morton_code_63(&bounds, &grid).to_vec(),
             }
         };
         let items: Vec<(Vec<u32>, u32)> = (0..count).map(|i| (key(i), i)).collect();
@@ -74,7 +74,7 @@ impl Chain {
             blocks: firsts.map(|first| numbers(&block(first))).collect(),
             scene: numbers(&bounds),
             exponent,
-            frame,
+            grid,
             items: words(&items),
             sorted: words(&sorted),
             triangles: sorted.iter().map(leaf).collect(),

@@ -1,7 +1,7 @@
 //! The compiled modules are what the host binds and dispatches, on any device, and are made from the code as it is.
 
-use naga::valid::{Capabilities, ValidationFlags, Validator};
-use naga::{AddressSpace, Module, StorageAccess, front};
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::{AddressSpace, Module, StorageAccess, back, front};
 use serde_json::Value;
 use slimbvh::gpu::Kernel;
 use slimbvh_core::launch::LANES;
@@ -36,12 +36,18 @@ struct Interface {
     bindings: Vec<(u32, u32, &'static str)>,
 }
 
-/// As naga sees a module, which must be sound on a device that has no more than all have.
-fn interface(what: &str, module: &Module) -> Interface {
+/// Validates a module for a device without optional capabilities.
+fn validated(what: &str, module: &Module) -> ModuleInfo {
     let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
-    if let Err(error) = validator.validate(module) {
-        panic!("{what}: {}", error.emit_to_string(""));
+    match validator.validate(module) {
+        Ok(info) => info,
+        Err(error) => panic!("{what}: {}", error.emit_to_string("")),
     }
+}
+
+/// The interface of a module, which must be valid.
+fn interface(what: &str, module: &Module) -> Interface {
+    validated(what, module);
     let entry_points = module.entry_points.iter();
     let globals = module.global_variables.iter();
     let mut bindings: Vec<_> = globals
@@ -67,9 +73,24 @@ fn interface(what: &str, module: &Module) -> Interface {
     }
 }
 
-fn of_spirv(kernel: Kernel) -> Interface {
+/// The kernel's module.
+fn parsed(kernel: Kernel) -> Module {
     match front::spv::parse_u8_slice(kernel.spirv(), &front::spv::Options::default()) {
-        Ok(module) => interface(kernel.name(), &module),
+        Ok(module) => module,
+        Err(error) => panic!("{}: {error}", kernel.name()),
+    }
+}
+
+fn of_spirv(kernel: Kernel) -> Interface {
+    interface(kernel.name(), &parsed(kernel))
+}
+
+/// The kernel's module, translated to WGSL as wgpu translates it for browsers.
+fn wgsl(kernel: Kernel) -> String {
+    let module = parsed(kernel);
+    let info = validated(kernel.name(), &module);
+    match back::wgsl::write_string(&module, &info, back::wgsl::WriterFlags::empty()) {
+        Ok(text) => text,
         Err(error) => panic!("{}: {error}", kernel.name()),
     }
 }
@@ -149,8 +170,7 @@ fn kernels_and_modules_are_the_same_list() {
 fn translations_have_the_interface_of_the_module() {
     for &kernel in Kernel::ALL {
         let name = kernel.name();
-        let path = root().join(format!("host/shaders/{name}.wgsl"));
-        let text = std::fs::read_to_string(path).unwrap();
+        let text = wgsl(kernel);
         let mut translated = match front::wgsl::parse_str(&text) {
             Ok(module) => interface(name, &module),
             Err(error) => panic!("{name}: {}", error.emit_to_string(&text)),

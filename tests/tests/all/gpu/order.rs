@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use slimbvh::gpu::{Gpu, Kernel};
 use slimbvh::{CodeBits, Mesh};
 use slimbvh_core::LeafTriangle;
-use slimbvh_core::morton::Frame;
+use slimbvh_core::morton::MortonGrid;
 use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::random::Random;
@@ -28,14 +28,14 @@ fn check_bounds(gpu: &Gpu, mesh: &Mesh, chain: &Chain, code_bits: CodeBits) -> R
     same_bits(&answers::<[f32; 6]>(&stored[0]), &chain.blocks)?;
     let cell_bits = if is_short(code_bits) { 10 } else { 21 };
     let stored = Dispatch {
-        kernel: Kernel::frame,
+        kernel: Kernel::bounds_grid,
         group_count: 1,
         uniforms: &[&[cell_bits, 0, 0, 0]],
         reads: &[&stored[0]],
-        outputs: &[&[0; size_of::<Frame>()], &[0; 4], &[0; 24]],
+        outputs: &[&[0; size_of::<MortonGrid>()], &[0; 4], &[0; 24]],
     }
     .run(gpu);
-    same_bits(&answers::<Frame>(&stored[0]), &[chain.frame])?;
+    same_bits(&answers::<MortonGrid>(&stored[0]), &[chain.grid])?;
     same_bits(&answers::<i32>(&stored[1]), &[chain.exponent])?;
     same_bits(&answers::<[f32; 6]>(&stored[2]), &[chain.scene])
 }
@@ -52,7 +52,7 @@ fn check_codes(gpu: &Gpu, mesh: &Mesh, chain: &Chain, code_bits: CodeBits) -> Re
         kernel: morton,
         group_count,
         uniforms: &[],
-        reads: &[bytes_of(&chain.frame), vertices, indices],
+        reads: &[bytes_of(&chain.grid), vertices, indices],
         outputs: &[&vec![0; 4 * chain.items.len()]],
     }
     .run(gpu);

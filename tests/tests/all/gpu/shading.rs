@@ -7,7 +7,6 @@ use bytemuck::{bytes_of, cast_slice};
 use slimbvh::gpu::{Gpu, Kernel};
 use slimbvh::{Bvh, CodeBits, Scene, View};
 use slimbvh_core::camera::Camera;
-use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::light::NO_EXTENT;
 use slimbvh_core::sampling::Draw;
@@ -16,6 +15,7 @@ use slimbvh_core::shade::{
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
+use slimbvh_core::trace::Skip;
 use slimbvh_core::{Hit, Vec3, trace};
 use slimbvh_tests::build;
 use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
@@ -48,7 +48,7 @@ impl Lit {
             .collect();
         let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
         let hit =
-            |path: &Path| trace::closest_hit(&nodes, &triangles, &path.ray, 0, &Except(path.skip));
+            |path: &Path| trace::closest_hit(&nodes, &triangles, &path.ray, 0, &Skip(path.skip));
         let hits = paths.iter().map(hit).collect();
         let lights = scene.lights.iter().enumerate();
         Self {
@@ -223,7 +223,7 @@ fn shadow_rays_let_light_through_as_in_core() {
                     }
                     ray_count += 1;
                     let ray = &shadow.ray;
-                    if trace::any_hit(&nodes, &triangles, ray, 0, &Except(shadow.skip)) {
+                    if trace::any_hit(&nodes, &triangles, ray, 0, &Skip(shadow.skip)) {
                         blocked_count += 1;
                         return *path;
                     }

@@ -364,7 +364,7 @@ fn rays_without_room_for_their_answers_are_refused() {
     let mesh = done(gpu::Mesh::upload(gpu, &soup(10, 1)));
     let mut bvh = gpu::Bvh::new();
     let mut frame = gpu.frame();
-    let rays = storage(gpu, &[Ray::NOTHING; 20]);
+    let rays = storage(gpu, &[Ray::EMPTY; 20]);
     let room = storage(gpu, &[Hit::MISS; 20]);
     let mut trace = |bvh: &gpu::Bvh, rays: wgpu::BufferSlice, room: wgpu::BufferSlice| {
         bvh.trace(&mut frame, Query::Closest, rays, room)

@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use slimbvh::generate::{icosphere, soup};
 use slimbvh::gpu::{self, Gpu, GpuError, Subset};
 use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, NodeCodec, Picture, RefitError, View};
-use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use slimbvh_tests::gpu::{done, gpu, is_software};
@@ -197,7 +197,7 @@ fn reduced_hierarchies_come_back_reduced() {
     let mut mesh = icosphere(Vec3::new(0.3, -0.2, 0.1), 1.5, 4);
     mesh.snap(-12);
     let components = vec![0; mesh.indices.len()];
-    let reach = Reach {
+    let reach = VisibleSet {
         sides: Sides {
             components: &components,
             sides: &[1],

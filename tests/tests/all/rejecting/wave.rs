@@ -1,10 +1,9 @@
 //! The renderer's rays one by one, made and traced by the functions of core that the renderer calls. That they are its rays
 //! shows in the picture, which is the same to the last bit.
 
-use slimbvh::reduce::{Hierarchies, Plan};
 use slimbvh::{Picture, RenderSettings, Scene, Tree, Trees};
 use slimbvh_core::camera::Camera;
-use slimbvh_core::classify::{Except, Facing};
+use slimbvh_core::classify::FacingFilter;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
@@ -12,6 +11,7 @@ use slimbvh_core::shade::{
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
+use slimbvh_core::trace::Skip;
 use slimbvh_core::{Hit, Ray, Vec3, trace};
 use slimbvh_tests::gpu::done;
 
@@ -50,19 +50,13 @@ struct Stage<'a> {
 }
 
 /// All camera rays and all shadow rays of a picture by a plan, and the picture.
-pub fn cast(
-    scene: &Scene,
-    hierarchies: &Hierarchies,
-    plan: &Plan,
-    settings: &RenderSettings,
-) -> (Vec<Cast>, Picture) {
-    let trees = hierarchies.trees(plan);
-    let stage = Stage::new(scene, &trees, settings);
+pub fn cast(scene: &Scene, trees: &Trees, settings: &RenderSettings) -> (Vec<Cast>, Picture) {
+    let stage = Stage::new(scene, trees, settings);
     let [width, height] = settings.size;
     let mut casts = Vec::new();
     let mut paths = Vec::new();
     for sample in 0..width * height * settings.sample_count {
-        paths.push(stage.follow(sample, &trees, settings.mirror_depth, &mut casts));
+        paths.push(stage.follow(sample, trees, settings.mirror_depth, &mut casts));
     }
     let count = settings.sample_count;
     let pixel = |pixel: u32| mean_radiance(&paths, pixel * count, count).to_array();
@@ -147,7 +141,7 @@ impl<'a> Stage<'a> {
     fn closest_hit(&self, tree: &Tree, ray: &Ray, skip: u32) -> Hit {
         let (nodes, triangles) = (tree.bvh.node_source(), tree.bvh.triangle_source());
         match self.rule(tree, skip) {
-            None => trace::closest_hit(&nodes, &triangles, ray, 0, &Except(skip)),
+            None => trace::closest_hit(&nodes, &triangles, ray, 0, &Skip(skip)),
             Some(rule) => trace::closest_hit(&nodes, &triangles, ray, 0, &rule),
         }
     }
@@ -155,14 +149,14 @@ impl<'a> Stage<'a> {
     fn any_hit(&self, tree: &Tree, ray: &Ray, skip: u32) -> bool {
         let (nodes, triangles) = (tree.bvh.node_source(), tree.bvh.triangle_source());
         match self.rule(tree, skip) {
-            None => trace::any_hit(&nodes, &triangles, ray, 0, &Except(skip)),
+            None => trace::any_hit(&nodes, &triangles, ray, 0, &Skip(skip)),
             Some(rule) => trace::any_hit(&nodes, &triangles, ray, 0, &rule),
         }
     }
 
-    fn rule<'b>(&self, tree: &Tree<'b>, skip: u32) -> Option<Facing<'b>> {
+    fn rule<'b>(&self, tree: &Tree<'b>, skip: u32) -> Option<FacingFilter<'b>> {
         let (sides, target) = tree.rule?;
-        Some(Facing {
+        Some(FacingFilter {
             skip,
             sides,
             target: target.scaled(&self.scale),

@@ -3,10 +3,9 @@
 //! slimbvh's traversal offers every triangle that the ray meets to a [`Collector`]; all that a new query takes is one.
 #![cfg_attr(target_arch = "spirv", no_std)]
 
-use slimbvh_core::classify::Except;
 use slimbvh_core::launch::thread_index;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{Collector, LeafTriangles, PlainNodes, traverse};
+use slimbvh_core::trace::{Collector, LeafTriangles, PlainNodes, Skip, traverse};
 use slimbvh_core::{Hit, LeafTriangle, Node, Ray, Vec3};
 use spirv_std::glam::{UVec3, UVec4};
 use spirv_std::spirv;
@@ -71,7 +70,7 @@ pub fn thickness(
             &PlainNodes(nodes),
             &LeafTriangles(triangles),
             &ray,
-            &Except::NOTHING,
+            &Skip::NONE,
             &mut crossings,
         );
         // Restored hits have t in units of the direction's length; the difference of two misses is 0.

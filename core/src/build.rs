@@ -1,0 +1,13 @@
+//! From a mesh to plain nodes: the stages `bounds`, `morton`, `sort`, `scan`, `compact`, `snap`, `topology` or `cluster`, and
+//! `refit`.
+
+pub mod bounds;
+pub mod cluster;
+pub mod compact;
+pub mod morton;
+pub mod node;
+pub mod refit;
+pub mod scan;
+pub mod snap;
+pub mod sort;
+pub mod topology;

@@ -1,0 +1,38 @@
+//! Stage `encode`: nodes and triangles in fewer bytes, boxes never smaller than what they hold.
+//!
+//! Two codecs. The **lattice** codec knows integers only: all planes lie on one lattice of the scene, a child's planes are
+//! counted from its decoded parent's, and what cannot be counted exactly is rounded outward. The **paper10** codec (after
+//! the paper on compressed hierarchies that README cites) places planes by floats between those of the decoded parent; it is
+//! there to be measured against.
+#![allow(
+    clippy::needless_range_loop,
+    reason = "iterator chains do not compile to SPIR-V"
+)]
+
+mod encode;
+mod lattice_leaf;
+mod lattice_node;
+mod lattice_nodes;
+mod leaf_width;
+mod links;
+mod paper10;
+mod root;
+mod rounded;
+
+pub use encode::{BoxCodec, LatticeCodec, Paper10Codec, PlainNode, node_bounds};
+pub use lattice_leaf::{
+    FINEST_STEP, LatticeTriangles, LeafCorner, encode_narrow_triangle, encode_triangle, scaled_step,
+};
+pub use lattice_node::{
+    EncodedNode, decode_node, encode_child, encode_node, links_of, node_words, with_links,
+};
+pub use lattice_nodes::{LatticeCursor, LatticeNodes};
+pub use leaf_width::{LatticeBounds, LeafWidth};
+pub use links::Links;
+pub use paper10::{
+    EncodedPaper10, Paper10Box, Paper10Cursor, Paper10Node, Paper10Nodes, Paper10Triangle,
+    Paper10Triangles, decode_paper10_node, encode_paper10_node, encode_paper10_triangle,
+    paper10_child,
+};
+pub use root::RootWords;
+pub use rounded::RoundedNode;

@@ -1,0 +1,261 @@
+//! The lattice codec's triangle: its vertices, counted from the leaf's decoded box, exactly.
+
+use super::leaf_width::{LatticeBounds, LeafWidth};
+use crate::geometry::float::{exponent, whole_number};
+use crate::geometry::lattice::{LatticeBox, lattice_steps};
+use crate::geometry::ray::NO_PRIMITIVE;
+use crate::geometry::triangle::LeafTriangle;
+use crate::trace::{LeafSlot, TriangleSource};
+use bytemuck::{Pod, Zeroable};
+use glam::Vec4;
+
+/// The finest lattice that holds all of a scene of magnitude 1 in floats: its step is two to this power.
+pub const FINEST_STEP: i32 = -24;
+
+/// The lattice of a mesh, whose step is two to `step_exponent` in the mesh's unit, in the scene's magnitude. Where all vertices
+/// are the origin, any step will do.
+#[inline]
+#[must_use]
+pub const fn scaled_step(step_exponent: i32, scene_exponent: i32) -> i32 {
+    let step = step_exponent.wrapping_add(scene_exponent);
+    if step < -126 {
+        -126
+    } else if step > 127 {
+        127
+    } else {
+        step
+    }
+}
+
+/// What the triangles of a leaf are coded with. 16 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct LeafCorner {
+    /// Bytes 0–11: the smallest coordinates of the leaf's box, decoded.
+    pub min: [i32; 3],
+    /// Bytes 12–15: words of a triangle, as [`LeafWidth::words`] tells.
+    pub words: u32,
+}
+
+const _: () = assert!(size_of::<LeafCorner>() == 16);
+
+impl LeafCorner {
+    /// Of a leaf with this box.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(bounds: &LatticeBox) -> Self {
+        Self {
+            min: bounds.min,
+            words: LeafWidth::of(bounds).words(),
+        }
+    }
+
+    /// In the scene's unit.
+    #[inline(always)]
+    fn min(&self, step: f32) -> [f32; 3] {
+        let [x, y, z] = self.min;
+        [x as f32 * step, y as f32 * step, z as f32 * step]
+    }
+}
+
+/// [`encode_triangle`] in a leaf whose triangles are narrow.
+#[inline(always)]
+#[must_use]
+pub fn encode_narrow_triangle(triangle: &LeafTriangle, corner: &LeafCorner, step: f32) -> [u32; 4] {
+    let [a, b, c] = corner.min(step);
+    let inverse = 1.0 / step;
+    // Sums of below 2^20 steps: no operation is ever rounded, fused or not.
+    let vertex = |[x, y, z]: [f32; 3]| {
+        let xy = (x - a) * inverse + (y - b) * (1024.0 * inverse);
+        low_bits(xy) | low_bits((z - c) * inverse) << 20
+    };
+    let v = &triangle.vertices;
+    [
+        vertex([v[0], v[1], v[2]]),
+        vertex([v[3], v[4], v[5]]),
+        vertex([v[6], v[7], v[8]]),
+        triangle.primitive,
+    ]
+}
+
+/// A whole number from 0 to below 2^22: a sum with 2^23 holds it in its last bits.
+#[inline(always)]
+const fn low_bits(x: f32) -> u32 {
+    (x + 8_388_608.0).to_bits() & 0x003f_ffff
+}
+
+/// One thread per triangle. Reads it, its leaf's corner, and the lattice's step, a power of two; its vertices are on the lattice,
+/// in the leaf's box. Returns its words, of which the corner tells how many count.
+#[inline(always)]
+#[must_use]
+pub fn encode_triangle(triangle: &LeafTriangle, corner: &LeafCorner, step: f32) -> [u32; 10] {
+    const NARROW: u32 = LeafWidth::Narrow.words();
+    const MIDDLE: u32 = LeafWidth::Middle.words();
+    let (v, primitive) = (&triangle.vertices, triangle.primitive);
+    match corner.words {
+        NARROW => {
+            let [a, b, c, d] = encode_narrow_triangle(triangle, corner, step);
+            [a, b, c, d, 0, 0, 0, 0, 0, 0]
+        }
+        MIDDLE => {
+            let [x, y, z] = corner.min(step);
+            let inverse = 1.0 / step;
+            // No operation is ever rounded.
+            let vertex = |[a, b, c]: [f32; 3]| {
+                let y = low_bits((b - y) * inverse);
+                let [x, z] = [(a - x) * inverse, (c - z) * inverse];
+                [low_bits(x) | y << 21, y >> 11 | low_bits(z) << 10]
+            };
+            let [a, b] = vertex([v[0], v[1], v[2]]);
+            let [c, d] = vertex([v[3], v[4], v[5]]);
+            let [e, f] = vertex([v[6], v[7], v[8]]);
+            [a, b, c, d, e, f, primitive, 0, 0, 0]
+        }
+        _ => {
+            let whole = |x: f32| lattice_steps(x, exponent(step)) as u32;
+            let [a, b, c] = [whole(v[0]), whole(v[1]), whole(v[2])];
+            let [d, e, f] = [whole(v[3]), whole(v[4]), whole(v[5])];
+            let [g, h, i] = [whole(v[6]), whole(v[7]), whole(v[8])];
+            [a, b, c, d, e, f, g, h, i, primitive]
+        }
+    }
+}
+
+/// Triangles of the lattice codec. A leaf's triangles begin at a word.
+#[derive(Clone, Copy)]
+pub struct LatticeTriangles<'a> {
+    /// Their words.
+    pub words: &'a [u32],
+    /// The lattice's step, a power of two.
+    pub step: f32,
+}
+
+impl LatticeTriangles<'_> {
+    /// Where a triangle's words begin.
+    #[inline(always)]
+    fn begin(slot: &LeafSlot<LatticeBounds>, width: LeafWidth) -> u32 {
+        slot.first.wrapping_add(slot.number * width.words())
+    }
+
+    /// A vertex of one word, coordinates in the order of the axes, as those of its leaf's corner are.
+    #[inline(always)]
+    fn narrow(&self, at: u32, min: Vec4, [i, j, k]: [u32; 3]) -> [f32; 3] {
+        let word = crate::load(self.words, at, 0);
+        let steps = |axis: u32| whole_number((word >> (10 * axis)) & 0x3ff) * self.step;
+        [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
+    }
+
+    /// A vertex of two words.
+    #[inline(always)]
+    fn middle(&self, at: u32, min: Vec4, [i, j, k]: [u32; 3]) -> [f32; 3] {
+        let a = crate::load(self.words, at, 0);
+        let b = crate::load(self.words, at.wrapping_add(1), 0);
+        let steps = |axis: u32| {
+            let later = if axis == 1 {
+                a >> 21 | b << 11
+            } else {
+                b >> 10
+            };
+            let bits = if axis == 0 { a } else { later };
+            whole_number(bits & 0x001f_ffff) * self.step
+        };
+        [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
+    }
+
+    /// A vertex of three words.
+    #[inline(always)]
+    fn wide(&self, at: u32, [i, j, k]: [u32; 3]) -> [f32; 3] {
+        let steps = |axis: u32| {
+            let word = crate::load(self.words, at.wrapping_add(axis), 0);
+            word as i32 as f32 * self.step
+        };
+        [steps(i), steps(j), steps(k)]
+    }
+}
+
+impl TriangleSource<LatticeBounds> for LatticeTriangles<'_> {
+    #[inline(always)]
+    fn corners(&self, slot: &LeafSlot<LatticeBounds>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let width = LeafWidth::of_bounds(&slot.bounds, self.step);
+        let begin = Self::begin(slot, width);
+        let min = slot.bounds.min;
+        match width {
+            LeafWidth::Narrow => [
+                self.narrow(begin, min, axes),
+                self.narrow(begin.wrapping_add(1), min, axes),
+                self.narrow(begin.wrapping_add(2), min, axes),
+            ],
+            LeafWidth::Middle => [
+                self.middle(begin, min, axes),
+                self.middle(begin.wrapping_add(2), min, axes),
+                self.middle(begin.wrapping_add(4), min, axes),
+            ],
+            LeafWidth::Wide => [
+                self.wide(begin, axes),
+                self.wide(begin.wrapping_add(3), axes),
+                self.wide(begin.wrapping_add(6), axes),
+            ],
+        }
+    }
+
+    #[inline(always)]
+    fn primitive(&self, slot: &LeafSlot<LatticeBounds>) -> u32 {
+        let width = LeafWidth::of_bounds(&slot.bounds, self.step);
+        let at = Self::begin(slot, width).wrapping_add(3 * width.vertex_words());
+        crate::load(self.words, at, NO_PRIMITIVE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn coordinates() -> impl Strategy<Value = [[i32; 3]; 3]> {
+        let extents = prop_oneof![Just(1i32 << 24), 0i32..1023, 0i32..3000, 0i32..(1 << 22)];
+        (extents, proptest::array::uniform3(-(1i32 << 24)..1 << 24)).prop_flat_map(
+            |(extent, center)| {
+                let near = move |i: usize| {
+                    (center[i] - extent / 2).max(-(1 << 24))..=(center[i] + extent / 2).min(1 << 24)
+                };
+                proptest::array::uniform3(
+                    (near(0), near(1), near(2)).prop_map(|(x, y, z)| [x, y, z]),
+                )
+            },
+        )
+    }
+
+    proptest! {
+        #[test]
+        fn vertices_come_back_exactly(vertices in coordinates(), slack in proptest::array::uniform3(0i32..9), primitive: u32, first in 0u32..50) {
+            let mut bounds = LatticeBox { min: vertices[0], max: vertices[0] };
+            for axis in 0..3 {
+                for vertex in vertices {
+                    bounds.min[axis] = bounds.min[axis].min(vertex[axis]);
+                    bounds.max[axis] = bounds.max[axis].max(vertex[axis]);
+                }
+                bounds.min[axis] -= slack[axis];
+                bounds.max[axis] += slack[axis];
+            }
+            let width = LeafWidth::of(&bounds);
+            let mut words = std::vec![7; first as usize + 2 * width.words() as usize];
+            let mut triangle = LeafTriangle { primitive, ..LeafTriangle::default() };
+            for (to, x) in triangle.vertices.iter_mut().zip(vertices.as_flattened()) {
+                *to = *x as f32 * 0.5;
+            }
+            let own = encode_triangle(&triangle, &LeafCorner::of(&bounds), 0.5);
+            let at = (first + width.words()) as usize;
+            words[at..].copy_from_slice(&own[..width.words() as usize]);
+            let triangles = LatticeTriangles { words: &words, step: 0.5 };
+            for axes in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+                let order = |v: [i32; 3]| axes.map(|axis: u32| v[axis as usize]);
+                let frame = LatticeBounds::new(&bounds, 0.5, axes);
+                prop_assert_eq!(LeafWidth::of_bounds(&frame, 0.5), width);
+                let slot = LeafSlot { first, number: 1, bounds: frame };
+                let expected = vertices.map(|v| order(v).map(|x| x as f32 * 0.5));
+                prop_assert_eq!(triangles.corners(&slot, axes), expected);
+                prop_assert_eq!(triangles.primitive(&slot), primitive);
+            }
+        }
+    }
+}

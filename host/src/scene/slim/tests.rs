@@ -1,0 +1,454 @@
+//! Whatever is done to a file's bytes, it is refused, or what comes out of it is sound.
+
+use super::layout::{CHECKSUM, Header, checksum};
+use super::*;
+use crate::generate::icosphere;
+use crate::{
+    AreaShape, BuildConfig, Builder, Camera, LatticeBits, Light, Material, MeshCodec, NodeCodec,
+    Part, Picture, Projection, RenderSettings, Renderer,
+};
+use glam::Vec3;
+use slimbvh_core::Ray;
+
+/// Codecs of each kind, of which some have nodes of 3, 4, 5 and 7 words.
+fn configs() -> Vec<BuildConfig> {
+    let lattice = [
+        LatticeBits::Q4,
+        LatticeBits::Q10,
+        LatticeBits::Q12,
+        LatticeBits::Q21,
+    ];
+    let on_lattice = MeshCodec::Lattice { step_exponent: -12 };
+    let mut codecs = vec![
+        (NodeCodec::F32, MeshCodec::F32),
+        (NodeCodec::Paper10, MeshCodec::F32),
+        (NodeCodec::Paper10, MeshCodec::Leaf10),
+    ];
+    for bits in lattice.map(NodeCodec::Lattice) {
+        codecs.extend([(bits, MeshCodec::F32), (bits, on_lattice)]);
+    }
+    let config = |(nodes, mesh)| BuildConfig {
+        nodes,
+        mesh,
+        ..BuildConfig::default()
+    };
+    codecs.into_iter().map(config).collect()
+}
+
+/// A scene with some of everything: a ball on the lattice with a step of 2^-12.
+fn scene(subdivisions: u32) -> Scene {
+    let mut mesh = icosphere(Vec3::new(1.0, -2.0, 0.5), 1.0, subdivisions);
+    mesh.snap(-12);
+    let count = mesh.indices.len() as u32;
+    mesh.normals = vec![[0.0, 0.6, 0.8]; mesh.vertices.len()];
+    mesh.materials = (0..count).map(|triangle| triangle % 2).collect();
+    let part = |name: &str, first_triangle, triangle_count| Part {
+        name: name.into(),
+        first_triangle,
+        triangle_count,
+    };
+    mesh.parts = vec![
+        part("größer", 0, 7),
+        part("", 7, 0),
+        part("b", 7, count - 7),
+    ];
+    let camera = Camera {
+        eye: [4.0, 1.0, 5.0],
+        target: [1.0, -2.0, 0.5],
+        up: [0.0, 1.0, 0.0],
+        projection: Projection::ThinLens {
+            vertical_fov: 40.0,
+            radius: 0.125,
+            focus_distance: 6.0,
+        },
+    };
+    let parallel = Camera {
+        projection: Projection::Orthographic { height: 3.0 },
+        ..camera
+    };
+    Scene {
+        mesh,
+        materials: vec![
+            Material::default(),
+            Material {
+                base_color: [0.25, 1.0, 0.0],
+                mirror: 0.5,
+                transmission: 0.75,
+                ior: 1.5,
+            },
+        ],
+        cameras: vec![camera, parallel],
+        lights: vec![
+            Light::Directional {
+                direction: [0.0, -1.0, -0.5],
+                color: [1.0, 2.0, 3.0],
+            },
+            Light::Point {
+                position: [3.0, 3.0, 3.0],
+                color: [9.0; 3],
+                range: 40.0,
+            },
+            Light::disc([5.0, 0.0, 0.0], [-1.0, 0.0, 0.0], 0.5, [8.0; 3]),
+            Light::Area {
+                center: [0.0, 4.0, 0.0],
+                half_edges: [[1.0, 0.0, 0.0], [0.0, 0.0, 2.0]],
+                shape: AreaShape::Rectangle,
+                color: [7.0; 3],
+                range: f32::INFINITY,
+            },
+        ],
+        dropped_face_count: 3,
+    }
+}
+
+fn framing() -> Option<Aabb> {
+    Some(Aabb {
+        min: Vec3::new(-1.0, -2.0, -3.0),
+        max: Vec3::new(1.0, 2.0, 4.0),
+    })
+}
+
+fn saved(subdivisions: u32, config: BuildConfig) -> Vec<u8> {
+    let scene = scene(subdivisions);
+    let bvh = Builder::new(config)
+        .build(&scene.mesh)
+        .expect("it is sound");
+    again(&scene, &bvh, framing())
+}
+
+fn again(scene: &Scene, bvh: &Bvh, framing: Option<Aabb>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let length = write(scene, bvh, framing, &mut bytes).expect("it is sound");
+    assert_eq!(length, bytes.len() as u64);
+    bytes
+}
+
+/// Puts the checksum right again.
+fn repair(bytes: &mut [u8]) {
+    let sum = checksum(bytes);
+    bytes[CHECKSUM].copy_from_slice(&sum.to_le_bytes());
+}
+
+/// Rays from around towards all vertices and past them.
+fn rays(scene: &Scene) -> impl Iterator<Item = Ray> {
+    let targets = scene.mesh.vertices.iter().take(12);
+    let eyes = [[4.0, 1.0, 5.0], [1.0, -2.0, 0.5], [-9.0, -2.0, 0.5]];
+    targets.flat_map(move |target| {
+        eyes.map(|eye: [f32; 3]| Ray::new(eye, [0, 1, 2].map(|axis| target[axis] - eye[axis])))
+    })
+}
+
+/// Uses what was read for all that there is: rays, pictures, decoding, and refits into other codecs.
+fn use_it(saved: &mut Saved, is_thorough: bool) {
+    let Saved { scene, bvh, .. } = saved;
+    assert_eq!(bvh.validate_over(&scene.mesh), Ok(()));
+    for ray in rays(scene) {
+        let hit = bvh.closest_hit(&ray);
+        assert_eq!(bvh.any_hit(&ray), hit.is_hit());
+        assert_eq!(bvh.nearest_hits::<4>(&ray)[0].t.to_bits(), hit.t.to_bits());
+        assert!(!hit.is_hit() || (hit.primitive as usize) < scene.mesh.indices.len());
+    }
+    if !is_thorough {
+        return;
+    }
+    scene.complete(scene.mesh.bounds(), [4, 3]);
+    let settings = RenderSettings {
+        size: [4, 3],
+        ..RenderSettings::default()
+    };
+    let mut picture = Picture::default();
+    let rendered = Renderer::new().render(scene, bvh, &settings, &mut picture, |_| {});
+    // The camera may be too far away, but not more than that.
+    assert!(rendered.is_ok() || scene.cameras[0].check_reach(bvh.scene_exponent).is_err());
+    let decoded = bvh.decoded();
+    assert_eq!(decoded.validate(), Ok(()));
+    if bvh.triangle_count() == bvh.mesh_triangle_count() {
+        for nodes in [NodeCodec::Paper10, NodeCodec::Lattice(LatticeBits::Q10)] {
+            let config = BuildConfig {
+                nodes,
+                ..BuildConfig::default()
+            };
+            let mut refitted = bvh.clone();
+            let outcome = Builder::new(config).refit(&scene.mesh, &mut refitted);
+            assert!(outcome.is_ok());
+            assert_eq!(refitted.validate_over(&scene.mesh), Ok(()));
+        }
+    }
+}
+
+#[test]
+fn what_is_read_is_what_was_written() {
+    for config in configs() {
+        for subdivisions in [0, 2] {
+            let bytes = saved(subdivisions, config);
+            let mut read = read(&bytes).expect("it was just written");
+            let before = scene(subdivisions);
+            assert_eq!(read.scene.mesh, before.mesh);
+            assert_eq!(read.scene.materials, before.materials);
+            assert_eq!(read.scene.cameras, before.cameras);
+            assert_eq!(read.scene.lights, before.lights);
+            assert_eq!(read.scene.dropped_face_count, before.dropped_face_count);
+            assert_eq!(read.framing, framing());
+            assert_eq!(read.bvh.codecs(), (config.nodes, config.mesh));
+            assert!(again(&read.scene, &read.bvh, read.framing) == bytes);
+            use_it(&mut read, true);
+        }
+    }
+}
+
+#[test]
+fn empty_and_tiny_meshes_are_saved_too() {
+    for config in configs() {
+        for count in 0..6 {
+            let mut scene = Scene::default();
+            scene.mesh.vertices = vec![[0.0; 3], [0.5, 0.0, 0.0], [0.0, 0.25, 0.0]];
+            scene.mesh.indices = vec![[0, 1, 2]; count];
+            let bvh = Builder::new(config)
+                .build(&scene.mesh)
+                .expect("it is sound");
+            let bytes = again(&scene, &bvh, None);
+            let mut read = read(&bytes).expect("it was just written");
+            assert!(again(&read.scene, &read.bvh, None) == bytes);
+            use_it(&mut read, true);
+        }
+    }
+}
+
+/// Addresses of parts of files are those that the documentation gives.
+#[test]
+fn bytes_lie_where_the_layout_says() {
+    let bytes = saved(2, BuildConfig::default());
+    let word =
+        |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
+    assert_eq!(bytes[..8], *b"\x89SLIM\r\n\x1a");
+    assert_eq!(bytes[8..12], [4, 3, 2, 1]);
+    assert_eq!(
+        [word(12), word(20), word(24), word(28)],
+        [1, 13, bytes.len() as u32, 0]
+    );
+    let mut end = 64 + 13 * 32_usize;
+    for section in 0..13 {
+        let at = 64 + 32 * section;
+        assert_eq!(word(at), section as u32 + 1);
+        let begin = word(at + 8) as usize;
+        assert_eq!(begin, end.next_multiple_of(256));
+        end = begin + word(at + 16) as usize;
+    }
+    assert_eq!(end, bytes.len());
+    // Of the first triangle in leaf order, the last word is its number in the mesh.
+    let at = word(64 + 32 * 12 + 8) as usize + 36;
+    assert!(word(at) < 320);
+    let vertex = word(64 + 8) as usize;
+    assert_eq!(f32::from_bits(word(vertex)), scene(2).mesh.vertices[0][0]);
+}
+
+#[test]
+fn every_changed_byte_is_found() {
+    for config in configs() {
+        let sound = saved(0, config);
+        for at in 0..sound.len() {
+            for mask in [0x01, 0x10, 0x80, 0xff] {
+                let mut bytes = sound.clone();
+                bytes[at] ^= mask;
+                assert!(read(&bytes).is_err(), "{config:?} {at} {mask}");
+            }
+        }
+    }
+}
+
+#[test]
+fn files_cut_or_grown_anywhere_are_refused() {
+    for config in configs() {
+        let sound = saved(0, config);
+        for length in 0..sound.len() {
+            let cut = read(&sound[..length]).err();
+            assert!(
+                matches!(
+                    cut,
+                    Some(FileError::HeaderCut { .. } | FileError::Length { .. })
+                ),
+                "{length} {cut:?}"
+            );
+            // The same where the header agrees.
+            let mut bytes = sound[..length].to_vec();
+            if length >= size_of::<Header>() {
+                bytes[24..32].copy_from_slice(&(length as u64).to_le_bytes());
+                repair(&mut bytes);
+                assert!(read(&bytes).is_err(), "{length}");
+            }
+        }
+        let mut grown = sound.clone();
+        grown.push(0);
+        assert!(matches!(read(&grown), Err(FileError::Length { .. })));
+        grown[24..32].copy_from_slice(&(sound.len() as u64 + 1).to_le_bytes());
+        repair(&mut grown);
+        assert!(matches!(read(&grown), Err(FileError::End { .. })));
+    }
+}
+
+/// Each byte of a small file changed in several ways, and each word set to numbers that are hard to get right, with the checksum
+/// put right.
+#[test]
+fn whatever_passes_with_a_right_checksum_is_sound() {
+    let mut accepted = 0;
+    let mut refused = 0;
+    let mut try_it = |mut bytes: Vec<u8>, what: &dyn Fn() -> String| {
+        repair(&mut bytes);
+        match read(&bytes) {
+            Err(_) => refused += 1,
+            Ok(mut saved) => {
+                let written = again(&saved.scene, &saved.bvh, saved.framing);
+                assert!(written == bytes, "{}", what());
+                use_it(&mut saved, accepted % 16 == 0);
+                accepted += 1;
+            }
+        }
+    };
+    for config in configs() {
+        let sound = saved(1, config);
+        for at in 0..sound.len() {
+            for mask in [0x01, 0x80, 0xff] {
+                let mut bytes = sound.clone();
+                bytes[at] ^= mask;
+                try_it(bytes, &|| format!("{config:?} byte {at} ^ {mask}"));
+            }
+        }
+        for at in (0..sound.len() - 3).step_by(4) {
+            for word in [
+                0,
+                1,
+                4,
+                0x7fff_ffff,
+                0x8000_0000,
+                u32::MAX,
+                f32::NAN.to_bits(),
+                f32::INFINITY.to_bits(),
+                f32::MAX.to_bits(),
+                (1u32 << 24) + 1,
+            ] {
+                let mut bytes = sound.clone();
+                bytes[at..at + 4].copy_from_slice(&word.to_le_bytes());
+                try_it(bytes, &|| format!("{config:?} word at {at} = {word:x}"));
+            }
+        }
+    }
+    println!("{accepted} accepted, {refused} refused");
+    // Materials, lights, and slack of boxes may well be otherwise.
+    assert!(accepted > 1000 && refused > 5 * accepted);
+}
+
+/// Sections in the place of others, with a right checksum.
+#[test]
+fn sections_elsewhere_are_refused() {
+    let sound = saved(1, BuildConfig::default());
+    for section in 0..13 {
+        for (field, name) in [
+            (0, "kind"),
+            (4, "item"),
+            (8, "begin"),
+            (16, "length"),
+            (20, "high"),
+        ] {
+            for change in [1, 256, u32::MAX, u32::MAX - 255] {
+                let mut bytes = sound.clone();
+                let at = 64 + 32 * section + field;
+                let word = [bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]];
+                let word = u32::from_le_bytes(word).wrapping_add(change);
+                bytes[at..at + 4].copy_from_slice(&word.to_le_bytes());
+                repair(&mut bytes);
+                assert!(read(&bytes).is_err(), "{name} of {section}");
+            }
+        }
+    }
+}
+
+#[test]
+fn refusals_say_what_is_wrong() {
+    let sound = saved(0, BuildConfig::default());
+    let refusal = |bytes: &[u8]| read(bytes).map(|_| ()).unwrap_err().to_string();
+    let spoilt = |at: usize, with: &[u8]| {
+        let mut bytes = sound.clone();
+        bytes[at..at + with.len()].copy_from_slice(with);
+        bytes
+    };
+    assert_eq!(
+        refusal(b""),
+        "it ends within its header: it has 0 bytes of 480"
+    );
+    assert!(refusal(b"solid cube\n  facet").contains("begins with \"solid cube\u{fffd}"));
+    assert!(refusal(b"\x89PNG\r\n\x1a\n").contains("PNG"));
+    assert!(refusal(&spoilt(8, &[1, 2, 3, 4])).contains("big-endian"));
+    assert!(refusal(&spoilt(12, &[7])).contains("version 7"));
+    assert!(refusal(&sound[..1000]).contains("ends early"));
+    assert!(refusal(&spoilt(777, &[9])).contains("damaged"));
+    let mut bytes = spoilt(500, &[1]);
+    repair(&mut bytes);
+    assert_eq!(
+        refusal(&bytes),
+        "byte 500 is not 0, as all between the sections are"
+    );
+}
+
+/// What no file may hold is not written.
+#[test]
+fn what_is_not_sound_is_not_written() {
+    let sound = scene(1);
+    let bvh = Builder::default().build(&sound.mesh).expect("it is sound");
+    let refusal = |spoil: &dyn Fn(&mut Scene)| {
+        let mut scene = sound.clone();
+        spoil(&mut scene);
+        let mut bytes = Vec::new();
+        let error = write(&scene, &bvh, None, &mut bytes)
+            .map(|_| ())
+            .unwrap_err();
+        assert!(bytes.is_empty());
+        error.to_string()
+    };
+    let moved = refusal(&|scene| scene.mesh.vertices[5][0] *= 0.5);
+    assert!(
+        moved.contains("other corners") || moved.contains("other bounds"),
+        "{moved}"
+    );
+    let fewer = refusal(&|scene| {
+        scene.mesh.indices.pop();
+        scene.mesh.materials.pop();
+        scene.mesh.parts.clear();
+    });
+    assert!(fewer.contains("79 triangles"), "{fewer}");
+    assert!(refusal(&|scene| scene.mesh.materials[9] = 2).contains("triangle 9 has material 2"));
+    assert!(refusal(&|scene| scene.mesh.normals[3][1] = f32::NAN).contains("vertex 3"));
+    assert!(refusal(&|scene| scene.materials[1].mirror = 1.5).contains("material 1"));
+    assert!(refusal(&|scene| scene.cameras[1].up[0] = f32::NAN).contains("camera 2"));
+    let dark = |scene: &mut Scene| {
+        scene.lights[0] = Light::Directional {
+            direction: [0.0; 3],
+            color: [1.0; 3],
+        };
+    };
+    assert!(refusal(&dark).contains("light 1"));
+}
+
+/// A disk that is full is told, and how far it was written is not for this to mend.
+#[test]
+fn errors_of_the_system_are_told() {
+    struct Full(usize);
+    impl std::io::Write for Full {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            self.0 = self
+                .0
+                .checked_sub(bytes.len())
+                .ok_or(std::io::ErrorKind::StorageFull)?;
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+    let scene = scene(1);
+    let bvh = Builder::default().build(&scene.mesh).expect("it is sound");
+    for room in [0, 500, 3000] {
+        let outcome = write(&scene, &bvh, None, Full(room));
+        assert!(matches!(outcome, Err(WriteError::Io(_))));
+    }
+}
