@@ -62,7 +62,7 @@ pub enum Chosen {
 }
 
 impl Chosen {
-    /// Its name in tables.
+    /// The name in tables.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {

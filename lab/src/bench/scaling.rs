@@ -227,7 +227,7 @@ fn terrain(cells: u32, light_count: usize) -> Scene {
     scene
 }
 
-/// Makes pictures, fewer where one takes long. One before does not count.
+/// Times pictures after an untimed one, and fewer of them if one takes long.
 fn rounds<B: Backend>(backend: B, prepared: &Prepared, most: u32) -> Result<Rounds<Times>>
 where
     Frames<B>: Send,

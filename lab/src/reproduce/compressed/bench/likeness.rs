@@ -66,7 +66,7 @@ pub fn record(
     })
 }
 
-/// Whether a GPU computes on the CPU.
+/// Whether this is a software GPU.
 pub fn is_software(gpu: &Gpu) -> bool {
     gpu.device().adapter_info().device_type == wgpu::DeviceType::Cpu
 }
