@@ -78,12 +78,18 @@ pub enum GpuError {
         reason: String,
     },
     /// The GPU has no kernels for nodes of so many bits.
-    #[error(
-        "nodes of {bits} bits are stored on the CPU only; the GPU has f32, paper10, q10 and q21"
-    )]
+    #[error("nodes of {bits} bits are stored on the CPU only; the GPU has f32, q10 and q21")]
     Codec {
         /// How many.
         bits: u32,
+    },
+    /// Only the laboratory asks for this, so that it is not compiled in.
+    #[error(
+        "{what} are traced on the CPU only, unless slimbvh is built with the feature `lab-kernels`"
+    )]
+    LabKernel {
+        /// What was asked for: a kernel, or a codec.
+        what: &'static str,
     },
     /// The GPU has no kernels for trees that are clustered.
     #[error("clustered trees are built on the CPU only; the GPU builds radix trees")]
