@@ -1,4 +1,4 @@
-//! The list of entry points: as the source text declares it, and as `host/shaders/kernels.rs` tells it to the library.
+//! The list of entry points: as the source text declares it, and as `host/shaders/kernels.rs` lists it for the library.
 
 use crate::source_hash::each_file;
 use anyhow::{Context, Result};

@@ -169,7 +169,7 @@ fn short(entry: &str) -> &str {
     entry.rsplit("::").next().unwrap_or(entry)
 }
 
-/// What is committed must not tell where it was made, and be the same everywhere.
+/// Fails if a module holds a path of this machine: committed modules must be the same everywhere.
 fn check_paths(spirv: &[u8], root: &Path) -> Result<()> {
     let root = root.to_string_lossy();
     for text in [root.as_ref(), ".rs", "slimbvh_core"] {

@@ -84,15 +84,10 @@ mod tests {
             nodes: NodeCodec::Paper10,
             ..BuildConfig::default()
         };
-        match Coding::of(&config) {
-            Ok(coding) => {
-                assert!(cfg!(feature = "lab-kernels"));
-                assert_eq!(coding, Some(Coding::Paper10F32));
-            }
-            Err(error) => {
-                assert!(!cfg!(feature = "lab-kernels"));
-                assert!(error.to_string().contains("`lab-kernels`"), "{error}");
-            }
+        match (Coding::of(&config), cfg!(feature = "lab-kernels")) {
+            (Ok(coding), true) => assert_eq!(coding, Some(Coding::Paper10F32)),
+            (Err(error), false) => assert!(error.to_string().contains("`lab-kernels`"), "{error}"),
+            other => panic!("{other:?}"),
         }
     }
 }

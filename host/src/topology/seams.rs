@@ -26,7 +26,7 @@ impl Topology {
     /// others.
     ///
     /// # Panics
-    /// If the hierarchy or the mesh is of another number of triangles, or the hierarchy's triangles are stored as printed
+    /// If the hierarchy or the mesh is of another number of triangles, or the hierarchy's triangles are of the paper10 codec
     /// ([`MeshCodec::Leaf10`]).
     pub fn find_seams(&mut self, mesh: &Mesh, bvh: &Bvh) {
         let counts = [bvh.triangle_count(), mesh.indices.len()];
