@@ -157,9 +157,11 @@ impl Saved<'_> {
 #[cfg(feature = "gpu")]
 fn advise(error: anyhow::Error, name: &str) -> anyhow::Error {
     match error.downcast_ref() {
-        Some(slimbvh::gpu::GpuError::Codec { .. }) => error.context(format!(
-            "use --backend cpu for \"{name}\", or build it again with other --nodes"
-        )),
+        Some(slimbvh::gpu::GpuError::Codec { .. } | slimbvh::gpu::GpuError::LabKernel { .. }) => {
+            error.context(format!(
+                "use --backend cpu for \"{name}\", or build it again with other --nodes"
+            ))
+        }
         _ => error,
     }
 }

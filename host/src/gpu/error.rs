@@ -87,6 +87,12 @@ pub enum GpuError {
         /// How many.
         bits: u32,
     },
+    /// Only the laboratory asks for this, so that it is not compiled in.
+    #[error("{what} are traced on the CPU only, unless slimbvh is built with the feature `lab`")]
+    LabKernel {
+        /// What was asked for: a kernel, or a codec.
+        what: &'static str,
+    },
     /// The GPU has no kernels for trees that are clustered.
     #[error("clustered trees are built on the CPU only; the GPU builds radix trees")]
     Tree,

@@ -267,9 +267,7 @@ impl<'a, B: Backend> Steps<'a, B> {
             .adapter()
             .filter(|_| stages.total() == Duration::ZERO)
         {
-            bail!(
-                "the GPU {name:?} has no timestamps, which stage times need; use --backend cpu"
-            );
+            bail!("the GPU {name:?} has no timestamps, which stage times need; use --backend cpu");
         }
         Ok(stages)
     }

@@ -171,7 +171,7 @@ const STAGES: &[Stage] = &[
             "geometry/slab",
             "geometry/watertight",
         ],
-        shaders: &["trace", "trace/store", "trace/coded"],
+        shaders: &["trace", "trace/kernels", "trace/store", "trace/coded"],
         cpu: &["tree/lanes", "tree/packets", "render"],
         gpu: &["trace", "trace/paths", "render/wave"],
     },
