@@ -1,5 +1,6 @@
 //! What can be wrong with a hierarchy.
 
+use crate::MeshError;
 use thiserror::Error;
 
 /// What [`Bvh::validate`](crate::Bvh::validate) finds.
@@ -172,4 +173,23 @@ pub enum TreeError {
         /// Its number in the mesh.
         primitive: u32,
     },
+}
+
+/// Why a hierarchy cannot be moved to a mesh.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum RefitError {
+    /// The mesh itself is unfit.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// It is another mesh.
+    #[error("the mesh has {triangle_count} triangles, the hierarchy {expected}; build a new one")]
+    TriangleCount {
+        /// Triangles of the mesh.
+        triangle_count: usize,
+        /// Triangles of the hierarchy.
+        expected: usize,
+    },
+    /// It leaves out triangles that may be needed now.
+    #[error("the hierarchy is reduced; build it again when the triangles have moved")]
+    Reduced,
 }

@@ -74,7 +74,8 @@ fn handed_on(lib: &str) -> BTreeMap<String, String> {
         let Some((room, names)) = path.split_once("::") else {
             continue;
         };
-        for name in names.split(|c: char| !c.is_alphanumeric() && c != '_') {
+        let names = names.split(|c: char| !c.is_alphanumeric() && c != '_');
+        for name in names.filter(|name| !name.is_empty()) {
             rooms.insert(name.to_owned(), room.trim().to_owned());
         }
     }
@@ -109,6 +110,7 @@ fn first_names(rest: &str) -> Vec<&str> {
             _ => {}
         }
     }
+    names.retain(|name| !name.is_empty());
     names
 }
 
