@@ -282,6 +282,7 @@ pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
 
 /// Codecs that do not go together.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CodecError {
     /// Leaves are coded in boxes that other nodes do not have.
     #[error("triangles of 10 bits in their leaf's box go with paper10 nodes only")]

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 /// What [`Bvh::validate`](crate::Bvh::validate) finds.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum TreeError {
     /// There is nothing.
     #[error("the hierarchy has no root; build it first")]
@@ -177,6 +178,7 @@ pub enum TreeError {
 
 /// Why a hierarchy cannot be moved to a mesh.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum RefitError {
     /// The mesh itself is unfit.
     #[error(transparent)]
