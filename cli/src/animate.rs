@@ -1,8 +1,6 @@
 //! `slimbvh animate`.
 
-mod machine;
 mod place;
-mod planner;
 mod record;
 mod report;
 
@@ -14,13 +12,12 @@ use super::{SceneArguments, ThreadArguments, output};
 use crate::options;
 use anyhow::{Result, bail};
 use clap::Args;
-use machine::{Cpu, Machine};
 use place::Place;
-use planner::{Planner, Still};
 use record::Record;
 use report::Run;
-use slimbvh::animate::{Animation, Deform, Motion, Shutter, Update, Upkeep};
-use slimbvh::{Picture, PictureMean, Scene};
+use slimbvh::animate::{Animation, Deform, Motion, Shutter, Update};
+use slimbvh::reduce::{PlanConfig, Still};
+use slimbvh::{Backend, Change, Cpu, FrameConfig, Frames, Output, Picture, PictureMean, Scene};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -160,14 +157,20 @@ fn animate(
     }
     let codes = &arguments.picture.codes;
     let config = storage.config(codes.bits(), codes.tree());
-    let still = Still {
-        vertices: motion.deform.is_none(),
-        lights: !motion.orbit_light,
+    let config = FrameConfig {
+        build: config,
+        plan: PlanConfig {
+            frame_count: arguments.frames * arguments.shutter_times,
+            still: Some(Still {
+                vertices: motion.deform.is_none(),
+                lights: !motion.orbit_light,
+            }),
+            ..arguments.reduce.config()
+        },
+        update: arguments.update,
+        finds_cost: true,
     };
-    let picture_count = arguments.frames * arguments.shutter_times;
-    let made = (arguments.picture.settings(), config);
-    let planner = Planner::new(&arguments.reduce, scene, made, picture_count, still)?;
-    if planner.is_refused(scene) {
+    if config.plan.is_refused() {
         bail!("--reduce on with --deform needs --solid: what bends may come to cut itself");
     }
     let work = Work {
@@ -175,27 +178,20 @@ fn animate(
         animation: &animation,
         storage,
         place,
+        config,
     };
-    let mut planner = planner;
     match chosen {
-        Chosen::Cpu => work.frames(&mut Cpu::new(config), scene, &mut planner),
+        Chosen::Cpu => work.frames(Cpu, scene),
         #[cfg(feature = "gpu")]
-        Chosen::Gpu(gpu) => {
-            let mut machine = machine::OnGpu::new(gpu, scene, config)?;
-            work.frames(&mut machine, scene, &mut planner)
-        }
+        Chosen::Gpu(gpu) => work.frames(gpu, scene),
         #[cfg(feature = "gpu")]
-        Chosen::GpuIfItFits(gpu) => {
-            let done = machine::OnGpu::new(gpu, scene, config)
-                .and_then(|mut machine| work.frames(&mut machine, scene, &mut planner));
-            match done {
-                Err(error) if super::backend::is_the_gpus_fault(&error) => {
-                    output::warn(&format!("{error:#}; the CPU does it"));
-                    work.frames(&mut Cpu::new(config), scene, &mut planner)
-                }
-                done => done,
+        Chosen::GpuIfItFits(gpu) => match work.frames(gpu, scene) {
+            Err(error) if super::backend::is_the_gpus_fault(&error) => {
+                output::warn(&format!("{error:#}; the CPU does it"));
+                work.frames(Cpu, scene)
             }
-        }
+            done => done,
+        },
     }
 }
 
@@ -205,26 +201,24 @@ struct Work<'a> {
     animation: &'a Animation,
     storage: Storage,
     place: &'a Place,
+    config: FrameConfig,
 }
 
 impl Work<'_> {
-    /// Makes all frames on one machine.
-    fn frames(
-        &self,
-        machine: &mut impl Machine,
-        scene: &mut Scene,
-        planner: &mut Planner,
-    ) -> Result<Run> {
+    /// Makes all frames on one backend.
+    fn frames<B: Backend>(&self, backend: B, scene: &mut Scene) -> Result<Run> {
         let Self {
             arguments,
             animation,
             storage,
             place,
+            config,
         } = *self;
-        let mut first = None;
         let settings = arguments.picture.settings();
         let mut sink = place.open(settings.size, arguments.fps)?;
-        let mut upkeep = Upkeep::new(arguments.update);
+        let mut frames = Frames::new(backend, config);
+        frames.survey(scene, &settings)?;
+        let (mut plan, mut decisions) = (None, None);
         let is_blurred = arguments.shutter_times > 1;
         let (mut picture, mut mean) = (Picture::default(), PictureMean::new());
         let mut records = Vec::with_capacity(arguments.frames as usize);
@@ -238,33 +232,21 @@ impl Work<'_> {
                     storage.snap(scene);
                 }
                 let pose = begin.elapsed();
-                let action = upkeep.next(vertices_moved);
-                let planning = Instant::now();
-                if vertices_moved && machine.follows_on_host() {
-                    planner.follow(scene);
-                }
-                let plan = planner.plan(scene)?;
-                let planning = planning.elapsed();
-                let update = machine::Update {
-                    plan: &plan,
-                    vertices_moved,
-                    action,
+                let change = if vertices_moved {
+                    Change::Vertices
+                } else {
+                    Change::View
                 };
-                let mut done = machine.frame(scene, &update, &settings, &mut picture)?;
-                if !plan.is_plain() {
-                    done.build.add("plan", planning);
-                }
-                if first.is_none() {
-                    first = Some(plan.explain());
-                }
-                if let Some(cost) = done.cost {
-                    upkeep.measured(cost);
-                }
+                let report = frames.render(scene, &settings, change, Output::new(&mut picture))?;
                 if is_blurred {
                     mean.add(&picture);
                 }
-                record.add(action, pose, &done);
+                record.add(pose, &report);
                 record.total += begin.elapsed();
+                if plan.is_none() {
+                    plan = Some(frames.plan(scene, &settings)?.explain());
+                }
+                decisions = report.decisions;
             }
 
             let begin = Instant::now();
@@ -277,15 +259,15 @@ impl Work<'_> {
             progress.set(f64::from(frame + 1) / f64::from(arguments.frames));
         }
         sink.finish()?;
-        let (backend, adapter) = machine.name();
+        let decided = decisions.as_ref().map(B::explain);
         Ok(Run {
-            backend,
-            adapter,
+            backend: B::NAME,
+            adapter: backend.adapter(),
             threads: rayon::current_num_threads(),
             records,
-            survey: planner.survey_time(),
-            plan: first.unwrap_or_default(),
-            decided: machine.decided()?,
+            survey: frames.survey_time(),
+            plan: plan.unwrap_or_default(),
+            decided: decided.unwrap_or_default(),
         })
     }
 }

@@ -61,6 +61,18 @@ pub enum Chosen {
     GpuIfItFits(slimbvh::gpu::Gpu),
 }
 
+impl Chosen {
+    /// Its name in tables.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Cpu => "cpu",
+            #[cfg(feature = "gpu")]
+            Self::Gpu(_) | Self::GpuIfItFits(_) => "gpu",
+        }
+    }
+}
+
 /// Opens what the arguments ask for.
 ///
 /// # Errors

@@ -7,8 +7,8 @@ use super::{SceneArguments, ThreadArguments};
 use anyhow::{Result, bail};
 use clap::Args;
 use serde::Serialize;
-use slimbvh::file::{self, WriteError};
-use slimbvh::{Builder, Bvh, MeshCodec, RenderSettings, Stages};
+use slimbvh::scene::slim::{self, WriteError};
+use slimbvh::{Builder, Bvh, RenderSettings, Stages};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -118,7 +118,7 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
     let mut writing = Stages::default();
     let file_bytes = writing.time("write", || {
         output::write_with(&arguments.output, |to| {
-            match file::write(&scene, &bvh, framing, to) {
+            match slim::write(&scene, &bvh, framing, to) {
                 Err(WriteError::Io(error)) => Err(error.into()),
                 written => Ok(written?),
             }
@@ -127,7 +127,6 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
     drop(progress);
 
     let codecs = bvh.codecs();
-    let [node_codec, triangle_codec] = storage::names(codecs);
     let times = stages.iter();
     let summary = Summary {
         scene: name,
@@ -137,12 +136,9 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
         triangles: scene.mesh.indices.len(),
         dropped_faces: scene.dropped_face_count,
         nodes: bvh.node_count(),
-        node_codec,
-        triangle_codec,
-        step_exponent: match codecs.1 {
-            MeshCodec::Lattice { step_exponent } => Some(step_exponent),
-            MeshCodec::F32 | MeshCodec::Leaf10 => None,
-        },
+        node_codec: codecs.0.name(),
+        triangle_codec: codecs.1.name(),
+        step_exponent: codecs.1.step_exponent(),
         build_ms: times
             .map(|(stage, time)| (stage, time.as_secs_f64() * 1e3))
             .collect(),

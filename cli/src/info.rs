@@ -139,13 +139,13 @@ fn summarize(name: &str, scene: &Scene, analysis: &Analysis, bvh: Option<&Bvh>) 
         extent: analysis.bounds.as_ref().map(extent),
         components: analysis.components.iter().map(component).collect(),
         hierarchy: bvh.map(|bvh| {
-            let [node_codec, triangle_codec] = storage::names(bvh.codecs());
+            let (nodes, triangles) = bvh.codecs();
             HierarchySummary {
                 nodes: bvh.node_count(),
-                node_codec,
+                node_codec: nodes.name(),
                 node_bytes: bvh.node_bytes(),
                 triangles: bvh.triangle_count(),
-                triangle_codec,
+                triangle_codec: triangles.name(),
                 triangle_bytes: bvh.triangle_bytes(),
                 depth_bound: bvh.depth_bound(),
             }

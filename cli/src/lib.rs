@@ -87,7 +87,8 @@ impl SceneArguments {
         match &self.scene {
             Some(path) if self.is_saved() => {
                 let _progress = output::spinner(format!("reading {}", path.display()));
-                let saved = slimbvh::file::load(path, LoadOptions::default().max_file_bytes)?;
+                let saved =
+                    slimbvh::scene::slim::load(path, LoadOptions::default().max_file_bytes)?;
                 let (bvh, framing) = (saved.bvh, saved.framing);
                 Ok((saved.scene, Some(Kept { bvh, framing })))
             }

@@ -4,12 +4,12 @@ use super::output::count;
 use anyhow::{Result, bail};
 use clap::Args;
 use serde::Serialize;
-use slimbvh::reduce::survey;
+use slimbvh::Stages;
 use slimbvh::reduce::{
-    Aim, Asked, Choice, Cull, Half, Plan, Reduce, Saving, Savings, Seams, Survey, Switches,
+    Cull, FacingSet, Plan, PlanConfig, Reduce, Saving, Savings, Seams, Survey, Switches,
+    TreeChoice, ViewTarget,
 };
 use slimbvh::topology::Topology;
-use slimbvh::{BuildConfig, RenderSettings, Scene, Stages};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -61,29 +61,14 @@ impl ReduceArguments {
         }
     }
 
-    /// What is asked of the plan for one picture.
+    /// How one picture is planned.
     #[must_use]
-    pub fn asked<'a>(&self, scene: &'a Scene, settings: &'a RenderSettings) -> Asked<'a> {
-        Asked {
-            scene,
-            settings,
+    pub fn config(&self) -> PlanConfig {
+        PlanConfig {
             switches: self.switches(),
-            frame_count: 1,
+            ..PlanConfig::default()
         }
     }
-}
-
-/// Plans, and surveys the scene first if that may pay or is asked for.
-pub fn plan<'a>(
-    asked: &Asked,
-    config: BuildConfig,
-    room: &'a mut Option<Survey>,
-) -> Result<(Plan<'a>, Option<&'a Survey>)> {
-    if let Some(plan) = Plan::without_survey(asked)? {
-        return Ok((plan, None));
-    }
-    let survey: &Survey = room.insert(survey(&asked.scene.mesh, config, asked.switches.seams)?);
-    Ok((Plan::new(&survey.topology, asked)?, Some(survey)))
 }
 
 /// A plan, and what came of it.
@@ -111,24 +96,21 @@ struct TargetSummary {
     estimated_saving_ms: f64,
 }
 
-/// How many triangles are in the set for each of these rays, by name.
-pub type SetCounts = Vec<(String, usize)>;
-
-pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &SetCounts) -> PlanSummary {
-    let target = |aim: &Aim| {
+pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)]) -> PlanSummary {
+    let target = |aim: &ViewTarget| {
         let name = aim.name();
         let set = sets.iter().find(|(set, _)| *set == name);
         let (tree, triangles) = match aim.choice {
-            Choice::Set => ("set", set.map(|(_, count)| *count)),
-            Choice::Whole => ("whole", Some(plan.triangle_count)),
-            Choice::Unused => ("none", None),
+            TreeChoice::Set => ("set", set.map(|(_, count)| *count)),
+            TreeChoice::Whole => ("whole", Some(plan.triangle_count)),
+            TreeChoice::Unused => ("none", None),
         };
         TargetSummary {
             name,
             lights: aim.lights.iter().map(|light| light + 1).collect(),
             half: match aim.half {
-                Half::Toward => "toward",
-                Half::Away => "away",
+                FacingSet::Front => "toward",
+                FacingSet::Back => "away",
             },
             tree,
             triangles,
@@ -148,7 +130,7 @@ pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &SetCounts) -> Plan
         reducible_triangles: reducible.map(|facts| facts.triangle_count).sum(),
         seams: plan.topology.map_or(0, Topology::seam_count),
         whole_tree: plan.needs_whole,
-        targets: plan.aims.iter().map(target).collect(),
+        targets: plan.targets.iter().map(target).collect(),
         decisions: lines
             .into_iter()
             .map(|(about, text)| format!("{about}: {text}"))
@@ -161,7 +143,7 @@ pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &SetCounts) -> Plan
 pub fn explain(
     plan: &Plan,
     survey: Option<&Survey>,
-    sets: &SetCounts,
+    sets: &[(String, usize)],
     (build, render): (&Stages, &Stages),
 ) -> String {
     let mut text = String::new();

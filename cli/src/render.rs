@@ -1,6 +1,5 @@
 //! `slimbvh render`.
 
-pub mod job;
 mod saved;
 
 use super::backend::{BackendArguments, Chosen, choose};
@@ -11,10 +10,12 @@ use super::storage::{Sizes, StorageArguments, mesh_bytes};
 use super::{SceneArguments, ThreadArguments};
 use anyhow::{Result, bail};
 use clap::Args;
-use job::{Job, Outcome};
 use serde::Serialize;
-use slimbvh::reduce::Reduce;
-use slimbvh::{Picture, Scene, Stages, View};
+use slimbvh::reduce::{Plan, Planner};
+use slimbvh::{
+    Backend, BuildConfig, Change, Cpu, FrameConfig, FrameRequest, FrameSizes, Frames, Output,
+    Picture, RenderReport, RenderSettings, Scene, Stages, View,
+};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -146,12 +147,9 @@ fn render(
     let storage = arguments.storage.apply(scene, &settings)?;
     let codes = &arguments.picture.codes;
     let config = storage.config(codes.bits(), codes.tree());
-    let mut asked = arguments.reduce.asked(scene, &settings);
-    if arguments.storage.forbids_reduction() {
-        asked.switches.reduce = Reduce::Off;
-    }
-    let mut room = None;
-    let (plan, survey) = reduce::plan(&asked, config, &mut room)?;
+    let mut planner = Planner::new(config, arguments.reduce.config());
+    planner.survey::<slimbvh::CpuError>(scene, &settings)?;
+    let (plan, survey) = (planner.plan(scene, &settings)?, planner.surveyed());
     let job = Job {
         scene,
         plan: &plan,
@@ -160,26 +158,76 @@ fn render(
     };
     let mut picture = Picture::default();
     let outcome = match chosen {
-        Chosen::Cpu => job.on_cpu(&mut picture)?,
+        Chosen::Cpu => job.render_on(Cpu, &mut picture)?,
         #[cfg(feature = "gpu")]
-        Chosen::Gpu(gpu) => job.on_gpu(gpu, &mut picture)?,
+        Chosen::Gpu(gpu) => job.render_on(gpu, &mut picture)?,
         #[cfg(feature = "gpu")]
-        Chosen::GpuIfItFits(gpu) => match job.on_gpu(gpu, &mut picture) {
+        Chosen::GpuIfItFits(gpu) => match job.render_on(gpu, &mut picture) {
             Err(error) if super::backend::is_the_gpus_fault(&error) => {
                 output::warn(&format!("{error:#}; the CPU does it"));
-                job.on_cpu(&mut picture)?
+                job.render_on(Cpu, &mut picture)?
             }
             outcome => outcome?,
         },
     };
-    let planned = reduce::summarize(&plan, survey, &outcome.sets);
+    let planned = reduce::summarize(&plan, survey, &outcome.sizes.sets);
     let summary = summarize(arguments, scene, &outcome, planned);
     let mut text = describe(&summary, &outcome);
     if arguments.reduce.explain {
         let stages = (&outcome.build, &outcome.report.stages);
-        text += &reduce::explain(&plan, survey, &outcome.sets, stages);
+        text += &reduce::explain(&plan, survey, &outcome.sizes.sets, stages);
     }
     Ok((summary, text, picture))
+}
+
+/// A picture to be made.
+struct Job<'a> {
+    scene: &'a Scene,
+    plan: &'a Plan<'a>,
+    config: BuildConfig,
+    settings: &'a RenderSettings,
+}
+
+/// What was computed, and what it took.
+struct Outcome {
+    backend: &'static str,
+    adapter: Option<String>,
+    build: Stages,
+    report: RenderReport,
+    sizes: FrameSizes,
+    scratch_bytes: usize,
+}
+
+impl Job<'_> {
+    /// Builds and renders.
+    fn render_on<B: Backend>(&self, backend: B, picture: &mut Picture) -> Result<Outcome> {
+        let config = FrameConfig {
+            build: self.config,
+            ..FrameConfig::default()
+        };
+        let mut frames = Frames::new(backend, config);
+        let progress = output::bar("rendering");
+        let mut show = |share| progress.set(share);
+        let request = FrameRequest {
+            scene: self.scene,
+            plan: self.plan,
+            settings: self.settings,
+            change: Change::Scene,
+        };
+        let output = Output {
+            picture,
+            progress: Some(&mut show),
+        };
+        let report = frames.render_planned(&request, output)?;
+        Ok(Outcome {
+            backend: B::NAME,
+            adapter: backend.adapter(),
+            build: report.build,
+            report: report.render,
+            sizes: frames.sizes(self.plan)?,
+            scratch_bytes: frames.scratch_bytes(),
+        })
+    }
 }
 
 fn summarize(
@@ -208,7 +256,7 @@ fn summarize(
         threads: rayon::current_num_threads(),
         triangles: mesh.indices.len(),
         dropped_faces: scene.dropped_face_count,
-        nodes: outcome.node_count,
+        nodes: outcome.sizes.total.node_count,
         build_ms: times(&outcome.build),
         render_ms: times(&report.stages),
         primary_rays: report.primary_ray_count,
@@ -217,8 +265,8 @@ fn summarize(
         mirror_rays: report.mirror_ray_count,
         mrays_per_second: report.ray_count() as f64 / report.stages.total().as_secs_f64() / 1e6,
         node_visits: (arguments.picture.view == View::Heatmap).then_some(report.node_visit_count),
-        node_bytes: outcome.node_bytes,
-        triangle_bytes: outcome.triangle_bytes,
+        node_bytes: outcome.sizes.total.node_bytes,
+        triangle_bytes: outcome.sizes.total.triangle_bytes,
         mesh_bytes: mesh_bytes(mesh),
         scratch_bytes: outcome.scratch_bytes,
         plan,

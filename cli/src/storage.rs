@@ -4,23 +4,24 @@ use super::output::bytes;
 use super::reduce::ReduceArguments;
 use crate::options;
 use anyhow::{Result, bail};
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use slimbvh::{
-    BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, RenderSettings, Scene,
-    Tolerance, TreeKind,
+    BuildConfig, CodeBits, Mesh, MeshCodec, NodeCodec, RenderSettings, Scene, Tolerance, TreeKind,
+    check_codecs,
 };
 
 #[derive(Debug, Args)]
 pub struct StorageArguments {
-    /// How inner nodes are stored: in full, as in the paper on compressed hierarchies (10 bits a plane), or in 4 to 21 bits on a lattice.
-    /// The picture stays the same
-    #[arg(long, value_enum, default_value_t = Nodes::Auto)]
+    /// How inner nodes are stored: in full, as in the paper on compressed hierarchies (10 bits a plane), or in 4 to 21 bits on a
+    /// lattice. The picture stays the same
+    #[arg(long, value_parser = node_codecs(), default_value = AUTO)]
     nodes: Nodes,
 
-    /// How triangles are stored: in full, in 10 bits in their leaf's box as in the paper on compressed hierarchies (surfaces crack), or on
-    /// a lattice. Without it in full, or on a lattice where there is a --tolerance
-    #[arg(long, value_enum)]
-    mesh: Option<MeshKind>,
+    /// How triangles are stored: in full, in 10 bits in their leaf's box as in the paper (surfaces crack), or on a lattice. Without it
+    /// in full, or on a lattice where there is a --tolerance
+    #[arg(long, value_parser = mesh_codecs())]
+    mesh: Option<MeshCodec>,
 
     /// How far vertices may move onto the lattice: a length, or pixels at the scene's nearest point, as in 0.5px. Without it
     /// as little as floats can tell
@@ -28,38 +29,30 @@ pub struct StorageArguments {
     tolerance: Option<Tolerance>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Nodes {
-    /// As the triangles need, else in full
-    Auto,
-    /// 64 bytes
-    F32,
-    /// 24 bytes
-    Paper10,
-    /// 12 bytes
-    Q4,
-    /// 16 bytes
-    Q6,
-    /// 16 bytes
-    Q8,
-    /// 16 bytes
-    Q10,
-    /// 20 bytes
-    Q12,
-    /// 28 bytes
-    Q16,
-    /// 28 bytes
-    Q21,
+/// The codec of nodes; none for the one that the triangles need.
+#[derive(Clone, Copy, Debug)]
+struct Nodes(Option<NodeCodec>);
+
+/// The name of [`Nodes`] without a codec.
+const AUTO: &str = "auto";
+
+/// Parses the name of a codec of nodes.
+fn node_codecs() -> impl TypedValueParser<Value = Nodes> {
+    let auto = PossibleValue::new(AUTO).help("As the triangles need, else in full");
+    let codecs = NodeCodec::ALL.map(|codec| {
+        let help = format!("{} bytes", codec.node_bytes());
+        PossibleValue::new(codec.name()).help(help)
+    });
+    let names = PossibleValuesParser::new([auto].into_iter().chain(codecs));
+    names.map(|name| Nodes(NodeCodec::named(&name)))
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum MeshKind {
-    /// 40 bytes a triangle
-    F32,
-    /// 16 bytes a triangle; goes with paper10 nodes
-    Leaf10,
-    /// 16, 28 or 40 bytes a triangle, as each leaf needs; goes with nodes on a lattice
-    Lattice,
+/// Parses the name of a codec of triangles.
+fn mesh_codecs() -> impl TypedValueParser<Value = MeshCodec> {
+    let codecs = MeshCodec::ALL.map(|codec| PossibleValue::new(codec.name()).help(codec.summary()));
+    let names = PossibleValuesParser::new(codecs);
+    // Only names of codecs get here.
+    names.map(|name| MeshCodec::named(&name).unwrap_or_default())
 }
 
 /// The codecs of a picture's trees.
@@ -77,10 +70,11 @@ impl StorageArguments {
 
     /// Refuses reduction where triangles are not those that it was decided for.
     pub fn check_reduction(&self, reduce: &ReduceArguments) -> Result<()> {
-        let (_, kind) = self.kinds()?;
-        if kind == MeshKind::Leaf10 && reduce.is_asked_for() {
+        let (_, mesh) = self.kinds()?;
+        if mesh.moves_vertices() && reduce.is_asked_for() {
             bail!(
-                "--mesh leaf10 moves triangles after it was decided which may be left out; leave --reduce on and --cull on out"
+                "--mesh {} moves triangles after it was decided which may be left out; leave --reduce on and --cull on out",
+                mesh.name()
             );
         }
         Ok(())
@@ -93,18 +87,13 @@ impl StorageArguments {
                 "--tolerance moves vertices before a build; \"{name}\" is built already, leave it out"
             );
         }
-        let [nodes, mesh] = names(codecs);
-        if self.nodes.codec().is_some_and(|asked| asked != codecs.0) {
+        let [nodes, mesh] = [codecs.0.name(), codecs.1.name()];
+        if self.nodes.0.is_some_and(|asked| asked != codecs.0) {
             bail!(
                 "\"{name}\" has nodes of {nodes}, --nodes asks for others; leave it out, or build the scene again"
             );
         }
-        let asked = self.mesh.map(|kind| match kind {
-            MeshKind::F32 => "f32",
-            MeshKind::Leaf10 => "leaf10",
-            MeshKind::Lattice => "lattice",
-        });
-        if asked.is_some_and(|asked| asked != mesh) {
+        if self.mesh.is_some_and(|asked| asked.name() != mesh) {
             bail!(
                 "\"{name}\" has triangles of {mesh}, --mesh asks for others; leave it out, or build the scene again"
             );
@@ -113,35 +102,32 @@ impl StorageArguments {
     }
 
     /// Whether nothing may be left out, nor passed over.
-    #[must_use]
     pub fn forbids_reduction(&self) -> bool {
-        self.mesh == Some(MeshKind::Leaf10)
+        self.mesh.is_some_and(MeshCodec::moves_vertices)
     }
 
-    fn kinds(&self) -> Result<(NodeCodec, MeshKind)> {
-        let kind = match (self.mesh, self.tolerance) {
-            (Some(MeshKind::F32 | MeshKind::Leaf10), Some(_)) => {
+    /// The codecs; a lattice of triangles has no step yet.
+    fn kinds(&self) -> Result<(NodeCodec, MeshCodec)> {
+        let lattice = MeshCodec::ALL.into_iter();
+        let mut lattice = lattice.filter(|codec| codec.step_exponent().is_some());
+        let mesh = match (self.mesh, self.tolerance) {
+            (Some(mesh), Some(_)) if mesh.step_exponent().is_none() => {
                 bail!("--tolerance moves vertices onto a lattice; it goes with --mesh lattice")
             }
-            (Some(kind), _) => kind,
-            (None, Some(_)) => MeshKind::Lattice,
-            (None, None) => MeshKind::F32,
+            (Some(mesh), _) => mesh,
+            (None, Some(_)) => lattice.next().unwrap_or_default(),
+            (None, None) => MeshCodec::default(),
         };
-        let nodes = match (self.nodes.codec(), kind) {
-            (Some(codec), _) => codec,
-            (None, MeshKind::F32) => NodeCodec::F32,
-            (None, MeshKind::Leaf10) => NodeCodec::Paper10,
-            (None, MeshKind::Lattice) => NodeCodec::Lattice(LatticeBits::Q10),
-        };
-        match kind {
-            MeshKind::Leaf10 if nodes != NodeCodec::Paper10 => {
-                bail!("--mesh leaf10 goes with --nodes paper10")
-            }
-            MeshKind::Lattice if !matches!(nodes, NodeCodec::Lattice(_)) => {
-                bail!("--mesh lattice goes with --nodes q4 to q21")
-            }
-            _ => Ok((nodes, kind)),
+        let nodes = self.nodes.0.unwrap_or(mesh.default_nodes());
+        if check_codecs(nodes, mesh).is_err() {
+            let names: Vec<&str> = mesh.nodes().map(NodeCodec::name).collect();
+            let names = match names[..] {
+                [first, .., last] => format!("{first} to {last}"),
+                _ => names.concat(),
+            };
+            bail!("--mesh {} goes with --nodes {names}", mesh.name());
         }
+        Ok((nodes, mesh))
     }
 
     /// Decides, and moves the scene's vertices onto the lattice, if there is one.
@@ -161,7 +147,7 @@ impl StorageArguments {
         mut pose: impl FnMut(f64, &mut Scene),
         scene: &mut Scene,
     ) -> Result<Storage> {
-        if self.kinds()?.1 != MeshKind::Lattice {
+        if self.kinds()?.1.step_exponent().is_none() {
             return self.on_lattice(None);
         }
         let (mut finest, mut wanted) = (i32::MIN, Some(i32::MAX));
@@ -184,12 +170,8 @@ impl StorageArguments {
 
     /// With a lattice of this step; without one nothing moves, and nothing is gained.
     fn on_lattice(&self, step_exponent: Option<i32>) -> Result<Storage> {
-        let (nodes, kind) = self.kinds()?;
-        let mesh = match (kind, step_exponent) {
-            (MeshKind::F32, _) | (MeshKind::Lattice, None) => MeshCodec::F32,
-            (MeshKind::Leaf10, _) => MeshCodec::Leaf10,
-            (MeshKind::Lattice, Some(step_exponent)) => MeshCodec::Lattice { step_exponent },
-        };
+        let (nodes, mesh) = self.kinds()?;
+        let mesh = mesh.with_step(step_exponent);
         Ok(Storage { nodes, mesh })
     }
 }
@@ -197,7 +179,7 @@ impl StorageArguments {
 impl Storage {
     /// Moves a scene's vertices onto the lattice, if there is one.
     pub fn snap(&self, scene: &mut Scene) {
-        if let MeshCodec::Lattice { step_exponent } = self.mesh {
+        if let Some(step_exponent) = self.mesh.step_exponent() {
             scene.mesh.snap(step_exponent);
         }
     }
@@ -250,53 +232,9 @@ pub fn mesh_bytes(mesh: &Mesh) -> usize {
         + size_of_val(mesh.materials.as_slice())
 }
 
-/// Codecs as the options name them.
-#[must_use]
-pub fn names((nodes, mesh): (NodeCodec, MeshCodec)) -> [&'static str; 2] {
-    let nodes = match nodes {
-        NodeCodec::F32 => "f32",
-        NodeCodec::Paper10 => "paper10",
-        NodeCodec::Lattice(LatticeBits::Q4) => "q4",
-        NodeCodec::Lattice(LatticeBits::Q6) => "q6",
-        NodeCodec::Lattice(LatticeBits::Q8) => "q8",
-        NodeCodec::Lattice(LatticeBits::Q10) => "q10",
-        NodeCodec::Lattice(LatticeBits::Q12) => "q12",
-        NodeCodec::Lattice(LatticeBits::Q16) => "q16",
-        NodeCodec::Lattice(LatticeBits::Q21) => "q21",
-    };
-    let mesh = match mesh {
-        MeshCodec::F32 => "f32",
-        MeshCodec::Leaf10 => "leaf10",
-        MeshCodec::Lattice { .. } => "lattice",
-    };
-    [nodes, mesh]
-}
-
 /// Codecs for people.
-#[must_use]
-pub fn describe(codecs: (NodeCodec, MeshCodec)) -> String {
-    let [nodes, mesh] = names(codecs);
-    let step = match codecs.1 {
-        MeshCodec::Lattice { step_exponent } => format!(" of step 2^{step_exponent}"),
-        MeshCodec::F32 | MeshCodec::Leaf10 => String::new(),
-    };
-    format!("nodes {nodes}, triangles {mesh}{step}")
-}
-
-impl Nodes {
-    fn codec(self) -> Option<NodeCodec> {
-        let bits = match self {
-            Self::Auto => return None,
-            Self::F32 => return Some(NodeCodec::F32),
-            Self::Paper10 => return Some(NodeCodec::Paper10),
-            Self::Q4 => LatticeBits::Q4,
-            Self::Q6 => LatticeBits::Q6,
-            Self::Q8 => LatticeBits::Q8,
-            Self::Q10 => LatticeBits::Q10,
-            Self::Q12 => LatticeBits::Q12,
-            Self::Q16 => LatticeBits::Q16,
-            Self::Q21 => LatticeBits::Q21,
-        };
-        Some(NodeCodec::Lattice(bits))
-    }
+pub fn describe((nodes, mesh): (NodeCodec, MeshCodec)) -> String {
+    let step = mesh.step_exponent();
+    let step = step.map_or_else(String::new, |exponent| format!(" of step 2^{exponent}"));
+    format!("nodes {}, triangles {}{step}", nodes.name(), mesh.name())
 }

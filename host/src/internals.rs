@@ -2,7 +2,7 @@
 
 pub use crate::analysis::edges::{Edges, Side, excess};
 pub use crate::analysis::weld::weld;
+pub use crate::dvec3::{cross, dot};
 #[cfg(feature = "scenes")]
 pub use crate::generate::random::Random;
 pub use crate::topology::solid_angle::SolidAngle;
-pub use crate::wide::{cross, dot};

@@ -3,12 +3,10 @@
 
 pub mod analysis;
 pub mod animate;
-mod bvh;
-mod codec;
-mod coded;
+pub mod backend;
 mod cpu;
-#[cfg(feature = "scenes")]
-pub mod file;
+mod dvec3;
+mod frame;
 #[cfg(feature = "scenes")]
 pub mod generate;
 #[cfg(feature = "gpu")]
@@ -24,20 +22,23 @@ mod stages;
 mod text;
 mod tolerance;
 pub mod topology;
-mod wide;
+mod tree;
 
-pub use bvh::{Bvh, TreeError};
-pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
+pub use backend::{Backend, Change, Output};
 pub use cpu::{
-    BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree,
-    TreeKind, Trees, Turns,
+    BuildConfig, Builder, CodeBits, Cpu, CpuError, Decisions, Division, RefitError, Renderer,
+    Subset, Tree, TreeKind, Trees,
 };
+pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
+pub use tree::{
+    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, TreeError, check_codecs, sah_cost,
+};
 
 /// The examples of the repository's README.
 #[cfg(doctest)]

@@ -4,7 +4,6 @@ mod cross;
 mod facts;
 mod findings;
 mod likeness;
-mod machine;
 mod measure;
 mod page;
 mod pareto;
@@ -18,6 +17,7 @@ mod setup;
 #[cfg(test)]
 mod tests;
 mod times;
+mod trial;
 
 use crate::measure::machine::describe;
 use anyhow::{Result, bail};

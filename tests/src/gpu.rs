@@ -6,6 +6,8 @@ pub use dispatch::{Dispatch, answers, contents, storage};
 
 use pollster::block_on;
 use slimbvh::gpu::{AdapterChoice, AdapterError, Gpu, GpuError, wgpu};
+use slimbvh::reduce::{PlanConfig, Reduce, Switches};
+use slimbvh::{BuildConfig, FrameConfig, Frames};
 use std::fmt::Display;
 use std::io::Write;
 use std::sync::OnceLock;
@@ -89,4 +91,24 @@ pub fn done<T, E: Display>(result: Result<T, E>) -> T {
         Ok(value) => value,
         Err(error) => panic!("{error}"),
     }
+}
+
+/// Frames on a GPU with one tree over all triangles.
+pub fn whole_tree(gpu: &Gpu, build: BuildConfig) -> Frames<&Gpu> {
+    let switches = Switches {
+        reduce: Reduce::Off,
+        ..Switches::default()
+    };
+    let plan = PlanConfig {
+        switches,
+        ..PlanConfig::default()
+    };
+    Frames::new(
+        gpu,
+        FrameConfig {
+            build,
+            plan,
+            ..FrameConfig::default()
+        },
+    )
 }

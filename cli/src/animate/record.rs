@@ -1,8 +1,7 @@
 //! What a frame did.
 
-use super::machine::Done;
 use slimbvh::animate::Action;
-use slimbvh::{RenderReport, Stages};
+use slimbvh::{Backend, FrameReport, RenderReport, Stages};
 use std::time::Duration;
 
 /// One frame: sums over the times that its shutter is open at.
@@ -52,16 +51,16 @@ pub struct Times {
 
 impl Record {
     /// Adds a picture of the frame.
-    pub fn add(&mut self, action: Action, pose: Duration, done: &Done) {
-        match action {
+    pub fn add<B: Backend>(&mut self, pose: Duration, done: &FrameReport<B>) {
+        match done.action {
             Action::Rebuilt => self.actions.rebuilt += 1,
             Action::Refitted => self.actions.refitted += 1,
             Action::Kept => self.actions.kept += 1,
         }
         self.pose += pose;
         self.build.merge(&done.build);
-        add_report(&mut self.report, &done.report);
-        self.cost = done.cost;
+        add_report(&mut self.report, &done.render);
+        self.cost = done.sah_cost;
     }
 
     pub fn times(&self) -> Times {

@@ -1,13 +1,13 @@
 //! A picture of what is in a file, where nothing need be built.
 
-use super::job::Outcome;
-use super::{RenderArguments, Summary, describe, summarize};
+use super::{Outcome, RenderArguments, Summary, describe, summarize};
 use crate::backend::Chosen;
 use crate::output;
 use crate::reduce;
 use anyhow::{Result, bail};
-use slimbvh::reduce::Plan;
-use slimbvh::{Bvh, Picture, RenderSettings, Renderer, Scene, Stages};
+use slimbvh::backend::TreeSize;
+use slimbvh::reduce::{Plan, PlanRequest};
+use slimbvh::{Bvh, FrameSizes, Picture, RenderSettings, Renderer, Scene, Stages};
 
 /// Refuses what asks for another tree before the file is read.
 pub fn check(arguments: &RenderArguments) -> Result<()> {
@@ -40,8 +40,13 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
     }
     let settings = arguments.picture.settings();
     (arguments.picture.sight).prepare(&mut scene, &name, kept.framing)?;
-    let asked = arguments.reduce.asked(&scene, &settings);
-    let plan = Plan::plain(&asked, "the file holds one tree for all rays".into())?;
+    let request = PlanRequest {
+        scene: &scene,
+        settings: &settings,
+        switches: arguments.reduce.config().switches,
+        frame_count: 1,
+    };
+    let plan = Plan::plain(&request, "the file holds one tree for all rays".into())?;
 
     let saved = Saved {
         scene: &scene,
@@ -66,12 +71,12 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
             outcome => outcome?,
         },
     };
-    let planned = reduce::summarize(&plan, None, &outcome.sets);
+    let planned = reduce::summarize(&plan, None, &outcome.sizes.sets);
     let summary = summarize(arguments, &scene, &outcome, planned);
     let mut text = describe(&summary, &outcome);
     if arguments.reduce.explain {
         let stages = (&outcome.build, &outcome.report.stages);
-        text += &reduce::explain(&plan, None, &outcome.sets, stages);
+        text += &reduce::explain(&plan, None, &outcome.sizes.sets, stages);
     }
     Ok((summary, text, picture))
 }
@@ -134,11 +139,16 @@ impl Saved<'_> {
             adapter: None,
             build: self.load.clone(),
             report: slimbvh::RenderReport::default(),
-            node_count: self.bvh.node_count(),
-            node_bytes: self.bvh.node_bytes(),
-            triangle_bytes: self.bvh.triangle_bytes(),
+            sizes: FrameSizes {
+                total: TreeSize {
+                    node_count: self.bvh.node_count(),
+                    triangle_count: self.bvh.triangle_count(),
+                    node_bytes: self.bvh.node_bytes(),
+                    triangle_bytes: self.bvh.triangle_bytes(),
+                },
+                sets: Vec::new(),
+            },
             scratch_bytes: 0,
-            sets: Vec::new(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::anchor::Anchor;
 use super::turn::{Turn, narrow};
-use crate::wide::{cross, dot, normalized};
+use crate::dvec3::{cross, dot, normalized};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 

@@ -26,13 +26,11 @@
 mod anchor;
 mod deform;
 mod motion;
-mod quality;
 mod shutter;
 mod turn;
 mod upkeep;
 
 pub use deform::Deform;
 pub use motion::{Animation, Motion};
-pub use quality::sah_cost;
 pub use shutter::Shutter;
 pub use upkeep::{Action, MOST_COST, MOST_REFITS, Update, Upkeep};

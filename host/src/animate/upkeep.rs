@@ -78,7 +78,7 @@ impl Upkeep {
         action
     }
 
-    /// Takes the tree's [cost](super::sah_cost) as it is now. It counts from the next frame on.
+    /// Takes the tree's [cost](crate::sah_cost) as it is now. It counts from the next frame on.
     pub fn measured(&mut self, cost: f64) {
         if self.refit_count == 0 {
             self.cost_when_built = Some(cost);

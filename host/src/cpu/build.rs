@@ -1,14 +1,15 @@
 //! Builds and refits on the CPU.
 
+use super::bounds::scene_bounds;
+use super::classify::Division;
 use super::cluster::Clustering;
-use super::decode::decode;
-use super::encode::Encoder;
-use super::order::{Order, gather_again, scene_bounds};
-use super::refit::{fill_boxes, fill_pyramid};
+use super::encode::{Encoder, Unstored};
+use super::order::Order;
+use super::refit::fill_pyramid;
+use super::snap::gather_again;
 use super::topology::Connections;
-use crate::codec::{MeshCodec, NodeCodec, most_triangles};
-use crate::{Bvh, Mesh, MeshError, Stages};
-use slimbvh_core::Aabb;
+use crate::tree::{Bvh, MeshCodec, NodeCodec, most_triangles};
+use crate::{Mesh, MeshError, Stages};
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::VisibleSet;
 use slimbvh_core::cluster;
@@ -17,6 +18,7 @@ use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::PyramidBox;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
+use slimbvh_core::{Aabb, LeafTriangle};
 use thiserror::Error;
 
 /// How finely triangles are told apart along the space-filling curve.
@@ -102,6 +104,7 @@ pub struct Builder {
     connections: Connections,
     pyramid: Vec<PyramidBox>,
     encoder: Encoder,
+    division: Division,
 }
 
 impl Builder {
@@ -153,20 +156,18 @@ impl Builder {
     /// What the mesh must be for this builder.
     fn check(&self, mesh: &Mesh) -> Result<(), MeshError> {
         mesh.validate()?;
-        match self.config.mesh {
-            MeshCodec::Lattice { step_exponent } => {
-                let triangle_count = mesh.indices.len();
-                let limit = most_triangles(self.config.mesh);
-                if triangle_count > limit {
-                    return Err(MeshError::TooManyTriangles {
-                        triangle_count,
-                        limit,
-                    });
-                }
-                mesh.check_lattice(step_exponent)
-            }
-            MeshCodec::F32 | MeshCodec::Leaf10 => Ok(()),
+        let Some(step_exponent) = self.config.mesh.step_exponent() else {
+            return Ok(());
+        };
+        let triangle_count = mesh.indices.len();
+        let limit = most_triangles(self.config.mesh);
+        if triangle_count > limit {
+            return Err(MeshError::TooManyTriangles {
+                triangle_count,
+                limit,
+            });
         }
+        mesh.check_lattice(step_exponent)
     }
 
     /// Sorts all of a mesh's triangles, or only those in a set.
@@ -255,33 +256,37 @@ impl Builder {
         let bounds = self.bounds.unwrap_or(Aabb::EMPTY);
         bvh.set_bounds(bounds);
         bvh.mesh_triangle_count = mesh.indices.len();
-        self.encoder.lend(bvh);
+        let mut leaves = self.encoder.leaves(&mut bvh.stored);
         let scale = PowerOfTwo::new(bvh.scene_exponent);
         let triangles = mesh.triangles();
-        let (to, leaves) = (&mut stages, &mut bvh.triangles);
+        let to = &mut stages;
         match self.config.code_bits {
             CodeBits::Bits30 => {
                 let order = &mut self.order_30;
                 match subset {
-                    Subset::All => order.gather(to, &triangles, &scale, leaves),
-                    Subset::Of(reach) => order.gather_set(to, &triangles, (&scale, &reach), leaves),
+                    Subset::All => order.gather(to, &triangles, &scale, &mut leaves),
+                    Subset::Of(reach) => {
+                        order.gather_set(to, &triangles, (&scale, &reach), &mut leaves);
+                    }
                 }
             }
             CodeBits::Bits63 => {
                 let order = &mut self.order_63;
                 match subset {
-                    Subset::All => order.gather(to, &triangles, &scale, leaves),
-                    Subset::Of(reach) => order.gather_set(to, &triangles, (&scale, &reach), leaves),
+                    Subset::All => order.gather(to, &triangles, &scale, &mut leaves),
+                    Subset::Of(reach) => {
+                        order.gather_set(to, &triangles, (&scale, &reach), &mut leaves);
+                    }
                 }
             }
         }
-        let count = bvh.triangles.len() as u32;
+        let count = leaves.len() as u32;
         // One leaf takes no merging.
         if self.config.tree == TreeKind::Clustered && count > LEAF_SIZE {
-            let (clustering, leaves) = (&mut self.clustering, &mut bvh.triangles);
-            stages.time("cluster", || clustering.merge(leaves));
+            let clustering = &mut self.clustering;
+            stages.time("cluster", || clustering.merge(&leaves));
             stages.time("topology", || {
-                clustering.connect(leaves, &mut self.connections);
+                clustering.connect(&mut leaves, &mut self.connections);
             });
         } else {
             stages.time("topology", || match self.config.code_bits {
@@ -300,8 +305,13 @@ impl Builder {
             (TreeKind::Radix, CodeBits::Bits30) => depth_bound(30, count),
             (TreeKind::Radix, CodeBits::Bits63) => depth_bound(63, count),
         };
-        self.fit(&mut stages, bvh);
+        self.fit(&mut stages, leaves, bvh);
         stages
+    }
+
+    /// Finds a set as [`Division::divide`] does, in memory that is kept.
+    pub(super) fn divide(&mut self, mesh: &Mesh, reach: &VisibleSet) -> Stages {
+        self.division.divide(mesh, reach)
     }
 
     /// Moves a hierarchy's boxes to where the mesh's vertices are now; the triangles must be those that it was built over.
@@ -321,43 +331,42 @@ impl Builder {
         if bvh.triangle_count() != bvh.mesh_triangle_count {
             return Err(RefitError::Reduced);
         }
-        // What is coded is decoded first; its boxes are replaced.
-        if let Some(coded) = &bvh.coded {
-            let decoded = stages.time("decode", || decode(coded, &bvh.triangles));
-            (bvh.nodes, bvh.triangles) = decoded;
-        }
+        // A tree in a codec is decoded first; its boxes are replaced.
+        let mut decoded = match bvh.stored.as_plain() {
+            Some(_) => None,
+            None => Some(stages.time("decode", || bvh.stored.decode())),
+        };
         let triangles = mesh.triangles();
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
         bvh.set_bounds(bounds);
         let scale = PowerOfTwo::new(bvh.scene_exponent);
-        stages.time("snap", || {
-            gather_again(&triangles, &scale, &mut bvh.triangles);
-        });
-        stages.time("refit", || self.connections.follow(&bvh.nodes));
-        self.fit(&mut stages, bvh);
+        let mut leaves = match &mut decoded {
+            Some(plain) => std::mem::take(&mut plain.triangles),
+            None => bvh.stored.take_full_triangles(),
+        };
+        stages.time("snap", || gather_again(&triangles, &scale, &mut leaves));
+        let nodes = decoded.as_ref().map_or(bvh.nodes(), |plain| &plain.nodes);
+        stages.time("refit", || self.connections.follow(nodes));
+        self.fit(&mut stages, leaves, bvh);
         Ok(stages)
     }
 
     /// Stage `refit`: all boxes; or where a codec is asked for stage `encode`, which finds them on its way.
-    fn fit(&mut self, stages: &mut Stages, bvh: &mut Bvh) {
-        stages.time("refit", || fill_pyramid(&bvh.triangles, &mut self.pyramid));
-        if self.config.nodes != NodeCodec::F32 {
+    fn fit(&mut self, stages: &mut Stages, leaves: Vec<LeafTriangle>, bvh: &mut Bvh) {
+        stages.time("refit", || fill_pyramid(&leaves, &mut self.pyramid));
+        let stage = if self.config.nodes == NodeCodec::default() {
+            "refit"
+        } else {
+            "encode"
+        };
+        stages.time(stage, || {
+            let tree = Unstored {
+                connections: &self.connections,
+                pyramid: &self.pyramid,
+                scene_exponent: bvh.scene_exponent,
+            };
             let codecs = (self.config.nodes, self.config.mesh);
-            stages.time("encode", || {
-                let connections = &self.connections;
-                self.encoder
-                    .encode(codecs, bvh, (connections, &self.pyramid));
-            });
-            return;
-        }
-        bvh.coded = None;
-        stages.time("refit", || {
-            fill_boxes(
-                &bvh.triangles,
-                &self.pyramid,
-                &self.connections,
-                &mut bvh.nodes,
-            );
+            self.encoder.store(codecs, &tree, leaves, &mut bvh.stored);
         });
     }
 

@@ -1,7 +1,7 @@
 //! Stage `cluster` on the CPU, and stage `topology` of the tree that it leaves.
 
 use super::BLOCK;
-use super::select::Selection;
+use super::compact::Selection;
 use super::topology::Connections;
 use rayon::prelude::*;
 use slimbvh_core::LeafTriangle;

@@ -12,15 +12,17 @@ use self::lattice::encode_lattice;
 use self::lattice_mesh::encode_lattice_mesh;
 use self::paper10::encode_paper10;
 use self::tree::Tree;
+use super::refit::fill_boxes;
 use super::topology::Connections;
-use crate::Bvh;
-use crate::codec::{MeshCodec, NodeCodec};
-use crate::coded::{Coded, CodedNodes, CodedTriangles};
+use crate::tree::lattice::{LatticeMesh, LatticeTree};
+use crate::tree::paper10::{Paper10Mesh, Paper10Tree};
+use crate::tree::plain::PlainTree;
+use crate::tree::{MeshCodec, NodeCodec, StoredTree};
 use slimbvh_core::LeafTriangle;
-use slimbvh_core::encode::{LeafWidth, Paper10Triangle, scaled_step};
+use slimbvh_core::encode::{FINEST_STEP, LeafWidth, scaled_step};
 use slimbvh_core::refit::PyramidBox;
 
-/// Codes hierarchies, and keeps what was plain of them for the next.
+/// Stores hierarchies, in full or in a codec, and keeps buffers from one to the next.
 #[derive(Debug)]
 pub struct Encoder {
     triangles: Vec<LeafTriangle>,
@@ -39,74 +41,92 @@ impl Default for Encoder {
     }
 }
 
+/// A tree to be stored, in a scene with this exponent.
+pub struct Unstored<'a> {
+    pub connections: &'a Connections,
+    pub pyramid: &'a [PyramidBox],
+    pub scene_exponent: i32,
+}
+
 impl Encoder {
-    /// Gives a hierarchy room for triangles, where the last one left any.
-    pub fn lend(&mut self, bvh: &mut Bvh) {
-        if bvh.triangles.capacity() == 0 {
-            std::mem::swap(&mut bvh.triangles, &mut self.triangles);
+    /// A buffer for triangles in full: that of a tree that is to be replaced, or the one that the last encoding left.
+    pub fn leaves(&mut self, replaced: &mut StoredTree) -> Vec<LeafTriangle> {
+        let mut leaves = replaced.take_full_triangles();
+        if leaves.capacity() == 0 {
+            std::mem::swap(&mut leaves, &mut self.triangles);
         }
+        leaves
     }
 
-    /// Codes a hierarchy over these nodes, and takes back its triangles where they are coded. Its vertices must lie
-    /// on the mesh's lattice.
-    pub fn encode(
+    /// Stores a tree over these triangles in place of another, whose buffers are used again. Keeps the buffer of triangles where they
+    /// are coded. Vertices must lie on the mesh's lattice, if it has one.
+    pub fn store(
         &mut self,
         (nodes, mesh): (NodeCodec, MeshCodec),
-        bvh: &mut Bvh,
-        (connections, pyramid): (&Connections, &[PyramidBox]),
+        from: &Unstored,
+        leaves: Vec<LeafTriangle>,
+        stored: &mut StoredTree,
     ) {
-        let leaves = bvh.triangles.as_slice();
+        let old = std::mem::take(stored);
         let tree = Tree {
-            nodes: &connections.nodes,
-            splits: &connections.splits,
-            leaves,
-            pyramid,
+            nodes: &from.connections.nodes,
+            splits: &from.connections.splits,
+            leaves: &leaves,
+            pyramid: from.pyramid,
         };
-        let mut coded = bvh.coded.take().unwrap_or_else(Coded::nothing);
-        coded.triangle_count = leaves.len();
-        match (nodes, mesh) {
-            (NodeCodec::F32, _) => return,
-            (NodeCodec::Paper10, _) => {
-                let mut nodes = match coded.nodes {
-                    CodedNodes::Paper10 { nodes, .. } => nodes,
-                    CodedNodes::Lattice { .. } => Vec::new(),
-                };
-                let mut triangles = match coded.triangles {
-                    CodedTriangles::Leaf10(triangles) => triangles,
-                    CodedTriangles::F32 | CodedTriangles::Lattice(_) => Vec::new(),
-                };
+        *stored = match nodes {
+            NodeCodec::F32 => {
+                let mut nodes = PlainTree::reuse(old).nodes;
+                fill_boxes(&leaves, from.pyramid, from.connections, &mut nodes);
+                let triangles = leaves;
+                StoredTree::Plain(PlainTree { nodes, triangles })
+            }
+            NodeCodec::Paper10 => {
+                let old = Paper10Tree::reuse(old);
+                let (mut nodes, mut triangles) = (old.nodes, old.triangles.into_coded());
                 let is_leaf_10 = mesh == MeshCodec::Leaf10;
                 let count = if is_leaf_10 { leaves.len() } else { 0 };
-                triangles.resize(count, Paper10Triangle::default());
+                triangles.resize(count, Default::default());
                 let root = encode_paper10(&tree, &mut nodes, &mut triangles);
-                coded.nodes = CodedNodes::Paper10 { root, nodes };
-                coded.triangles = match mesh {
-                    MeshCodec::Leaf10 => CodedTriangles::Leaf10(triangles),
-                    MeshCodec::F32 | MeshCodec::Lattice { .. } => CodedTriangles::F32,
+                let triangles = if is_leaf_10 {
+                    self.triangles = leaves;
+                    Paper10Mesh::Leaf10(triangles)
+                } else {
+                    Paper10Mesh::Full(leaves)
                 };
+                StoredTree::Paper10(Paper10Tree {
+                    root,
+                    nodes,
+                    triangles,
+                })
             }
-            (NodeCodec::Lattice(bits), MeshCodec::Lattice { step_exponent }) => {
-                let mut words = match coded.triangles {
-                    CodedTriangles::Lattice(words) => words,
-                    CodedTriangles::F32 | CodedTriangles::Leaf10(_) => Vec::new(),
+            NodeCodec::Lattice(bits) => {
+                let old = LatticeTree::reuse(old);
+                let (mut words, mut triangle_words) = (old.words, old.triangles.into_words());
+                let (root, step_exponent, triangles) = match mesh.step_exponent() {
+                    Some(step_exponent) => {
+                        let step_exponent = scaled_step(step_exponent, from.scene_exponent);
+                        let to = (&mut words, &mut triangle_words);
+                        let scratch = (&mut self.sizes, &mut self.width);
+                        let root = encode_lattice_mesh(&tree, (bits, step_exponent), scratch, to);
+                        let (words, count) = (triangle_words, leaves.len());
+                        self.triangles = leaves;
+                        (root, step_exponent, LatticeMesh::Lattice { words, count })
+                    }
+                    None => {
+                        let root = encode_lattice(&tree, bits, &mut words);
+                        (root, FINEST_STEP, LatticeMesh::Full(leaves))
+                    }
                 };
-                let step_exponent = scaled_step(step_exponent, bvh.scene_exponent);
-                let to = (&mut coded.nodes, &mut words);
-                let shape = (bits, step_exponent);
-                let scratch = (&mut self.sizes, &mut self.width);
-                encode_lattice_mesh(&tree, shape, scratch, to);
-                coded.triangles = CodedTriangles::Lattice(words);
+                StoredTree::Lattice(LatticeTree {
+                    bits,
+                    root,
+                    step_exponent,
+                    words,
+                    triangles,
+                })
             }
-            (NodeCodec::Lattice(bits), _) => {
-                encode_lattice(&tree, bits, &mut coded.nodes);
-                coded.triangles = CodedTriangles::F32;
-            }
-        }
-        bvh.nodes = Vec::new();
-        if !matches!(coded.triangles, CodedTriangles::F32) {
-            self.triangles = std::mem::take(&mut bvh.triangles);
-        }
-        bvh.coded = Some(coded);
+        };
     }
 
     /// Bytes of what is kept.

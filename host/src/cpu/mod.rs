@@ -1,29 +1,34 @@
 //! The CPU backend: core's kernels under rayon. The number of threads never changes a bit.
 
+mod backend;
+mod bounds;
 mod build;
+mod camera;
+mod classify;
 mod cluster;
+mod compact;
 mod decide;
-mod decode;
-mod divide;
 mod encode;
-pub(crate) mod lanes;
+mod morton;
 mod order;
-pub(crate) mod packets;
-mod paint;
 mod refit;
 mod render;
-mod select;
+mod scan;
+mod shade;
+mod snap;
 mod sort;
 mod topology;
+mod trace;
 mod trees;
+mod view;
 
+pub use backend::{Cpu, CpuError};
+pub(crate) use bounds::scene_bounds;
 pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset, TreeKind};
+pub use classify::Division;
 pub use decide::Decisions;
-pub(crate) use decode::decode;
-pub use divide::Division;
-pub(crate) use order::scene_bounds;
 pub use render::Renderer;
-pub use trees::{Tree, Trees, Turns};
+pub use trees::{Tree, Trees};
 
 /// Items that a task takes at once.
 const BLOCK: usize = 4096;

@@ -1,51 +1,49 @@
-//! Stages `trace` and `shade` on the CPU, in waves of samples.
+//! Pictures on the CPU, in waves of samples: stages `camera`, `trace` and `shade` or `view`, one after the other.
 
-use super::paint::{paint_depth, paint_heat, resolve};
-use super::trees::{NoTurns, Tree, Trees, Turns};
-use crate::cpu::packets::Question;
+use super::Cpu;
+use super::camera::resolve;
+use super::trees::Trees;
+use super::view::{paint_depth, paint_heat};
+use crate::backend::{DeferredTrees, Output, Shot};
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::ViewError;
-use crate::{Bvh, Scene};
-use rayon::prelude::*;
+use crate::tree::Bvh;
+use crate::{CpuError, Scene, Stages};
 use slimbvh_core::camera::Camera as CoreCamera;
 use slimbvh_core::float::PowerOfTwo;
-use slimbvh_core::ray::{Hit, PreparedRay};
-use slimbvh_core::sampling::Draw;
-use slimbvh_core::shade::{
-    Environment, Light as CoreLight, Material as CoreMaterial, Path, Shadow, ambient_light,
-    direct_light, direct_light_or_dark,
-};
-use slimbvh_core::snap::leaf_triangle;
-use slimbvh_core::surface::Surface;
-use slimbvh_core::trace::{ClosestHit, Counted};
+use slimbvh_core::ray::Hit;
+use slimbvh_core::shade::{Environment, Light as CoreLight, Material as CoreMaterial, Path};
 use slimbvh_core::view;
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::time::Instant;
 
 /// Samples in flight.
 const WAVE: u32 = 1 << 18;
 
 /// Samples that a task takes at once.
-const BLOCK: usize = 512;
+pub const BLOCK: usize = 512;
 
 /// Renders pictures, and keeps its buffers from one to the next.
 #[derive(Debug, Default)]
 pub struct Renderer {
-    paths: Vec<Path>,
-    hits: Vec<Hit>,
-    heat: Vec<u32>,
+    pub(super) paths: Vec<Path>,
+    pub(super) hits: Vec<Hit>,
+    pub(super) heat: Vec<u32>,
     depths: Vec<u32>,
 }
 
+/// Trees that are built in the picture, and where the times of that go.
+pub type Deferred<'a> = (&'a mut dyn DeferredTrees<Cpu>, &'a mut Stages);
+
 /// All that a picture is made from, next to the tree.
-struct Stage<'a> {
-    scene: &'a Scene,
-    trees: Trees<'a>,
-    scale: PowerOfTwo,
-    camera: CoreCamera,
-    lights: Vec<CoreLight>,
-    materials: Vec<CoreMaterial>,
-    environment: Environment,
-    dark_rays: bool,
+pub struct Prepared<'a> {
+    pub scene: &'a Scene,
+    pub trees: Trees<'a>,
+    pub scale: PowerOfTwo,
+    pub camera: CoreCamera,
+    pub lights: Vec<CoreLight>,
+    pub materials: Vec<CoreMaterial>,
+    pub environment: Environment,
+    pub dark_rays: bool,
 }
 
 impl Renderer {
@@ -85,51 +83,51 @@ impl Renderer {
         trees: &Trees,
         settings: &RenderSettings,
         picture: &mut Picture,
-        progress: impl FnMut(f64),
-    ) -> Result<RenderReport, ViewError> {
-        self.render_waves(
-            scene,
-            (trees, &mut NoTurns, WAVE),
-            settings,
-            picture,
-            progress,
-        )
-    }
-
-    /// [`Self::render_with`], with some lights' hierarchies built in turn: all samples are in flight at once, so that each
-    /// has one turn, or one for each mirror that paths meet. None is built for a light that reaches nothing.
-    ///
-    /// # Errors
-    /// Those of [`Self::render`].
-    ///
-    /// # Panics
-    /// As [`Self::render_with`].
-    pub fn render_in_turn(
-        &mut self,
-        scene: &Scene,
-        (trees, turns): (&Trees, &mut dyn Turns),
-        settings: &RenderSettings,
-        picture: &mut Picture,
-        progress: impl FnMut(f64),
-    ) -> Result<RenderReport, ViewError> {
-        self.render_waves(scene, (trees, turns, u32::MAX), settings, picture, progress)
-    }
-
-    /// Renders with this many samples in flight.
-    fn render_waves(
-        &mut self,
-        scene: &Scene,
-        (trees, turns, wave): (&Trees, &mut dyn Turns, u32),
-        settings: &RenderSettings,
-        picture: &mut Picture,
         mut progress: impl FnMut(f64),
     ) -> Result<RenderReport, ViewError> {
+        let shot = Shot {
+            scene,
+            held: &(),
+            trees,
+            settings,
+            begin: Instant::now(),
+        };
+        let output = Output {
+            picture,
+            progress: Some(&mut progress),
+        };
+        match self.render_shot(&shot, None, output) {
+            Ok(report) => Ok(report),
+            Err(CpuError::View(error)) => Err(error),
+            Err(CpuError::Mesh(_) | CpuError::Refit(_)) => unreachable!("nothing is built"),
+        }
+    }
+
+    /// Renders, and builds deferred trees, whose times are added: then all samples are in flight at once, so that each tree is
+    /// built once, or once for each mirror that paths meet. None is built for a light that reaches nothing.
+    pub(super) fn render_shot(
+        &mut self,
+        shot: &Shot<Cpu>,
+        mut deferred: Option<Deferred>,
+        output: Output,
+    ) -> Result<RenderReport, CpuError> {
+        let Shot {
+            scene,
+            trees,
+            settings,
+            ..
+        } = *shot;
+        let Output {
+            picture,
+            mut progress,
+        } = output;
+        let wave = if deferred.is_some() { u32::MAX } else { WAVE };
         assert_eq!(
             trees.lights.len(),
             scene.lights.len(),
             "a tree for each light"
         );
-        let stage = Stage::new(scene, trees, settings)?;
+        let stage = Prepared::new(scene, trees, settings)?;
         let mut report = RenderReport::default();
         let [width, height] = settings.size;
         let pixel_count = width * height;
@@ -151,7 +149,7 @@ impl Renderer {
                 self.trace_primary(&stage, &mut report);
                 match settings.view {
                     View::Color => {
-                        self.shade(&stage, turns, settings.mirror_depth, &mut report);
+                        self.shade(&stage, &mut deferred, settings.mirror_depth, &mut report)?;
                     }
                     View::Depth => self.depths.extend(self.hits.iter().map(view::depth_value)),
                     view => self.show(&stage, view, &mut report),
@@ -161,7 +159,9 @@ impl Renderer {
             report.stages.time("resolve", || {
                 resolve(&self.paths, settings.sample_count, to);
             });
-            progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
+            if let Some(progress) = &mut progress {
+                progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
+            }
         }
         if settings.view == View::Depth {
             paint_depth(&self.depths, settings.sample_count, picture);
@@ -181,205 +181,9 @@ impl Renderer {
             + size_of_val(self.heat.as_slice())
             + size_of_val(self.depths.as_slice())
     }
-
-    /// Sends the samples `first..first + count` off from the camera.
-    fn begin(&mut self, stage: &Stage, first: u32, count: u32, report: &mut RenderReport) {
-        self.paths.resize(count as usize, Path::default());
-        self.hits.resize(count as usize, Hit::MISS);
-        report.stages.time("camera", || {
-            let blocks = self.paths.par_chunks_mut(BLOCK).enumerate();
-            blocks.for_each(|(block, paths)| {
-                for (path, sample) in paths.iter_mut().zip(first + (block * BLOCK) as u32..) {
-                    *path = Path::new(stage.camera.ray(sample), sample);
-                }
-            });
-        });
-        report.primary_ray_count += u64::from(count);
-    }
-
-    fn trace_primary(&mut self, stage: &Stage, report: &mut RenderReport) {
-        report
-            .stages
-            .time("trace primary", || self.trace_paths(&stage.trees.primary));
-        let hits = self.hits.par_iter().filter(|hit| hit.is_hit()).count();
-        report.primary_hit_count += hits as u64;
-    }
-
-    /// Finds what every living path meets.
-    fn trace_paths(&mut self, tree: &Tree) {
-        let blocks = self
-            .hits
-            .par_chunks_mut(BLOCK)
-            .zip(self.paths.par_chunks(BLOCK));
-        blocks.for_each(|(hits, paths)| {
-            hits.fill(Hit::MISS);
-            let alive = paths.iter().enumerate().filter(|(_, path)| path.is_alive());
-            let rays = alive.map(|(i, path)| (i, path.ray, path.skip));
-            tree.ask(Question::Closest, rays, |i, hit| hits[i] = hit);
-        });
-    }
-
-    /// Gathers light, and follows mirrors and glass to the given depth.
-    fn shade(
-        &mut self,
-        stage: &Stage,
-        turns: &mut dyn Turns,
-        mirror_depth: u32,
-        report: &mut RenderReport,
-    ) {
-        for depth in 0..=mirror_depth {
-            for (index, light) in stage.lights.iter().enumerate() {
-                // Who reaches nothing has no turn.
-                let stages = &mut report.stages;
-                if turns.is_due(index)
-                    && !stages.time("shade", || self.reaches(stage, (light, depth)))
-                {
-                    continue;
-                }
-                let tree = match turns.take(index) {
-                    Some(bvh) => Tree::all(bvh),
-                    None => stage.trees.lights[index],
-                };
-                report.stages.time("trace shadow", || {
-                    report.shadow_ray_count += self.add_light(stage, (light, depth), &tree);
-                });
-            }
-            let alive = report.stages.time("shade", || self.scatter(stage));
-            let Some(bvh) = stage.trees.mirrors else {
-                break;
-            };
-            if alive == 0 || depth == mirror_depth {
-                break;
-            }
-            report.mirror_ray_count += alive;
-            report
-                .stages
-                .time("trace mirror", || self.trace_paths(&Tree::all(bvh)));
-        }
-    }
-
-    /// Whether a light reaches anything, as far as nothing stands in its way.
-    fn reaches(&self, stage: &Stage, light: (&CoreLight, u32)) -> bool {
-        let blocks = self
-            .paths
-            .par_chunks(BLOCK)
-            .zip(self.hits.par_chunks(BLOCK));
-        blocks.into_par_iter().any(|(paths, hits)| {
-            let mut pairs = paths.iter().zip(hits);
-            pairs.any(|(path, hit)| {
-                path.is_alive() && hit.is_hit() && stage.shadow(path, hit, light).is_possible()
-            })
-        })
-    }
-
-    /// Adds one light to all hits that it reaches, of paths that have met so many mirrors. Returns the number of shadow rays.
-    fn add_light(&mut self, stage: &Stage, (light, bounce): (&CoreLight, u32), tree: &Tree) -> u64 {
-        let ray_count = AtomicU64::new(0);
-        let blocks = self
-            .paths
-            .par_chunks_mut(BLOCK)
-            .zip(self.hits.par_chunks(BLOCK));
-        blocks.for_each_init(Vec::new, |shadows, (paths, hits)| {
-            shadows.clear();
-            for (i, (path, hit)) in paths.iter().zip(hits).enumerate() {
-                if path.is_alive() && hit.is_hit() {
-                    let shadow = stage.shadow(path, hit, (light, bounce));
-                    if shadow.is_possible() {
-                        shadows.push((i, shadow));
-                    }
-                }
-            }
-            let numbered = shadows.iter().enumerate();
-            let rays = numbered.map(|(number, (_, shadow))| (number, shadow.ray, shadow.skip));
-            tree.ask(Question::Any, rays, |number, hit| {
-                if !hit.is_hit() {
-                    let (i, shadow) = &shadows[number];
-                    paths[*i] = paths[*i].with_light(glam::Vec3::from_array(shadow.radiance));
-                }
-            });
-            ray_count.fetch_add(shadows.len() as u64, Relaxed);
-        });
-        ray_count.into_inner()
-    }
-
-    /// Ends paths, or sends them on at mirrors and through glass. Returns how many go on.
-    fn scatter(&mut self, stage: &Stage) -> u64 {
-        let blocks = self
-            .paths
-            .par_chunks_mut(BLOCK)
-            .zip(self.hits.par_chunks(BLOCK));
-        let alive = blocks.map(|(paths, hits)| {
-            let mut alive = 0;
-            for (path, hit) in paths.iter_mut().zip(hits) {
-                if !path.is_alive() {
-                    continue;
-                }
-                *path = if hit.is_hit() {
-                    let (surface, material) = stage.surface(path, hit);
-                    let ambient = ambient_light(&material, &stage.environment);
-                    path.with_light(ambient)
-                        .scattered(&surface, &material, hit.primitive)
-                } else {
-                    path.escaped(&stage.environment)
-                };
-                alive += u64::from(path.is_alive());
-            }
-            alive
-        });
-        alive.sum()
-    }
-
-    /// Shows what the first hit is.
-    fn show(&mut self, stage: &Stage, view: View, report: &mut RenderReport) {
-        report.stages.time("shade", || {
-            let blocks = self
-                .paths
-                .par_chunks_mut(BLOCK)
-                .zip(self.hits.par_chunks(BLOCK));
-            blocks.for_each(|(paths, hits)| {
-                for (path, hit) in paths.iter_mut().zip(hits) {
-                    if !hit.is_hit() {
-                        continue;
-                    }
-                    let (surface, _) = stage.surface(path, hit);
-                    let color = match view {
-                        View::Normals => view::normal_color(surface.shading_normal),
-                        _ => view::primitive_color(hit.primitive),
-                    };
-                    *path = path.with_light(color);
-                }
-            });
-        });
-    }
-
-    /// Counts the nodes that each sample visits.
-    fn count_nodes(&mut self, stage: &Stage, report: &mut RenderReport) {
-        let bvh = stage.trees.primary.bvh;
-        let begin = self.heat.len();
-        self.heat.resize(begin + self.paths.len(), 0);
-        let blocks = self.heat[begin..]
-            .par_chunks_mut(BLOCK)
-            .zip(self.paths.par_chunks(BLOCK));
-        let hits = report.stages.time("trace primary", || {
-            blocks
-                .map(|(heat, paths)| {
-                    let mut hits = 0;
-                    for (count, path) in heat.iter_mut().zip(paths) {
-                        let ray = PreparedRay::new(&path.ray, 0);
-                        let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-                        bvh.collect(&ray, path.skip, &mut collector);
-                        *count = collector.node_count;
-                        hits += u64::from(collector.inner.hit.is_hit());
-                    }
-                    hits
-                })
-                .sum::<u64>()
-        });
-        report.primary_hit_count += hits;
-    }
 }
 
-impl<'a> Stage<'a> {
+impl<'a> Prepared<'a> {
     fn new(
         scene: &'a Scene,
         trees: &Trees<'a>,
@@ -422,52 +226,4 @@ impl<'a> Stage<'a> {
             dark_rays: settings.dark_rays,
         })
     }
-
-    /// What a light may add to a hit, of a path that has met so many mirrors.
-    fn shadow(&self, path: &Path, hit: &Hit, (light, bounce): (&CoreLight, u32)) -> Shadow {
-        let (surface, material) = self.surface(path, hit);
-        let draw = Draw {
-            sample: path.sample,
-            sample_count: self.camera.sample_count,
-            bounce,
-        };
-        let light = light.sampled(&draw);
-        if self.dark_rays {
-            direct_light_or_dark(&surface, hit.primitive, &material, &light)
-        } else {
-            direct_light(&surface, hit.primitive, &material, &light)
-        }
-    }
-
-    /// The point that a path hit, and what it is made of.
-    fn surface(&self, path: &Path, hit: &Hit) -> (Surface, CoreMaterial) {
-        let mesh = &self.scene.mesh;
-        let triangle = leaf_triangle(hit.primitive, &mesh.triangles(), &self.scale).triangle();
-        let corners = mesh.indices.get(hit.primitive as usize);
-        let corners = corners.copied().unwrap_or_default();
-        let normals = corners.map(|corner| {
-            mesh.normals
-                .get(corner as usize)
-                .map_or(glam::Vec3::ZERO, |&n| glam::Vec3::from_array(n))
-        });
-        let material = mesh
-            .materials
-            .get(hit.primitive as usize)
-            .map_or(0, |&m| m as usize);
-        let material = self.materials.get(material).or(self.materials.first());
-        let direction = glam::Vec3::from_array(path.ray.direction);
-        (
-            Surface::new(triangle, hit, direction, normals),
-            material.copied().unwrap_or(DEFAULT_MATERIAL),
-        )
-    }
 }
-
-/// Stands in where a triangle names a material that is not there.
-const DEFAULT_MATERIAL: CoreMaterial = CoreMaterial {
-    base_color: [0.8; 3],
-    mirror: 0.0,
-    transmission: 0.0,
-    ior: 1.0,
-    padding: [0; 2],
-};

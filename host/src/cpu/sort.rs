@@ -1,7 +1,7 @@
 //! Stage `sort`: core's radix sort with a tile a task and one lane a workgroup.
 
+use super::scan::scan;
 use rayon::prelude::*;
-use slimbvh_core::scan::run_scan;
 use slimbvh_core::sort::{
     DigitCounts, count_digit, digit, digit_total, lane_begin, place, total_place,
 };
@@ -129,8 +129,7 @@ impl<const W: usize> Sorter<W> {
                 return false;
             }
         }
-        let offset_count = self.offsets.len() as u32;
-        run_scan(&mut self.offsets, 0, offset_count, 0);
+        scan(&mut self.offsets);
         for (counts, tile) in self.counts.iter_mut().zip(0..) {
             for ([own], digit) in counts.iter_mut().zip(0..) {
                 let tile_begin = self.offsets[total_place(digit, tile, tile_count) as usize];

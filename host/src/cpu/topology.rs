@@ -1,6 +1,6 @@
 //! Stage `topology` on the CPU.
 
-use super::select::Selection;
+use super::compact::Selection;
 use slimbvh_core::node::Connection;
 use slimbvh_core::refit::split_of;
 use slimbvh_core::topology::{SortedCodes, internal_node, kept_nodes};

@@ -2,7 +2,7 @@
 
 use crate::Mesh;
 use crate::analysis::weld;
-use crate::wide::{cross, dot, normalized};
+use crate::dvec3::{cross, dot, normalized};
 
 /// Gives every vertex the mean normal of all triangles at its position, weighted by their angles there (Thürmer and
 /// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), so that seams between equal positions do not show.

@@ -2,7 +2,7 @@
 
 use crate::Mesh;
 use crate::analysis::weld;
-use crate::wide::dot;
+use crate::dvec3::dot;
 use glam::Vec3;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};

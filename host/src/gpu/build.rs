@@ -7,13 +7,13 @@ use self::scratch::{Scratch, pyramid_bytes};
 use super::buffer::Range;
 use super::bvh::{self, Built};
 use super::coding::Coding;
-use super::facing::{Components, FacingRanges, Subset};
 use super::program::{Program, Recorder};
+use super::sides::{Components, Subset, TargetRanges};
 use super::sort::Keys;
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Mesh};
-use crate::codec::most_triangles;
-use crate::{BuildConfig, CodeBits, MeshCodec, MeshError, RefitError};
+use crate::tree::most_triangles;
+use crate::{BuildConfig, CodeBits, MeshError, RefitError};
 use slimbvh_core::topology::depth_bound;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -26,7 +26,7 @@ const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 /// Builds hierarchies on the GPU, and keeps its buffers and programs from one to the next.
 ///
 /// In a codec, nodes and triangles are written in full first, into buffers of the builder's, and coded in the same frame. Of a
-/// mesh on a lattice ([`MeshCodec::Lattice`]) the vertices must lie on it, as [`crate::Mesh::snap`] leaves them: any other counts
+/// mesh on a lattice ([`BuildConfig::mesh`]) the vertices must lie on it, as [`crate::Mesh::snap`] leaves them: any other counts
 /// as a point of the lattice next to it.
 #[derive(Debug)]
 pub struct Builder {
@@ -47,7 +47,7 @@ enum Task {
     /// Builds over all of them.
     Build(Built),
     /// Builds over those that face a target.
-    BuildFacing(Built, Components, Box<FacingRanges>),
+    BuildFacing(Built, Components, Box<TargetRanges>),
     /// Moves boxes to where the triangles are now.
     Refit(Built),
 }
@@ -161,8 +161,8 @@ impl Builder {
         bvh: &mut Bvh,
     ) -> Result<Built, GpuError> {
         let depth_bound = depth_bound(self.key_bits(), triangle_count);
-        let room = (Coding::of(&self.config)?, &mut self.scratch.encoder);
-        Ok(bvh.reserve(gpu, triangle_count, depth_bound, is_reduced, room))
+        let storage = (&self.config, &mut self.scratch.encoder);
+        bvh.reserve(gpu, triangle_count, depth_bound, is_reduced, storage)
     }
 
     /// [`Self::build_sorted`], over a subset, of a hierarchy that has its room.
@@ -222,7 +222,7 @@ impl Builder {
     /// Refuses a mesh on the CPU that this builder would not take there.
     pub(crate) fn check_mesh(&self, mesh: &crate::Mesh) -> Result<(), GpuError> {
         mesh.validate()?;
-        if let MeshCodec::Lattice { step_exponent } = self.config.mesh {
+        if let Some(step_exponent) = self.config.mesh.step_exponent() {
             mesh.check_lattice(step_exponent)?;
         }
         Ok(())

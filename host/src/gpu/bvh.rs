@@ -8,6 +8,7 @@ use super::buffer::{Download, Range, Slot};
 use super::coding::Coding;
 use super::encode::Encoder;
 use super::{Frame, Gpu, GpuError};
+use crate::{BuildConfig, MeshCodec, NodeCodec};
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::{LeafTriangle, Node};
@@ -49,6 +50,8 @@ pub struct Built {
     pub nodes: Range,
     /// In full, in leaf order: the builder's, where the hierarchy has them in a codec. As the nodes, where it was uploaded.
     pub triangles: Range,
+    /// How nodes and triangles are stored.
+    pub codecs: (NodeCodec, MeshCodec),
     /// What is in a codec.
     pub coded: Option<Coded>,
     /// The scene's exponent.
@@ -123,15 +126,17 @@ impl Bvh {
         Self::default()
     }
 
-    /// Makes room for so many triangles; for plain ones with the encoder, where they are to be coded.
+    /// Makes room for so many triangles; for plain ones with the encoder, where they are to be coded. Refuses a codec that only the CPU
+    /// has.
     pub(super) fn reserve(
         &mut self,
         gpu: &Gpu,
         triangle_count: u32,
         depth_bound: u32,
         is_reduced: bool,
-        (coding, encoder): (Option<Coding>, &mut Encoder),
-    ) -> Built {
+        (config, encoder): (&BuildConfig, &mut Encoder),
+    ) -> Result<Built, GpuError> {
+        let coding = Coding::of(config)?;
         self.built = None;
         self.stamp = 0;
         let (node_bytes, triangle_bytes) =
@@ -161,6 +166,7 @@ impl Bvh {
         let built = Built {
             nodes: nodes.touching_nodes(size_of::<Node>() as u64),
             triangles,
+            codecs: (config.nodes, config.mesh),
             coded,
             exponent: self.exponent.range(gpu, STATE_BYTES),
             bounds: self.bounds.range(gpu, 24),
@@ -171,7 +177,7 @@ impl Bvh {
             depth_bound,
         };
         self.built = Some(built.clone());
-        built
+        Ok(built)
     }
 
     /// What was built.

@@ -1,6 +1,6 @@
 //! Which codecs the GPU has, and how many bytes they take there.
 
-use super::GpuError;
+use super::{GpuError, Kernel};
 use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind};
 use slimbvh_core::codec::{LeafWidth, Paper10Node, Paper10Triangle, node_words};
 
@@ -70,6 +70,54 @@ impl Coding {
     /// Whether triangles take as many words as their leaf needs.
     pub const fn is_mixed(self) -> bool {
         matches!(self, Self::Q10Lattice | Self::Q21Lattice)
+    }
+}
+
+/// The kernels that encode one kind of hierarchies.
+#[derive(Clone, Copy, Debug)]
+pub enum Encodes {
+    /// One encodes nodes; triangles stay in full.
+    Nodes(Kernel),
+    /// The same, for floats whose products must not be fused: it reads a zero that the compiler does not know.
+    NodesInFloats(Kernel),
+    /// One encodes nodes and triangles, as [`Self::NodesInFloats`].
+    AllInFloats(Kernel),
+    /// Triangles take as many words as their leaf needs: one encodes nodes and finds sizes, another links nodes to triangles.
+    Mixed { sizes: Kernel, links: Kernel },
+}
+
+impl Coding {
+    /// The kernels that encode.
+    pub const fn encodes(self) -> Encodes {
+        match self {
+            Self::Paper10F32 => Encodes::NodesInFloats(Kernel::encode_paper10_f32),
+            Self::Paper10Leaf10 => Encodes::AllInFloats(Kernel::encode_paper10_leaf10),
+            Self::Q10F32 => Encodes::Nodes(Kernel::encode_q10_f32),
+            Self::Q21F32 => Encodes::Nodes(Kernel::encode_q21_f32),
+            Self::Q10Lattice => Encodes::Mixed {
+                sizes: Kernel::encode_q10_sizes,
+                links: Kernel::encode_q10_links,
+            },
+            Self::Q21Lattice => Encodes::Mixed {
+                sizes: Kernel::encode_q21_sizes,
+                links: Kernel::encode_q21_links,
+            },
+        }
+    }
+}
+
+/// Names of the codecs of nodes that the GPU has, for messages.
+pub fn node_names() -> String {
+    let with = |nodes| BuildConfig {
+        nodes,
+        ..BuildConfig::default()
+    };
+    let all = NodeCodec::ALL.into_iter();
+    let known = all.filter(|nodes| Coding::of(&with(*nodes)).is_ok());
+    let names: Vec<&str> = known.map(NodeCodec::name).collect();
+    match names.split_last() {
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        None => String::new(),
     }
 }
 

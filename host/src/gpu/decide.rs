@@ -2,8 +2,8 @@
 
 use super::buffer::{Download, Range};
 use super::decisions::Decisions;
-use super::facing::{Facing, FacingRanges};
 use super::program::{Program, Recorder, Uniform, groups, threads};
+use super::sides::{TargetRanges, TargetSides};
 use super::{Frame, Gpu, GpuError, Kernel, Mesh};
 use slimbvh_core::decide::SetCounts;
 use slimbvh_core::frustum::Frustum;
@@ -20,14 +20,14 @@ pub enum Answer<'a> {
     /// starts outside: that nothing is transparent.
     Smaller {
         /// The eye, set or decided before in this frame.
-        eye: &'a Facing,
+        eye: &'a TargetSides,
     },
 }
 
 /// What a program was made for.
 #[derive(Debug, PartialEq)]
 struct Key {
-    ranges: FacingRanges,
+    ranges: TargetRanges,
     measures: Range,
     mesh: Mesh,
     eye_sides: Option<Range>,
@@ -41,7 +41,7 @@ pub struct Decider {
     counts: Option<Range>,
 }
 
-impl Facing {
+impl TargetSides {
     /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and which sides of the
     /// components face out for the target, by what was measured last: see [`Decisions::measure`].
     ///
@@ -96,11 +96,11 @@ impl Facing {
     ///
     /// # Errors
     /// If nothing was set or decided, or memory is exhausted.
-    pub fn read_later(&self, frame: &mut Frame) -> Result<FacingDownload, GpuError> {
+    pub fn read_later(&self, frame: &mut Frame) -> Result<SidesDownload, GpuError> {
         let sides = &self.ranges()?.sides;
         let counts = self.decider.as_ref().and_then(|kept| kept.counts.as_ref());
         frame.gpu().checked(|| {
-            Ok(FacingDownload {
+            Ok(SidesDownload {
                 sides: frame.download(sides),
                 counts: counts.map(|counts| frame.download(counts)),
             })
@@ -115,7 +115,7 @@ impl Facing {
 }
 
 /// The sides that an eye was given.
-fn eye_sides(eye: &Facing, side_count: u32) -> Result<Range, GpuError> {
+fn eye_sides(eye: &TargetSides, side_count: u32) -> Result<Range, GpuError> {
     let sides = &eye.ranges()?.sides;
     if sides.size == 4 * u64::from(side_count) {
         return Ok(sides.clone());
@@ -137,7 +137,7 @@ fn record(
 ) -> Result<Program, GpuError> {
     let mut recorder = Recorder::default();
     recorder.stage("decide");
-    let FacingRanges { sides, .. } = &key.ranges;
+    let TargetRanges { sides, .. } = &key.ranges;
     let target = key.ranges.target();
     let (components, count) = (&decisions.components, decisions.reducible_count());
     // All others stay whole.
@@ -187,7 +187,7 @@ fn record(
 /// What was decided for a target, on its way.
 #[derive(Debug)]
 #[must_use]
-pub struct FacingDownload {
+pub struct SidesDownload {
     sides: Download,
     counts: Option<Download>,
 }
@@ -202,7 +202,7 @@ pub struct Decided {
     pub counts: Option<SetCounts>,
 }
 
-impl FacingDownload {
+impl SidesDownload {
     /// Waits for it, and reads it.
     ///
     /// # Errors

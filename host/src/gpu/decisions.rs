@@ -1,8 +1,8 @@
 //! What is known of components whose vertices move on the GPU.
 
 use super::buffer::{Download, Range, Slot, upload};
-use super::facing::Components;
 use super::program::{Program, Recorder, Uniform, groups};
+use super::sides::Components;
 use super::{Builder, Frame, Gpu, GpuError, Kernel, Mesh};
 use crate::topology::Topology;
 use slimbvh_core::decide::{Component, Measure};
@@ -13,7 +13,7 @@ use wgpu::BufferUsages;
 const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 
 /// Measures a mesh's components on the GPU, so that the vertices need never be known elsewhere: their boxes, which side
-/// faces out, and whether they are still closed. Then [`super::Facing::decide`] finds for each target which of their sides
+/// faces out, and whether they are still closed. Then [`super::TargetSides::decide`] finds for each target which of their sides
 /// face out, to the bit as [`crate::Decisions`] does.
 #[derive(Debug)]
 pub struct Decisions {

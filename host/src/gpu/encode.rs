@@ -2,7 +2,7 @@
 
 use super::buffer::{Range, Slot};
 use super::bvh::{Built, Coded};
-use super::coding::Coding;
+use super::coding::Encodes;
 use super::program::{Groups, Recorder, Uniform, threads};
 use super::scan::Scan;
 use super::{Gpu, Kernel};
@@ -56,31 +56,23 @@ impl Encoder {
         recorder.stage("encode");
         let total = Uniform::Stored(&bvh.total);
         // What no compiler knows.
-        let opaque_zero = Uniform::Params([0; 4]);
+        let zero = Uniform::Params([0; 4]);
         let (plain, leaves) = (&bvh.nodes, &bvh.triangles);
         let (nodes, root) = (&coded.nodes, &coded.root);
-        let [sizes_kernel, links_kernel] = match coded.coding {
-            Coding::Paper10F32 => {
-                let kernel = Kernel::encode_paper10_f32;
-                let to = &[nodes, root];
-                return recorder.dispatch(kernel, &[total, opaque_zero], &[plain], to, each_node());
-            }
-            Coding::Paper10Leaf10 => {
-                let kernel = Kernel::encode_paper10_leaf10;
-                let to = &[nodes, &coded.triangles, root];
-                let from = &[plain, leaves];
-                return recorder.dispatch(kernel, &[total, opaque_zero], from, to, each_node());
-            }
-            Coding::Q10F32 | Coding::Q21F32 => {
-                let kernel = if coded.coding == Coding::Q10F32 {
-                    Kernel::encode_q10_f32
-                } else {
-                    Kernel::encode_q21_f32
-                };
+        let (sizes_kernel, links_kernel) = match coded.coding.encodes() {
+            Encodes::Nodes(kernel) => {
                 return recorder.dispatch(kernel, &[total], &[plain], &[nodes, root], each_node());
             }
-            Coding::Q10Lattice => [Kernel::encode_q10_sizes, Kernel::encode_q10_links],
-            Coding::Q21Lattice => [Kernel::encode_q21_sizes, Kernel::encode_q21_links],
+            Encodes::NodesInFloats(kernel) => {
+                let to = &[nodes, root];
+                return recorder.dispatch(kernel, &[total, zero], &[plain], to, each_node());
+            }
+            Encodes::AllInFloats(kernel) => {
+                let to = &[nodes, &coded.triangles, root];
+                let from = &[plain, leaves];
+                return recorder.dispatch(kernel, &[total, zero], from, to, each_node());
+            }
+            Encodes::Mixed { sizes, links } => (sizes, links),
         };
 
         // How many words each triangle takes follows from its leaf's box; where it begins, from all before it.

@@ -1,5 +1,6 @@
 //! What can go wrong on a GPU.
 
+use super::coding::node_names;
 use crate::{MeshError, RefitError, ViewError};
 use thiserror::Error;
 
@@ -78,7 +79,10 @@ pub enum GpuError {
         reason: String,
     },
     /// The GPU has no kernels for nodes of so many bits.
-    #[error("nodes of {bits} bits are stored on the CPU only; the GPU has f32, q10 and q21")]
+    #[error(
+        "nodes of {bits} bits are stored on the CPU only; the GPU has {}",
+        node_names()
+    )]
     Codec {
         /// How many.
         bits: u32,

@@ -52,8 +52,8 @@ enum Step<D> {
     Clear(Range),
     /// Parameters that begin here go to a range.
     Write(u64, Range),
-    /// Other commands come in between, which a number tells.
-    Turn(usize),
+    /// The caller encodes commands here, those of this number.
+    Callback(usize),
 }
 
 struct Call {
@@ -171,9 +171,9 @@ impl Recorder {
         self.steps.push(Step::Clear(range.clone()));
     }
 
-    /// Records that other commands come in between; the number tells which.
-    pub fn turn(&mut self, number: usize) {
-        self.steps.push(Step::Turn(number));
+    /// Records that the caller encodes commands of its own here.
+    pub fn callback(&mut self, id: usize) {
+        self.steps.push(Step::Callback(id));
     }
 
     /// Records that words be written to the beginning of a range.
@@ -206,7 +206,7 @@ impl Recorder {
                 Step::Copy(from, to) => Step::Copy(from, to),
                 Step::Clear(range) => Step::Clear(range),
                 Step::Write(offset, to) => Step::Write(offset, to),
-                Step::Turn(number) => Step::Turn(number),
+                Step::Callback(id) => Step::Callback(id),
                 Step::Dispatch(call) => Step::Dispatch(bind(gpu, params.as_ref(), call)?),
             });
         }
@@ -319,18 +319,18 @@ impl std::fmt::Debug for Program {
 impl Program {
     /// Adds all commands to a frame: a pass for each stage.
     pub fn encode(&self, frame: &mut Frame) {
-        // Nothing comes in between, so nothing can fail.
+        // Only a callback can fail.
         let _ = self.encode_with(frame, &mut |_, _| Ok(()));
     }
 
-    /// Adds all commands to a frame, and asks for those that come in between.
+    /// Adds all commands to a frame, and calls the caller for its own.
     ///
     /// # Errors
-    /// Those of what comes in between.
-    pub fn encode_with(
+    /// Those of the callback.
+    pub fn encode_with<'g>(
         &self,
-        frame: &mut Frame,
-        turn: &mut dyn FnMut(&mut Frame, usize) -> Result<(), super::GpuError>,
+        frame: &mut Frame<'g>,
+        callback: &mut dyn FnMut(&mut Frame<'g>, usize) -> Result<(), super::GpuError>,
     ) -> Result<(), super::GpuError> {
         let mut stage = "slimbvh";
         let mut pass: Option<wgpu::ComputePass> = None;
@@ -375,9 +375,9 @@ impl Program {
                         .encoder()
                         .clear_buffer(&range.buffer, range.offset, Some(range.size));
                 }
-                Step::Turn(number) => {
+                Step::Callback(id) => {
                     drop(pass.take());
-                    turn(frame, *number)?;
+                    callback(frame, *id)?;
                 }
             }
         }

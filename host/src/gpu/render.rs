@@ -8,15 +8,15 @@ mod wave;
 use super::buffer::{Download, Range, Slot};
 use super::program::{Program, Recorder, Uniform, groups, threads};
 use super::sort::{Keys, Sort};
-use super::trees::{NoTurns, Trees, TreesRanges, TurnRange, Turns};
+use super::trees::{DeferralRange, Tree, Trees, TreesRanges};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Scene};
 use crate::Stages;
+use crate::backend::DeferredTrees;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
 pub use counters::Counters;
-pub use image::ImageRenderer;
-pub(crate) use image::Parts;
+pub(super) use image::{Image, check_view};
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
 use std::time::Instant;
@@ -70,7 +70,7 @@ struct Key {
     scene: [Range; 5],
     has_mirrors: bool,
     trees: TreesRanges,
-    turns: Vec<TurnRange>,
+    deferrals: Vec<DeferralRange>,
     scratch_bytes: u64,
 }
 
@@ -78,7 +78,7 @@ struct Key {
 pub(super) struct Plan<'a> {
     scene: &'a Scene,
     trees: TreesRanges,
-    turns: Vec<TurnRange>,
+    deferrals: Vec<DeferralRange>,
     settings: RenderSettings,
     mirror_depth: u32,
     light_count: usize,
@@ -162,31 +162,29 @@ impl Renderer {
         view: (&Camera, &[Light]),
         settings: &RenderSettings,
     ) -> Result<(), GpuError> {
-        self.render_in_turn(frame, scene, (trees, &mut NoTurns), view, settings)
+        let plan = self.plan(frame, scene, trees, view, settings)?;
+        self.encode(frame, &plan, 0..plan.waves.len(), None)
     }
 
-    /// [`Self::render_with`], with some lights' hierarchies built in turn, once for each wave of samples and each mirror that
-    /// paths meet.
-    ///
-    /// # Errors
-    /// Those of [`Self::render`], and of the builds.
-    ///
-    /// # Panics
-    /// As [`Self::render_with`].
-    pub fn render_in_turn(
+    /// [`Self::render_with`], with some lights' hierarchies built during the picture, once for each wave of samples and each
+    /// mirror that paths meet.
+    pub(super) fn render_deferred<'g>(
         &mut self,
-        frame: &mut Frame,
+        frame: &mut Frame<'g>,
         scene: &Scene,
-        (trees, turns): (&Trees, &mut dyn Turns),
+        (trees, deferred): (&Trees, &mut dyn DeferredTrees<&'g Gpu>),
         view: (&Camera, &[Light]),
         settings: &RenderSettings,
     ) -> Result<(), GpuError> {
         let mut plan = self.plan(frame, scene, trees, view, settings)?;
-        let lights = 0..plan.light_count;
-        plan.turns = lights
-            .map(|light| TurnRange::of(turns.turn(light)))
-            .collect::<Result<_, _>>()?;
-        self.encode(frame, &plan, 0..plan.waves.len(), turns)
+        for light in 0..plan.light_count {
+            let (deferral, bvh) = DeferralRange::of(deferred.deferral(light))?;
+            plan.deferrals[light] = deferral;
+            if let Some(bvh) = bvh {
+                plan.trees.lights[light] = Tree::all(bvh).ranges()?;
+            }
+        }
+        self.encode(frame, &plan, 0..plan.waves.len(), Some(deferred))
     }
 
     /// Checks everything, makes room, and records the upload of the camera and the lights.
@@ -238,7 +236,7 @@ impl Renderer {
             Ok(Plan {
                 scene,
                 trees,
-                turns: vec![TurnRange::None; core_lights.len()],
+                deferrals: vec![DeferralRange::Ready; core_lights.len()],
                 settings: *settings,
                 mirror_depth,
                 light_count: core_lights.len(),
@@ -250,14 +248,17 @@ impl Renderer {
     }
 
     /// Encodes some of a picture's waves, and what comes after the last one.
-    pub(super) fn encode(
+    pub(super) fn encode<'g>(
         &mut self,
-        frame: &mut Frame,
+        frame: &mut Frame<'g>,
         plan: &Plan,
         which: std::ops::Range<usize>,
-        turns: &mut dyn Turns,
+        mut deferred: Option<&mut dyn DeferredTrees<&'g Gpu>>,
     ) -> Result<(), GpuError> {
-        let mut turn = |frame: &mut Frame, light: usize| turns.build(frame, light);
+        let mut build = |frame: &mut Frame<'g>, light: usize| match &mut deferred {
+            Some(trees) => trees.build(frame, light).map(|_| ()),
+            None => Ok(()),
+        };
         let gpu = frame.gpu();
         if which.start == 0 {
             self.work.clear();
@@ -268,7 +269,7 @@ impl Renderer {
                 self.kept = None;
                 for wave in which.clone() {
                     let program = self.wave_program(gpu, plan, wave)?;
-                    program.encode_with(frame, &mut turn)?;
+                    program.encode_with(frame, &mut build)?;
                 }
                 if which.end == last {
                     self.last_program(gpu, plan)?.encode(frame);
@@ -289,7 +290,7 @@ impl Renderer {
             if let Some((_, programs)) = &self.kept {
                 let end = which.end + usize::from(which.end == last);
                 for program in &programs[which.start..end] {
-                    program.encode_with(frame, &mut turn)?;
+                    program.encode_with(frame, &mut build)?;
                     self.work.extend_from_slice(program.work());
                 }
             }
@@ -410,7 +411,7 @@ impl Renderer {
             ],
             has_mirrors: scene.has_mirrors,
             trees: plan.trees.clone(),
-            turns: plan.turns.clone(),
+            deferrals: plan.deferrals.clone(),
             scratch_bytes: self.scratch_bytes(),
         }
     }

@@ -81,6 +81,18 @@ impl Scene {
         })
     }
 
+    /// Copies vertices that have moved, and the normals with them.
+    pub(super) fn move_vertices(&self, gpu: &Gpu, mesh: &crate::Mesh) {
+        for (to, bytes) in [
+            (&self.mesh.vertices, bytemuck::cast_slice(&mesh.vertices)),
+            (&self.normals, bytemuck::cast_slice(&mesh.normals)),
+        ] {
+            if !bytes.is_empty() {
+                gpu.queue().write_buffer(&to.buffer, to.offset, bytes);
+            }
+        }
+    }
+
     /// Bytes of the buffers.
     #[must_use]
     pub fn bytes(&self) -> u64 {

@@ -1,75 +1,21 @@
 //! Which hierarchy rays of each kind are traced through.
 
+use super::buffer::Range;
 use super::bvh::Built;
-use super::facing::FacingRanges;
-use super::{Bvh, Components, Facing, Frame, GpuError};
+use super::sides::TargetRanges;
+use super::{Bvh, Components, Gpu, GpuError, TargetSides};
+use crate::backend::{self, Deferral};
 
 /// A hierarchy for rays of one kind.
-#[derive(Clone, Copy, Debug)]
-pub struct Tree<'a> {
-    /// The hierarchy, whole or reduced.
-    pub bvh: &'a Bvh,
-    /// In a whole hierarchy: only triangles that face the target count. None where all count that are in it.
-    pub rule: Option<(&'a Components, &'a Facing)>,
-}
-
-/// Hierarchies for shadow rays that are built when their turn comes, one after the other in the same buffers.
-pub trait Turns {
-    /// How this light takes part.
-    fn turn(&self, light: usize) -> Turn<'_>;
-
-    /// Records the build of this light's hierarchy, in place of the one before, if it is not there yet.
-    ///
-    /// # Errors
-    /// Those of [`super::Builder::build`].
-    fn build(&mut self, frame: &mut Frame, light: usize) -> Result<(), GpuError>;
-}
-
-/// How a light takes part in [`Turns`].
-#[derive(Clone, Copy, Debug)]
-pub enum Turn<'a> {
-    /// Not at all: its hierarchy is there.
-    None,
-    /// It is built in its turn.
-    Always,
-    /// It is built in its turn, over nothing if the light reaches nothing.
-    IfReached(&'a Facing),
-}
-
-/// All hierarchies are there from the beginning.
-pub struct NoTurns;
-
-impl Turns for NoTurns {
-    fn turn(&self, _: usize) -> Turn<'_> {
-        Turn::None
-    }
-
-    fn build(&mut self, _: &mut Frame, _: usize) -> Result<(), GpuError> {
-        Ok(())
-    }
-}
+pub type Tree<'a> = backend::Tree<'a, Bvh, (&'a Components, &'a TargetSides)>;
 
 /// The hierarchies of a picture, all over the same mesh.
-#[derive(Clone, Debug)]
-pub struct Trees<'a> {
-    /// For rays from the camera.
-    pub primary: Tree<'a>,
-    /// For shadow rays, one for each light.
-    pub lights: Vec<Tree<'a>>,
-    /// For rays from mirrors and glass: all triangles count. None where the scene has none.
-    pub mirrors: Option<&'a Bvh>,
-}
+pub type Trees<'a> = backend::Trees<'a, Bvh, (&'a Components, &'a TargetSides)>;
 
-impl<'a> Tree<'a> {
-    /// All triangles of a hierarchy.
-    #[must_use]
-    pub const fn all(bvh: &'a Bvh) -> Self {
-        Self { bvh, rule: None }
-    }
-
+impl Tree<'_> {
     pub(super) fn ranges(&self) -> Result<TreeRanges, GpuError> {
         let rule = match self.rule {
-            Some((components, facing)) => Some((components.clone(), facing.ranges()?.clone())),
+            Some((components, sides)) => Some((components.clone(), sides.ranges()?.clone())),
             None => None,
         };
         Ok(TreeRanges {
@@ -79,17 +25,7 @@ impl<'a> Tree<'a> {
     }
 }
 
-impl<'a> Trees<'a> {
-    /// One hierarchy for everything.
-    #[must_use]
-    pub fn all(bvh: &'a Bvh, light_count: usize) -> Self {
-        Self {
-            primary: Tree::all(bvh),
-            lights: vec![Tree::all(bvh); light_count],
-            mirrors: Some(bvh),
-        }
-    }
-
+impl Trees<'_> {
     pub(super) fn ranges(&self) -> Result<TreesRanges, GpuError> {
         let lights = self.lights.iter().map(Tree::ranges);
         let mirrors = self.mirrors.map(|bvh| Tree::all(bvh).ranges());
@@ -105,24 +41,27 @@ impl<'a> Trees<'a> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct TreeRanges {
     pub built: Built,
-    pub rule: Option<(Components, FacingRanges)>,
+    pub rule: Option<(Components, TargetRanges)>,
 }
 
-/// A light's turn in a program.
+/// A light's deferral in a program.
 #[derive(Clone, Debug, PartialEq)]
-pub enum TurnRange {
-    None,
+pub enum DeferralRange {
+    Ready,
     Always,
-    /// Where the kernel that needs to know finds it.
-    IfReached(super::buffer::Range),
+    /// Where the kernel finds whether the light reaches anything.
+    IfReached(Range),
 }
 
-impl TurnRange {
-    pub fn of(turn: Turn) -> Result<Self, GpuError> {
-        Ok(match turn {
-            Turn::None => Self::None,
-            Turn::Always => Self::Always,
-            Turn::IfReached(facing) => Self::IfReached(facing.ranges()?.needed.clone()),
+impl DeferralRange {
+    /// The deferral, and the tree that is built.
+    pub fn of<'a>(deferral: Deferral<'a, &Gpu>) -> Result<(Self, Option<&'a Bvh>), GpuError> {
+        Ok(match deferral {
+            Deferral::Ready => (Self::Ready, None),
+            Deferral::Always(bvh) => (Self::Always, Some(bvh)),
+            Deferral::IfReached(bvh, sides) => {
+                (Self::IfReached(sides.ranges()?.needed.clone()), Some(bvh))
+            }
         })
     }
 }

@@ -1,7 +1,7 @@
 //! What building and tracing take.
 
 use super::Seams;
-use super::aim::AimKind;
+use super::target::TargetKind;
 
 /// Times by triangle and by ray. Only their ratios decide anything.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,11 +88,11 @@ impl Costs {
     }
 
     /// Milliseconds for the rays from the eye or to a light, in a tree over so many triangles.
-    pub(super) fn trace_ms(&self, kind: AimKind, primary_rays: f64, count: f64) -> f64 {
+    pub(super) fn trace_ms(&self, kind: TargetKind, primary_rays: f64, count: f64) -> f64 {
         let levels = count.max(2.0).log2();
         let ray = match kind {
-            AimKind::Camera => self.primary_level,
-            AimKind::Lights => self.shadow_level * self.shadow_rays,
+            TargetKind::Camera => self.primary_level,
+            TargetKind::Lights => self.shadow_level * self.shadow_rays,
         };
         primary_rays * ray * levels * 1e-6
     }

@@ -1,7 +1,7 @@
 //! Which rays get a tree of their own.
 
-use super::aim::AimKind;
-use super::{Asked, Costs, Reduce};
+use super::target::TargetKind;
+use super::{Costs, PlanRequest, Reduce};
 
 const COSTS: Costs = Costs::MEASURED;
 
@@ -15,7 +15,7 @@ const LIKELY_SHARE: f64 = 0.5;
 #[derive(Clone, Copy, Debug)]
 pub struct Candidate {
     /// Which rays.
-    pub kind: AimKind,
+    pub kind: TargetKind,
     /// How long a ray takes in the set, against one in what faces the target.
     pub effort: f64,
     /// How many lights they go to.
@@ -31,7 +31,7 @@ pub struct Candidate {
 }
 
 /// Fills in what each set saves.
-pub fn estimate(candidates: &mut [Candidate], asked: &Asked) {
+pub fn estimate(candidates: &mut [Candidate], asked: &PlanRequest) {
     let count = asked.scene.mesh.indices.len() as f64;
     let rays = primary_rays(asked);
     for candidate in candidates.iter_mut().filter(|candidate| candidate.is_used) {
@@ -42,7 +42,7 @@ pub fn estimate(candidates: &mut [Candidate], asked: &Asked) {
 }
 
 /// What a set takes to build and to trace, sorted triangles given.
-pub fn set_cost_ms(candidate: &Candidate, asked: &Asked) -> f64 {
+pub fn set_cost_ms(candidate: &Candidate, asked: &PlanRequest) -> f64 {
     let count = asked.scene.mesh.indices.len() as f64;
     let rays = primary_rays(asked) * rays_per_sample(candidate);
     let set = COSTS.trace_ms(candidate.kind, rays, count * candidate.share);
@@ -56,7 +56,7 @@ fn rays_per_sample(candidate: &Candidate) -> f64 {
 
 /// Which rays get a set. `auto` takes what is cheapest: those that pay by themselves, or all, where then no whole tree is
 /// built.
-pub fn choose(candidates: &[Candidate], asked: &Asked, has_mirrors: bool) -> Vec<bool> {
+pub fn choose(candidates: &[Candidate], asked: &PlanRequest, has_mirrors: bool) -> Vec<bool> {
     let may_be_set = |candidate: &Candidate| candidate.is_used && candidate.may_be_set;
     let pays = |candidate: &Candidate| may_be_set(candidate) && candidate.saving_ms > 0.0;
     let all = |which: &dyn Fn(&Candidate) -> bool| candidates.iter().map(which).collect();
@@ -69,7 +69,7 @@ pub fn choose(candidates: &[Candidate], asked: &Asked, has_mirrors: bool) -> Vec
 }
 
 /// Milliseconds a frame that the cheapest choice saves against one whole tree, and whether it is a set for all.
-fn best_saving(candidates: &[Candidate], asked: &Asked, has_mirrors: bool) -> (f64, bool) {
+fn best_saving(candidates: &[Candidate], asked: &PlanRequest, has_mirrors: bool) -> (f64, bool) {
     let count = asked.scene.mesh.indices.len() as f64;
     let used = || candidates.iter().filter(|candidate| candidate.is_used);
     let possible = used().filter(|candidate| candidate.may_be_set);
@@ -84,7 +84,7 @@ fn best_saving(candidates: &[Candidate], asked: &Asked, has_mirrors: bool) -> (f
 }
 
 /// Why a survey is not likely to pay, if so: when half of all triangles could be left out for the camera and each light.
-pub fn decline(asked: &Asked, candidates: &[Candidate], has_mirrors: bool) -> Option<String> {
+pub fn decline(asked: &PlanRequest, candidates: &[Candidate], has_mirrors: bool) -> Option<String> {
     let count = asked.scene.mesh.indices.len() as f64;
     let mut hoped: Vec<Candidate> = candidates.to_vec();
     for candidate in &mut hoped {
@@ -107,7 +107,7 @@ pub fn decline(asked: &Asked, candidates: &[Candidate], has_mirrors: bool) -> Op
     })
 }
 
-fn primary_rays(asked: &Asked) -> f64 {
+fn primary_rays(asked: &PlanRequest) -> f64 {
     let [width, height] = asked.settings.size.map(f64::from);
     width * height * f64::from(asked.settings.sample_count)
 }

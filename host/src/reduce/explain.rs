@@ -2,7 +2,8 @@
 
 use super::Reduce;
 use super::plan::Plan;
-use super::{Aim, Choice, Half};
+use super::{FacingSet, TreeChoice, ViewTarget};
+use crate::text::{grouped, things};
 use crate::topology::{Facts, Topology};
 
 impl Plan<'_> {
@@ -16,7 +17,7 @@ impl Plan<'_> {
                 for (about, text) in surfaces(topology) {
                     line(about, text);
                 }
-                for aim in &self.aims {
+                for aim in &self.targets {
                     line(&aim.name(), self.aim(aim));
                 }
             }
@@ -31,7 +32,7 @@ impl Plan<'_> {
         lines
     }
 
-    fn aim(&self, aim: &Aim) -> String {
+    fn aim(&self, aim: &ViewTarget) -> String {
         let kept = format!(
             "about {:.0} % of {}",
             100.0 * aim.share,
@@ -48,15 +49,15 @@ impl Plan<'_> {
             format!("costs about {:.1} ms more than it saves", -aim.saving_ms)
         };
         let text = match aim.choice {
-            Choice::Unused => return "no rays, no tree".to_owned(),
-            Choice::Whole if !aim.may_be_set() => {
+            TreeChoice::Unused => return "no rays, no tree".to_owned(),
+            TreeChoice::Whole if !aim.may_be_set() => {
                 "the whole tree: nothing may be left out".to_owned()
             }
-            Choice::Whole if self.reduce == Reduce::Off => {
+            TreeChoice::Whole if self.reduce == Reduce::Off => {
                 format!("the whole tree, as asked; a set would keep {kept}")
             }
-            Choice::Whole => format!("the whole tree: a set of {kept} {saving}"),
-            Choice::Set => {
+            TreeChoice::Whole => format!("the whole tree: a set of {kept} {saving}"),
+            TreeChoice::Set => {
                 let besides = match (aim.saving_ms < 0.0, self.reduce, self.needs_whole) {
                     (true, Reduce::On, _) => ", but was asked for",
                     (true, _, false) => ", but no whole tree is built",
@@ -66,9 +67,9 @@ impl Plan<'_> {
             }
         };
         let text = match (aim.half, aim.frustum.is_bounded) {
-            (Half::Away, _) => format!("{text}, of those that face away from it"),
-            (Half::Toward, 1) => format!("{text}, nothing outside the picture"),
-            (Half::Toward, _) => text,
+            (FacingSet::Back, _) => format!("{text}, of those that face away from it"),
+            (FacingSet::Front, 1) => format!("{text}, nothing outside the picture"),
+            (FacingSet::Front, _) => text,
         };
         let inside = self.inside_count(aim);
         if inside > 0 {
@@ -83,7 +84,7 @@ impl Plan<'_> {
     }
 
     /// Reducible components that an aim needs whole.
-    fn inside_count(&self, aim: &Aim) -> usize {
+    fn inside_count(&self, aim: &ViewTarget) -> usize {
         let facts = self.topology.map(Topology::facts).unwrap_or_default();
         let pairs = facts.iter().zip(&aim.sides);
         pairs
@@ -92,8 +93,13 @@ impl Plan<'_> {
     }
 
     fn whole(&self) -> String {
-        let used_by = |aim: &&Aim| aim.choice == Choice::Whole;
-        let mut users: Vec<String> = self.aims.iter().filter(used_by).map(Aim::name).collect();
+        let used_by = |aim: &&ViewTarget| aim.choice == TreeChoice::Whole;
+        let mut users: Vec<String> = self
+            .targets
+            .iter()
+            .filter(used_by)
+            .map(ViewTarget::name)
+            .collect();
         if self.has_mirrors {
             users.push("mirrors and glass".to_owned());
         }
@@ -148,23 +154,4 @@ fn surfaces(topology: &Topology) -> Vec<(&'static str, String)> {
         }
     }
     lines
-}
-
-/// A count of things: 1 component, 1,200 components.
-pub(super) fn things(count: usize, thing: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{} {thing}{plural}", grouped(count))
-}
-
-/// A count with thousands set apart.
-pub(super) fn grouped(count: usize) -> String {
-    let digits = count.to_string();
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }

@@ -3,7 +3,7 @@
 //! Lights near each other see almost the same triangles. One set for all of them keeps a triangle unless the ball that
 //! holds them is certainly behind it (Wong, Cheng and Lii 2012, the rule with R): it is built once, and holds more.
 
-use super::aim::{Aim, Choice};
+use super::target::{TreeChoice, ViewTarget};
 use slimbvh_core::orientation::Target;
 use std::collections::BTreeSet;
 
@@ -13,12 +13,12 @@ const TRIES: usize = 4;
 /// Unites aims at lights, nearest first, as long as one set costs less than two. `join` returns what the lights of both
 /// would share, if they can; `cost_ms` what a set takes to build and to trace. Suns stay alone.
 pub fn group(
-    aims: Vec<Aim>,
-    join: impl Fn(&Aim, &Aim) -> Option<Aim>,
-    cost_ms: impl Fn(&Aim) -> f64,
-) -> Vec<Aim> {
+    aims: Vec<ViewTarget>,
+    join: impl Fn(&ViewTarget, &ViewTarget) -> Option<ViewTarget>,
+    cost_ms: impl Fn(&ViewTarget) -> f64,
+) -> Vec<ViewTarget> {
     let mut tries = TRIES * aims.len();
-    let mut groups: Vec<(usize, Aim)> = aims.into_iter().enumerate().collect();
+    let mut groups: Vec<(usize, ViewTarget)> = aims.into_iter().enumerate().collect();
     let mut next = groups.len();
     let mut refused = BTreeSet::new();
     while let Some([a, b]) = nearest(&groups, &refused).filter(|_| tries > 0) {
@@ -40,8 +40,9 @@ pub fn group(
 }
 
 /// The two nearest groups of lamps that were not refused, by their places, the lower first.
-fn nearest(groups: &[(usize, Aim)], refused: &BTreeSet<[usize; 2]>) -> Option<[usize; 2]> {
-    let is_lamp = |aim: &Aim| aim.choice != Choice::Unused && aim.target.is_position == 1;
+fn nearest(groups: &[(usize, ViewTarget)], refused: &BTreeSet<[usize; 2]>) -> Option<[usize; 2]> {
+    let is_lamp =
+        |aim: &ViewTarget| aim.choice != TreeChoice::Unused && aim.target.is_position == 1;
     let mut best = None;
     for (b, (id_b, second)) in groups.iter().enumerate() {
         for (a, (id_a, first)) in groups[..b].iter().enumerate() {
@@ -89,7 +90,7 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reduce::AimKind;
+    use crate::reduce::TargetKind;
     use proptest::prelude::*;
 
     fn ball() -> impl Strategy<Value = Target> {
@@ -112,9 +113,9 @@ mod tests {
         }
     }
 
-    fn lamp(index: usize, x: f32) -> Aim {
-        Aim::new(
-            AimKind::Lights,
+    fn lamp(index: usize, x: f32) -> ViewTarget {
+        ViewTarget::new(
+            TargetKind::Lights,
             vec![index],
             Target::position([x, 0.0, 0.0]),
         )
@@ -123,19 +124,19 @@ mod tests {
     /// With a cost of 5 a set and the cube of the ball's radius, near lamps come together, and far ones do not.
     #[test]
     fn lamps_come_together_while_it_pays() {
-        let join = |a: &Aim, b: &Aim| {
+        let join = |a: &ViewTarget, b: &ViewTarget| {
             let lights = a.lights.iter().chain(&b.lights).copied().collect();
             let target = joined_target(&a.target, &b.target);
-            Some(Aim::new(AimKind::Lights, lights, target))
+            Some(ViewTarget::new(TargetKind::Lights, lights, target))
         };
         let places = [0.0, 1.0, 9.0, 2.0, 10.0, 50.0];
-        let lamps: Vec<Aim> = places
+        let lamps: Vec<ViewTarget> = places
             .iter()
             .enumerate()
             .map(|(i, &x)| lamp(i, x))
             .collect();
-        let cost = |aim: &Aim| 5.0 + f64::from(aim.target.radius).powi(3);
-        let lights = |groups: &[Aim]| -> Vec<Vec<usize>> {
+        let cost = |aim: &ViewTarget| 5.0 + f64::from(aim.target.radius).powi(3);
+        let lights = |groups: &[ViewTarget]| -> Vec<Vec<usize>> {
             groups.iter().map(|aim| aim.lights.clone()).collect()
         };
         let groups = group(lamps.clone(), join, cost);

@@ -1,31 +1,31 @@
 //! The plan of a picture: what its hierarchies may leave out, and whether that pays.
 //!
 //! [`Plan::without_survey`] says whether anything can be gained at all. If so, [`survey`] looks at the mesh's surfaces,
-//! [`Plan::new`] decides for the camera and for each light, and [`Hierarchies`] (or [`gpu::Hierarchies`]) builds what was
-//! decided. Wherever rays go through a whole tree instead of a set, the same rule applies to what they hit: with a survey,
+//! [`Plan::new`] decides for the camera and for each light, and [`Hierarchies`] builds what was decided. Wherever rays go through a whole tree instead of a set, the same rule applies to what they hit: with a survey,
 //! the picture does not depend on [`Switches::reduce`], the heat map aside.
 //!
 //! What is saved can be had or not, each by itself ([`Savings`]), and the picture stays the same.
 
-mod aim;
 mod cost;
 mod decide;
 mod explain;
-#[cfg(feature = "gpu")]
-pub mod gpu;
 mod group;
 mod plan;
+mod planner;
 mod sample;
 mod savings;
 mod survey;
+mod target;
 mod trees;
 
-pub use aim::{Aim, AimKind, Choice, Half};
 pub use cost::Costs;
 pub use plan::Plan;
+pub use planner::{PlanConfig, Planner, Still};
 pub use savings::{Saving, Savings};
 pub use survey::{Survey, survey};
-pub use trees::{Done, Hierarchies, InTurn};
+pub use target::{FacingSet, TargetKind, TreeChoice, ViewTarget};
+pub use trees::Hierarchies;
+pub(crate) use trees::Work;
 
 use crate::{RenderSettings, Scene};
 
@@ -85,7 +85,7 @@ impl Switches {
 
 /// What a plan is for. The scene's first camera is used.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked<'a> {
+pub struct PlanRequest<'a> {
     /// Geometry, materials, camera and lights.
     pub scene: &'a Scene,
     /// How pictures are made.

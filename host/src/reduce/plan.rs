@@ -1,10 +1,10 @@
 //! What is built for a picture.
 
-use super::aim::{self, Aim, AimKind, Choice, Half};
 use super::decide::{self, Candidate};
 use super::group::{group, joined_target};
 use super::sample::Samples;
-use super::{Asked, Costs, Cull, Reduce, Saving};
+use super::target::{self, FacingSet, TargetKind, TreeChoice, ViewTarget};
+use super::{Costs, Cull, PlanRequest, Reduce, Saving};
 use crate::topology::{Facts, Topology};
 use crate::{View, ViewError};
 use slimbvh_core::bounds::scene_exponent;
@@ -19,7 +19,7 @@ pub struct Plan<'a> {
     /// The surfaces; none without a survey, and then nothing is left out.
     pub topology: Option<&'a Topology>,
     /// The camera, then the lights, each once, alone or with others.
-    pub aims: Vec<Aim>,
+    pub targets: Vec<ViewTarget>,
     /// Whether the whole tree is built.
     pub needs_whole: bool,
     /// Whether rays from mirrors and glass are traced, through the whole tree.
@@ -34,7 +34,8 @@ pub struct Plan<'a> {
     pub in_turn: bool,
     /// Whether a set is built in its turn even where its lights reach nothing.
     pub(super) builds_unseen: bool,
-    may_turn_away: bool,
+    /// Whether sets for lights may hold what faces away from them, where the eye is outside.
+    pub may_turn_away: bool,
     /// Why there was no survey.
     pub(super) no_survey: Option<String>,
 }
@@ -44,8 +45,8 @@ impl<'a> Plan<'a> {
     ///
     /// # Errors
     /// For cameras and lights that make no picture.
-    pub fn without_survey(asked: &Asked) -> Result<Option<Self>, ViewError> {
-        let aims = aim::aims(asked)?;
+    pub fn without_survey(asked: &PlanRequest) -> Result<Option<Self>, ViewError> {
+        let aims = target::aims(asked)?;
         let has_mirrors = has_mirrors(asked);
         let switches = asked.switches;
         let reason = match (switches.cull, switches.reduce) {
@@ -64,10 +65,10 @@ impl<'a> Plan<'a> {
     ///
     /// # Errors
     /// For cameras and lights that make no picture.
-    pub fn plain(asked: &Asked, reason: String) -> Result<Self, ViewError> {
+    pub fn plain(asked: &PlanRequest, reason: String) -> Result<Self, ViewError> {
         Ok(Self {
             topology: None,
-            aims: aim::aims(asked)?,
+            targets: target::aims(asked)?,
             needs_whole: true,
             has_mirrors: has_mirrors(asked),
             triangle_count: asked.scene.mesh.indices.len(),
@@ -85,50 +86,51 @@ impl<'a> Plan<'a> {
     ///
     /// # Errors
     /// For cameras and lights that make no picture.
-    pub fn new(topology: &'a Topology, asked: &Asked) -> Result<Self, ViewError> {
+    pub fn new(topology: &'a Topology, asked: &PlanRequest) -> Result<Self, ViewError> {
         let mesh = &asked.scene.mesh;
         let savings = asked.switches.savings;
         let bounds = mesh.bounds().unwrap_or(slimbvh_core::Aabb::EMPTY);
         let scale = PowerOfTwo::new(scene_exponent(&bounds));
         let has_mirrors = has_mirrors(asked);
-        let look = Look {
+        let look = MeshSurvey {
             topology,
             facts: topology.facts(),
             samples: Samples::new(asked.scene, topology.components(), scale),
         };
 
-        let mut aims = aim::aims(asked)?;
+        let mut aims = target::aims(asked)?;
         let mut lights = aims.split_off(1);
         for camera in &mut aims {
             if savings.has(Saving::Frustum) {
-                camera.frustum = aim::frustum_within(asked, &bounds)?;
+                camera.frustum = target::frustum_within(asked, &bounds)?;
             }
             look.measure(camera);
         }
         // Where paths leave mirrors, or are inside of glass, nobody knows from where shadow rays start.
         let eye_sides = aims.iter().map(|camera| camera.sides.clone()).next();
         let eye_sides = eye_sides.filter(|_| savings.has(Saving::Away) && !has_mirrors);
-        let cost_ms = |aim: &Aim| decide::set_cost_ms(&candidate(aim), asked);
-        let measure = |aim: &mut Aim| {
+        let cost_ms = |aim: &ViewTarget| decide::set_cost_ms(&candidate(aim), asked);
+        let measure = |aim: &mut ViewTarget| {
             look.measure(aim);
             if let Some(eye_sides) = &eye_sides {
                 look.take_cheaper_half(aim, eye_sides, cost_ms);
             }
         };
         for light in &mut lights {
-            if light.choice != Choice::Unused {
+            if light.choice != TreeChoice::Unused {
                 measure(light);
             }
         }
         if savings.has(Saving::Groups) {
-            let join = |a: &Aim, b: &Aim| {
+            let join = |a: &ViewTarget, b: &ViewTarget| {
                 let mut lights: Vec<usize> = a.lights.iter().chain(&b.lights).copied().collect();
                 lights.sort_unstable();
                 let target = joined_target(&a.target, &b.target);
-                let mut joined = Aim::new(AimKind::Lights, lights, target);
+                let mut joined = ViewTarget::new(TargetKind::Lights, lights, target);
                 measure(&mut joined);
                 // Outside of all that each of them is outside of.
-                let outside = |aim: &Aim| aim.sides.iter().filter(|side| **side != 0).count();
+                let outside =
+                    |aim: &ViewTarget| aim.sides.iter().filter(|side| **side != 0).count();
                 let is_outside = outside(&joined) == outside(a) && outside(a) == outside(b);
                 is_outside.then_some(joined)
             };
@@ -142,17 +144,23 @@ impl<'a> Plan<'a> {
         let mut needs_whole = has_mirrors;
         for ((aim, candidate), is_set) in aims.iter_mut().zip(&candidates).zip(chosen) {
             aim.saving_ms = candidate.saving_ms;
-            if aim.choice == Choice::Whole && is_set {
-                aim.choice = Choice::Set;
+            if aim.choice == TreeChoice::Whole && is_set {
+                aim.choice = TreeChoice::Set;
             }
-            needs_whole |= aim.choice == Choice::Whole;
+            needs_whole |= aim.choice == TreeChoice::Whole;
         }
-        let set_count = aims.iter().filter(|aim| aim.choice == Choice::Set).count();
-        let light_sets = aims.iter().skip(1).filter(|aim| aim.choice == Choice::Set);
+        let set_count = aims
+            .iter()
+            .filter(|aim| aim.choice == TreeChoice::Set)
+            .count();
+        let light_sets = aims
+            .iter()
+            .skip(1)
+            .filter(|aim| aim.choice == TreeChoice::Set);
         let light_set_count = light_sets.count();
         let plan = Self {
             topology: Some(topology),
-            aims,
+            targets: aims,
             needs_whole,
             has_mirrors,
             triangle_count: mesh.indices.len(),
@@ -177,15 +185,9 @@ impl<'a> Plan<'a> {
 
     /// Whether lights that share a set follow each other.
     fn is_in_runs(&self) -> bool {
-        let mut places = self.aim_of_light();
+        let mut places = self.target_of_light();
         places.dedup();
-        places.len() + 1 == self.aims.len()
-    }
-
-    /// Whether sets for lights may hold what faces away from them, where the eye is outside.
-    #[must_use]
-    pub fn may_turn_away(&self) -> bool {
-        self.may_turn_away
+        places.len() + 1 == self.targets.len()
     }
 
     /// Whether everything is traced through one whole tree in which all triangles count.
@@ -195,14 +197,14 @@ impl<'a> Plan<'a> {
     }
 
     /// The component of each triangle; none without a survey.
-    pub(super) fn components(&self) -> &'a [u32] {
-        self.topology.map_or(&[], Topology::components)
+    pub(super) fn components(&self) -> Option<&'a [u32]> {
+        self.topology.map(Topology::components)
     }
 
     /// The place among the aims of each light.
     #[must_use]
-    pub fn aim_of_light(&self) -> Vec<usize> {
-        let places = self.aims.iter().enumerate();
+    pub fn target_of_light(&self) -> Vec<usize> {
+        let places = self.targets.iter().enumerate();
         let mut pairs: Vec<(usize, usize)> = places
             .flat_map(|(place, aim)| aim.lights.iter().map(move |&light| (light, place)))
             .collect();
@@ -212,15 +214,15 @@ impl<'a> Plan<'a> {
 }
 
 /// What is known of the mesh.
-struct Look<'a> {
+struct MeshSurvey<'a> {
     topology: &'a Topology,
     facts: Vec<Facts>,
     samples: Samples<'a>,
 }
 
-impl Look<'_> {
+impl MeshSurvey<'_> {
     /// Which sides of which components an aim sees, and what share of all triangles.
-    fn measure(&self, aim: &mut Aim) {
+    fn measure(&self, aim: &mut ViewTarget) {
         aim.sides = self.topology.sides(&(&aim.target).into());
         let reducible = aim.sides.iter().zip(&self.facts);
         aim.reducible_count = reducible
@@ -234,17 +236,22 @@ impl Look<'_> {
 
     /// Turns an aim at lights to the half that faces away, where that costs less and the eye, too, is outside of all that
     /// these lights are outside of: then every shadow ray starts outside, and meets as many triangles of either half.
-    fn take_cheaper_half(&self, aim: &mut Aim, eye_sides: &[i32], cost_ms: impl Fn(&Aim) -> f64) {
+    fn take_cheaper_half(
+        &self,
+        aim: &mut ViewTarget,
+        eye_sides: &[i32],
+        cost_ms: impl Fn(&ViewTarget) -> f64,
+    ) {
         let mut pairs = aim.sides.iter().zip(eye_sides);
         if aim.reducible_count == 0 || pairs.any(|(light, eye)| *light != 0 && *eye == 0) {
             return;
         }
         let sides: Vec<i32> = aim.sides.iter().map(|side| -side).collect();
         let share = self.samples.share(&sides, &aim.target, &aim.frustum);
-        let away = Aim {
+        let away = ViewTarget {
             effort: Costs::MEASURED.away_effort(aim.share + share - 1.0),
             share,
-            half: Half::Away,
+            half: FacingSet::Back,
             sides,
             ..aim.clone()
         };
@@ -255,7 +262,7 @@ impl Look<'_> {
 }
 
 /// Whether any path may go on, at a mirror or through glass.
-fn has_mirrors(asked: &Asked) -> bool {
+fn has_mirrors(asked: &PlanRequest) -> bool {
     let mut materials = asked.scene.materials.iter();
     let settings = asked.settings;
     settings.view == View::Color
@@ -264,16 +271,16 @@ fn has_mirrors(asked: &Asked) -> bool {
 }
 
 /// The rays that there are, for the model of costs.
-fn candidates(aims: &[Aim]) -> Vec<Candidate> {
+fn candidates(aims: &[ViewTarget]) -> Vec<Candidate> {
     aims.iter().map(candidate).collect()
 }
 
-fn candidate(aim: &Aim) -> Candidate {
+fn candidate(aim: &ViewTarget) -> Candidate {
     Candidate {
         kind: aim.kind,
         effort: aim.effort,
         light_count: aim.lights.len(),
-        is_used: aim.choice != Choice::Unused,
+        is_used: aim.choice != TreeChoice::Unused,
         may_be_set: aim.may_be_set(),
         share: aim.share,
         saving_ms: 0.0,

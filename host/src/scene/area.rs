@@ -2,7 +2,7 @@
 
 use super::view::unit;
 use super::{AreaShape, Light};
-use crate::wide::{cross, dot, normalized};
+use crate::dvec3::{cross, dot, normalized};
 use glam::Vec3;
 use slimbvh_core::light::{DISC, RECTANGLE};
 

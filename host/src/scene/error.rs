@@ -1,8 +1,8 @@
 //! Why a scene cannot be loaded.
 
 use super::gltf::GltfError;
+use super::slim::FileError;
 use crate::MeshError;
-use crate::file::FileError;
 pub(super) use crate::text::excerpt;
 use std::io;
 use thiserror::Error;

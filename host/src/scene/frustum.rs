@@ -1,6 +1,6 @@
 //! The planes beyond which no ray of a camera comes.
 
-use crate::wide::{cross, dot, normalized};
+use crate::dvec3::{cross, dot, normalized};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::frustum::Frustum;
 

@@ -107,7 +107,7 @@ fn reader(source: &Source<'_>) -> Result<(&'static str, Reader), LoadError> {
         "ply" => Ok(("PLY", ply::read)),
         "stl" => Ok(("STL", stl::read)),
         "off" => Ok(("OFF", off::read)),
-        "slim" => Ok(("slim", slim::read)),
+        "slim" => Ok(("slim", slim::read_scene)),
         _ => Err(LoadError::UnknownExtension {
             file: source.file.clone(),
             extension: extension.into_owned(),
@@ -116,7 +116,7 @@ fn reader(source: &Source<'_>) -> Result<(&'static str, Reader), LoadError> {
 }
 
 /// A file's bytes, if it is a regular file of at most the given size.
-pub(crate) fn read_file(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, LoadError> {
+pub(super) fn read_file(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, LoadError> {
     let file = || path.display().to_string();
     let cannot_read = |error| LoadError::Read {
         file: file(),

@@ -19,7 +19,7 @@ mod off;
 #[cfg(feature = "scenes")]
 mod ply;
 #[cfg(feature = "scenes")]
-mod slim;
+pub mod slim;
 #[cfg(feature = "scenes")]
 mod stl;
 mod target;
@@ -31,8 +31,6 @@ mod view;
 pub use error::{Indexed, LoadError};
 #[cfg(feature = "scenes")]
 pub use gltf::GltfError;
-#[cfg(feature = "scenes")]
-pub(crate) use load::read_file;
 #[cfg(feature = "scenes")]
 pub use load::{LoadOptions, load, load_bytes};
 

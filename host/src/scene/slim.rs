@@ -1,11 +1,94 @@
-//! The scene in a file that holds a hierarchy as well.
+//! Saved hierarchies: a scene and a hierarchy over it in one file, `.slim`, so that nothing need be built to trace it.
+//!
+//! All numbers are little-endian, in words of 4 bytes. There are no pointers and nothing is packed: each list lies in the file
+//! as buffers on the GPU hold it, from a multiple of 256 bytes on, at which every device binds buffers. So a file can be mapped
+//! into memory and uploaded whole. Everything between is zero, and nothing can be written in two ways: what [`read`] accepts,
+//! [`write()`] makes again, byte for byte.
+//!
+//! ```text
+//! header, 64 bytes
+//!    0  89 53 4C 49 4D 0D 0A 1A   "SLIM" among bytes that text tools spoil
+//!    8  01020304                  byte order
+//!   12  version                   1
+//!   16  CRC-32 (IEEE, as in PNG)  of all bytes of the file but these four
+//!   20  number of sections        13
+//!   24  length of the file        8 bytes
+//!   32  zeros
+//!
+//! a record of 32 bytes for each section, right behind
+//!    0  kind, 1 to 13 in this order       4  bytes of an item
+//!    8  where it begins, 8 bytes         16  its length in bytes, 8 bytes
+//!   24  zeros
+//!
+//! kind             item
+//!  1 vertices        12  x, y, z
+//!  2 indices         12  three vertices of a triangle
+//!  3 normals         12  x, y, z; none, or one a vertex
+//!  4 materials used   4  one a triangle, or none
+//!  5 parts           16  length of the name in bytes, 0, first triangle, number of triangles
+//!  6 names            1  of the parts in UTF-8, one after the other
+//!  7 materials       32  base color: r, g, b; mirror's share; share that passes; index of refraction; zeros
+//!  8 cameras         64  eye (3), kind (0 perspective, 1 thin lens, 2 parallel), target (3), degrees or height, up (3), lens
+//!                        radius, distance of what is sharp, zeros (3)
+//!  9 lights          64  color (3), kind (0 sun, 1 point, 2 disc, 3 rectangle), direction or place (3), range, first half
+//!                        edge (3), 0, second half edge (3), 0
+//! 10 scene           64  box to be framed: min (3), whether there is one, max (3), 0; number of faces that a lenient loader
+//!                        dropped, zeros (7)
+//! 11 hierarchy      128  codec of nodes (0 in full, 1 paper10, 2 lattice), bits of a plane on the lattice, codec of triangles
+//!                        (0 in full, 1 in 10 bits, 2 lattice), number of triangles, that of the mesh, depth bound, scene
+//!                        exponent, exponent of the lattice's step, bounds: min (3), whether there are any, max (3), 0, root
+//!                        box: min (3), 0, max (3), 0, zeros (8)
+//! 12 nodes               in full 64, paper10 24, on the lattice 12 to 28
+//! 13 triangles           in full 40, in 10 bits 16, on the lattice 4: words, of which a triangle has 4, 7 or 10
+//! ```
+//!
+//! What is in an item of the sections 12 and 13 is told in `slimbvh_core`: [`Node`](crate::Node),
+//! [`LeafTriangle`](crate::LeafTriangle) and `encode`. A section without items has a place all the same.
 
-use super::load::Source;
+mod check;
+mod error;
+mod layout;
+mod read;
+mod records;
+mod write;
+
+pub use error::{ContentError, FileError, WriteError};
+pub use layout::Section;
+pub use read::read;
+pub use write::write;
+
+use super::load::{Source, read_file};
 use super::{LoadError, Scene};
+use crate::{Aabb, Bvh};
+use std::path::Path;
 
-/// Reads the scene, once all of the file is found sound.
-pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
-    match crate::file::read(&bytes) {
+/// What a file holds.
+#[derive(Clone, Debug)]
+pub struct Saved {
+    /// Geometry, materials, cameras and lights.
+    pub scene: Scene,
+    /// A hierarchy over its mesh.
+    pub bvh: Bvh,
+    /// What a camera is to see where the scene has none; none for the mesh's own bounds. It is kept where vertices were moved
+    /// onto a lattice, so that the camera stays where it was.
+    pub framing: Option<Aabb>,
+}
+
+/// The scene and the hierarchy in a file of at most this many bytes.
+///
+/// # Errors
+/// The file cannot be read, or is not sound.
+pub fn load(path: &Path, max_file_bytes: u64) -> Result<Saved, LoadError> {
+    let bytes = read_file(path, max_file_bytes)?;
+    read(&bytes).map_err(|error| LoadError::Saved {
+        file: path.display().to_string(),
+        error,
+    })
+}
+
+/// The scene in a file, once all of the file is found sound.
+pub(super) fn read_scene(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+    match read(&bytes) {
         Ok(saved) => Ok(saved.scene),
         Err(error) => Err(LoadError::Saved {
             file: source.file.clone(),
@@ -13,3 +96,6 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         }),
     }
 }
+
+#[cfg(test)]
+mod tests;

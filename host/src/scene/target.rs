@@ -1,6 +1,6 @@
 //! Where rays come from or lead to, as a whole: a lens and a light with an extent lie in a ball.
 
-use crate::wide::dot;
+use crate::dvec3::dot;
 use slimbvh_core::camera::Camera;
 use slimbvh_core::float::{abs, max, next_up};
 use slimbvh_core::light::{DISC, Light, NO_EXTENT};

@@ -2,7 +2,7 @@
 
 use super::area::normal;
 use super::{Camera, Light, Material, Projection, Scene};
-use crate::wide::{cross, dot, normalized};
+use crate::dvec3::{cross, dot, normalized};
 use glam::Vec3;
 use slimbvh_core::Aabb;
 use slimbvh_core::float::{abs, exponent, max, scale_by_power_of_two};

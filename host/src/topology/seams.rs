@@ -5,7 +5,7 @@ use super::crossing::Probe;
 use super::within::for_each_within;
 use super::{Topology, welded_triangles};
 use crate::analysis::{Buckets, Edges, UnionFind, are_collinear};
-use crate::{Bvh, Mesh, MeshCodec, NodeCodec};
+use crate::{Bvh, Mesh, NodeCodec};
 use glam::Vec3;
 use rayon::prelude::*;
 use slimbvh_core::Aabb;
@@ -26,8 +26,8 @@ impl Topology {
     /// others.
     ///
     /// # Panics
-    /// If the hierarchy or the mesh is of another number of triangles, or the hierarchy's triangles are of the paper10 codec
-    /// ([`MeshCodec::Leaf10`]).
+    /// If the hierarchy or the mesh is of another number of triangles, or the hierarchy's triangles are stored by a
+    /// codec that [moves vertices](crate::MeshCodec::moves_vertices).
     pub fn find_seams(&mut self, mesh: &Mesh, bvh: &Bvh) {
         let counts = [bvh.triangle_count(), mesh.indices.len()];
         assert_eq!(
@@ -36,13 +36,16 @@ impl Topology {
             "triangles of another mesh"
         );
         let decoded;
-        let bvh = match bvh.codecs() {
-            (NodeCodec::F32, _) => bvh,
-            (_, MeshCodec::Leaf10) => panic!("a hierarchy whose triangles were moved"),
-            _ => {
-                decoded = bvh.decoded();
-                &decoded
-            }
+        let (nodes, triangles) = bvh.codecs();
+        assert!(
+            !triangles.moves_vertices(),
+            "a hierarchy whose triangles were moved"
+        );
+        let bvh = if nodes == NodeCodec::default() {
+            bvh
+        } else {
+            decoded = bvh.decoded();
+            &decoded
         };
         for (triangle, component) in self.seams.drain(..) {
             self.components[triangle as usize] = component;

@@ -5,10 +5,8 @@ use crate::measure::counts::{Counts, count};
 use crate::measure::walks::Walks;
 use crate::stress::{Moves, moved};
 use anyhow::Result;
-use slimbvh::reduce::{Saving, Savings};
-use slimbvh::{Builder, Bvh, MeshCodec};
-use slimbvh_cli::reduce;
-use slimbvh_cli::render::job;
+use slimbvh::reduce::{Planner, Saving, Savings};
+use slimbvh::{Builder, Bvh, Cpu, CpuError, FrameConfig, Frames};
 
 /// Of the trees of a picture, the same on every machine.
 pub struct Facts {
@@ -21,7 +19,7 @@ pub struct Facts {
     pub node_bytes: usize,
     /// Bytes of all triangles in leaves.
     pub triangle_bytes: usize,
-    /// Of the tree for rays from the eye: 1 for each node opened and 1 for each triangle tested (`slimbvh::animate::sah_cost`).
+    /// Of the tree for rays from the eye: 1 for each node opened and 1 for each triangle tested (`slimbvh::sah_cost`).
     pub sah_cost: f64,
     pub counts: Counts,
     pub moves: Moves,
@@ -30,25 +28,31 @@ pub struct Facts {
 impl Facts {
     /// Builds all trees, none in turn, and follows all rays of the picture.
     pub fn new(prepared: &Prepared) -> Result<Self> {
-        let mut cpu = job::Cpu::new(prepared.config);
-        let mut room = None;
-        let asked = prepared.asked(Savings::ALL.without(Saving::Turns));
-        let (plan, _) = reduce::plan(&asked, prepared.config, &mut room)?;
-        cpu.build(&prepared.scene.mesh, &plan)?;
-        let sum = |of: fn(&Bvh) -> usize| cpu.all(&plan).map(of).sum();
-        let trees = cpu.trees(&plan);
+        let (scene, settings) = (&prepared.scene, &prepared.settings);
+        let savings = Savings::ALL.without(Saving::Turns);
+        let mut planner = Planner::new(prepared.config, prepared.plan_config(savings));
+        planner.survey::<CpuError>(scene, settings)?;
+        let plan = planner.plan(scene, settings)?;
+        let config = FrameConfig {
+            build: prepared.config,
+            ..FrameConfig::default()
+        };
+        let mut frames = Frames::new(Cpu, config);
+        frames.build(scene, &plan)?;
+        let all = || frames.hierarchies().all(&plan);
+        let sum = |of: fn(&Bvh) -> usize| all().map(of).sum();
+        let trees = frames.trees(&plan);
         let counts = count(&prepared.scene, &Walks::new(&trees)?, &prepared.settings)?;
         let primary = trees.primary.bvh;
-        let moves = match prepared.config.mesh {
-            MeshCodec::Leaf10 => {
-                let mut builder = Builder::new(prepared.config.code_bits.into());
-                let plain = builder.build(&prepared.scene.mesh)?;
-                moved(&plain, &primary.decoded())?
-            }
-            MeshCodec::F32 | MeshCodec::Lattice { .. } => prepared.moves,
+        let moves = if prepared.config.mesh.moves_vertices() {
+            let mut builder = Builder::new(prepared.config.code_bits.into());
+            let plain = builder.build(&prepared.scene.mesh)?;
+            moved(&plain, &primary.decoded())?
+        } else {
+            prepared.moves
         };
         Ok(Self {
-            trees: cpu.all(&plan).count(),
+            trees: all().count(),
             mesh_triangles: prepared.scene.mesh.indices.len(),
             tree_triangles: sum(Bvh::triangle_count),
             node_bytes: sum(Bvh::node_bytes),

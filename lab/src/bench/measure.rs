@@ -3,17 +3,17 @@
 use super::cross::{Objectives, candidates};
 use super::facts::Facts;
 use super::likeness::Likeness;
-use super::machine::{self, Machine};
 use super::pareto::front;
 use super::prepared::Prepared;
 use super::protocol::Protocol;
 use super::scenes::Subject;
 use super::setup::{Knob, Setup};
 use super::times::{Round, Times};
+use super::trial::{Trial, has};
 use crate::measure::paths::Seen;
 use crate::measure::rounds::Rounds;
 use anyhow::Result;
-use slimbvh::{Picture, RenderSettings};
+use slimbvh::{Backend, Cpu, Frames, Picture, RenderSettings};
 use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::output;
 
@@ -91,6 +91,25 @@ pub fn measure(
     protocol: &Protocol,
     threads: usize,
 ) -> Result<SceneRecord> {
+    match chosen {
+        Chosen::Cpu => measure_on(Cpu, subject, chosen, protocol, threads),
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => {
+            measure_on(gpu, subject, chosen, protocol, threads)
+        }
+    }
+}
+
+fn measure_on<B: Backend>(
+    backend: B,
+    subject: &Subject,
+    chosen: &Chosen,
+    protocol: &Protocol,
+    threads: usize,
+) -> Result<SceneRecord>
+where
+    Frames<B>: Send,
+{
     let scene = &subject.scene;
     let settings = RenderSettings {
         size: protocol.size,
@@ -99,28 +118,28 @@ pub fn measure(
     };
     let prepared = Prepared::new(Setup::plain(threads), scene, settings);
     let facts = Facts::new(&prepared)?;
-    let mut machine = machine::open(chosen, &prepared)?;
-    machine.frame()?;
+    let mut trial = Trial::new(backend, &prepared)?;
+    trial.frame()?;
     let plain = Plain {
         seen: facts.counts.seen,
-        picture: machine.picture().clone(),
+        picture: trial.picture.clone(),
     };
-    drop(machine);
+    drop(trial);
 
     let usual = Prepared::new(Setup::usual(threads), scene, settings);
-    let mut machine = machine::open(chosen, &usual)?;
-    machine.frame()?;
+    let mut usual_trial = Trial::new(backend, &usual)?;
+    usual_trial.frame()?;
     let progress = output::bar(&format!("measuring {}", subject.name));
     let mut setups: Vec<SetupRecord> = Vec::new();
     let mut run = |list: Vec<(Knob, Setup)>, setups: &mut Vec<SetupRecord>| -> Result<()> {
         let all = (setups.len() + list.len() + protocol.crossed) as f64;
         for (knob, setup) in list {
-            if !machine::has(chosen, &setup, &usual.setup) {
+            if !has(chosen, &setup, &usual.setup) {
                 continue;
             }
             let prepared = Prepared::new(setup, scene, settings);
-            let mut own = machine::open(chosen, &prepared)?;
-            let both = (&mut *machine, &mut *own);
+            let mut own = Trial::new(backend, &prepared)?;
+            let both = (&mut usual_trial, &mut own);
             let mut record = measure_one(&prepared, both, &plain, protocol)?;
             (record.knob, record.name) = (knob, setup.name(&usual.setup));
             setups.push(record);
@@ -140,7 +159,7 @@ pub fn measure(
     let bounds = scene.mesh.bounds();
     Ok(SceneRecord {
         name: subject.name.clone(),
-        backend: machine::name(chosen),
+        backend: B::NAME,
         triangles: scene.mesh.indices.len(),
         vertices: scene.mesh.vertices.len(),
         lights: scene.lights.len(),
@@ -172,12 +191,15 @@ fn settle(setups: &mut [SetupRecord]) {
 }
 
 /// Makes pictures with the default and with a setup in turn, and compares the last one.
-fn measure_one(
+fn measure_one<B: Backend>(
     prepared: &Prepared,
-    (usual, own): (&mut (dyn Machine + '_), &mut (dyn Machine + '_)),
+    (usual, own): (&mut Trial<B>, &mut Trial<B>),
     plain: &Plain,
     protocol: &Protocol,
-) -> Result<SetupRecord> {
+) -> Result<SetupRecord>
+where
+    Frames<B>: Send,
+{
     let mut rounds = Rounds::default();
     // One before does not count. The default's is the last of the setup before.
     own.frame()?;
@@ -188,7 +210,7 @@ fn measure_one(
         });
     }
     let mut facts = Facts::new(prepared)?;
-    let picture = own.picture();
+    let picture = &own.picture;
     let seen = std::mem::take(&mut facts.counts.seen);
     let likeness = Likeness::new(picture, &plain.picture, [&seen, &plain.seen])?;
     Ok(SetupRecord {

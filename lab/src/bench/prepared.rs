@@ -3,8 +3,8 @@
 use super::setup::{Lights, Setup, Update};
 use crate::stress::{Moves, snapped};
 use slimbvh::animate::{Animation, Deform, Motion};
-use slimbvh::reduce::{Asked, Saving, Savings, Switches};
-use slimbvh::{BuildConfig, Mesh, MeshCodec, RenderSettings, Scene};
+use slimbvh::reduce::{PlanConfig, Saving, Savings, Switches};
+use slimbvh::{BuildConfig, RenderSettings, Scene};
 use std::borrow::Cow;
 
 /// All that a picture with a setup is made from.
@@ -12,8 +12,8 @@ pub struct Prepared<'a> {
     pub setup: Setup,
     /// Its vertices moved onto the lattice, where there is one.
     pub scene: Cow<'a, Scene>,
-    /// The same mesh twisted, where the tree is refitted from there.
-    pub twisted: Option<Mesh>,
+    /// The same with its mesh twisted, where the tree is refitted from there.
+    pub twisted: Option<Scene>,
     pub config: BuildConfig,
     pub settings: RenderSettings,
     /// How far the lattice moved vertices.
@@ -34,11 +34,11 @@ impl<'a> Prepared<'a> {
         let mut own = Cow::Borrowed(scene);
         let mut moves = Moves::default();
         let snap = |scene: &mut Scene| {
-            if let MeshCodec::Lattice { step_exponent } = config.mesh {
+            if let Some(step_exponent) = config.mesh.step_exponent() {
                 scene.mesh.snap(step_exponent);
             }
         };
-        if let MeshCodec::Lattice { step_exponent } = config.mesh {
+        if let Some(step_exponent) = config.mesh.step_exponent() {
             snap(own.to_mut());
             let (before, after) = (&scene.mesh.vertices, &own.mesh.vertices);
             moves = snapped(before, after, step_exponent);
@@ -47,7 +47,7 @@ impl<'a> Prepared<'a> {
             let mut twisted = scene.clone();
             Animation::new(scene, TWIST).pose(1, &mut twisted);
             snap(&mut twisted);
-            twisted.mesh
+            twisted
         });
         Self {
             setup,
@@ -59,11 +59,9 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// What is asked of the plan.
-    pub fn asked(&self, savings: Savings) -> Asked<'_> {
-        Asked {
-            scene: &self.scene,
-            settings: &self.settings,
+    /// How its frames are planned.
+    pub fn plan_config(&self, savings: Savings) -> PlanConfig {
+        PlanConfig {
             switches: Switches {
                 reduce: self.setup.reduce,
                 savings: match self.setup.lights {
@@ -72,7 +70,7 @@ impl<'a> Prepared<'a> {
                 },
                 ..Switches::default()
             },
-            frame_count: 1,
+            ..PlanConfig::default()
         }
     }
 }

@@ -1,17 +1,17 @@
 //! How costs grow.
 
 use super::facts::Facts;
-use super::machine::open;
 use super::prepared::Prepared;
 use super::protocol::Protocol;
 use super::setup::Setup;
 use super::times::Times;
+use super::trial::Trial;
 use crate::measure::exponent::{CELLS, exponent};
 use crate::measure::rounds::Rounds;
 use crate::measure::table::Table;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::{Light, RenderSettings, Scene, generate};
+use slimbvh::{Backend, Cpu, Frames, Light, RenderSettings, Scene, generate};
 use slimbvh_cli::backend::{Chosen, is_too_large};
 use slimbvh_cli::output::{self, count};
 
@@ -131,7 +131,7 @@ pub fn measure(chosen: &Chosen, protocol: &Protocol, threads: usize) -> Result<V
             (protocol.rounds, threads),
         )
     };
-    let backend = super::machine::name(chosen);
+    let backend = chosen.name();
     let cells = CELLS.iter().take(protocol.terrains);
     let triangles: Vec<usize> = cells
         .map(|&cells| 2 * (cells as usize) * (cells as usize))
@@ -230,6 +230,21 @@ fn terrain(cells: u32, light_count: usize) -> Scene {
     scene
 }
 
+/// Makes pictures, fewer where one takes long. One before does not count.
+fn rounds<B: Backend>(backend: B, prepared: &Prepared, most: u32) -> Result<Rounds<Times>>
+where
+    Frames<B>: Send,
+{
+    let mut trial = Trial::new(backend, prepared)?;
+    let first = trial.frame()?;
+    let round_count = match first.frame() > LONG_MS {
+        true => most.min(LONG_ROUNDS),
+        false => most,
+    };
+    let rounds = (0..round_count).map(|_| trial.frame());
+    Ok(Rounds(rounds.collect::<Result<_>>()?))
+}
+
 fn point(
     amount: usize,
     (scene, settings): (&Scene, RenderSettings),
@@ -237,15 +252,11 @@ fn point(
     (most_rounds, threads): (u32, usize),
 ) -> Result<Point> {
     let mut prepared = Prepared::new(Setup::plain(threads), scene, settings);
-    let mut machine = open(chosen, &prepared)?;
-    let first = machine.frame()?;
-    let round_count = match first.frame() > LONG_MS {
-        true => most_rounds.min(LONG_ROUNDS),
-        false => most_rounds,
+    let rounds = match chosen {
+        Chosen::Cpu => rounds(Cpu, &prepared, most_rounds)?,
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => rounds(gpu, &prepared, most_rounds)?,
     };
-    let rounds = (0..round_count).map(|_| machine.frame());
-    let rounds: Rounds<Times> = Rounds(rounds.collect::<Result<_>>()?);
-    drop(machine);
     prepared.settings.sample_count = settings.sample_count.min(MOST_COUNTED_SAMPLES);
     let facts = Facts::new(&prepared)?;
     Ok(Point {

@@ -101,8 +101,8 @@ impl Setup {
             };
             all.push((Knob::Lights, apart));
         }
-        let widths = LatticeBits::ALL.map(NodeCodec::Lattice);
-        for nodes in [NodeCodec::Paper10].into_iter().chain(widths) {
+        let others = NodeCodec::ALL.into_iter();
+        for nodes in others.filter(|nodes| *nodes != usual.nodes) {
             all.push((Knob::Nodes, Self { nodes, ..usual }));
         }
         let steps = TOLERANCES.map(Step::Pixels);

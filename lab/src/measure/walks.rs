@@ -3,9 +3,9 @@
 use super::counts::Tally;
 use super::paths::Kind;
 use anyhow::{Result, ensure};
-use slimbvh::{Bvh, Hit, LeafTriangle, MeshCodec, Node, NodeCodec, Ray, Tree, Trees};
+use slimbvh::{Bvh, Hit, Ray, Tree, Trees};
 use slimbvh_core::classify::{FacingFilter, Sides};
-use slimbvh_core::encode::{LeafWidth, Paper10Node, Paper10Triangle, node_words};
+use slimbvh_core::encode::LeafWidth;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::orientation::Target;
@@ -160,13 +160,10 @@ impl<'a> Stored<'a> {
         let mut stored = Self {
             bvh,
             decoded: None,
-            node_bytes: node_bytes(bvh.codecs().0) as u64,
-            records: Records::Even(match bvh.codecs().1 {
-                MeshCodec::Leaf10 => size_of::<Paper10Triangle>() as u64,
-                MeshCodec::F32 | MeshCodec::Lattice { .. } => size_of::<LeafTriangle>() as u64,
-            }),
+            node_bytes: bvh.codecs().0.node_bytes() as u64,
+            records: Records::Even((bvh.triangle_bytes() / bvh.triangle_count().max(1)) as u64),
         };
-        if let MeshCodec::Lattice { step_exponent } = bvh.codecs().1 {
+        if let Some(step_exponent) = bvh.codecs().1.step_exponent() {
             let step_exponent = (step_exponent + bvh.scene_exponent()).clamp(-126, 127);
             stored.records = leaf_bytes(stored.decode(), step_exponent, bvh.triangle_bytes())?;
         }
@@ -200,15 +197,6 @@ impl<'a> Stored<'a> {
         };
         traverse(&decoded.node_source(), &source, ray, rule, found);
         Some(source.read.get())
-    }
-}
-
-/// Bytes of a node.
-pub fn node_bytes(codec: NodeCodec) -> usize {
-    match codec {
-        NodeCodec::F32 => size_of::<Node>(),
-        NodeCodec::Paper10 => size_of::<Paper10Node>(),
-        NodeCodec::Lattice(bits) => 4 * node_words(bits.count()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where rays of one kind come from or lead to.
 
 use anyhow::{Context, Result};
+use slimbvh::backend::TargetSides;
 use slimbvh::scene::{camera_target, light_target};
 use slimbvh::topology::Topology;
 use slimbvh::{Division, Scene, Subset};
@@ -68,6 +69,15 @@ impl Aim {
 
     pub fn subset<'a>(&'a self, topology: &'a Topology) -> Subset<'a> {
         Subset::Of(self.reach(topology))
+    }
+
+    /// The target with these sides, for a backend.
+    pub fn target_sides(&self) -> TargetSides {
+        TargetSides {
+            target: self.target,
+            frustum: Frustum::EVERYWHERE,
+            sides: self.sides.clone(),
+        }
     }
 
     /// How many triangles are in the set.

@@ -3,7 +3,6 @@
 mod bench;
 mod cracks;
 mod frames;
-mod machine;
 mod measure;
 mod methods;
 mod printed;

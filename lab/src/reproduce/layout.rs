@@ -1,12 +1,12 @@
 //! Which trees a picture is made with.
 
 use super::aim::Aim;
-use super::machine::Machine;
+use super::steps::Steps;
 use super::times::{Build, Picture};
 use crate::measure::rounds::Rounds;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::RenderSettings;
+use slimbvh::{Backend, RenderSettings};
 
 /// How triangles get in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -56,16 +56,20 @@ impl Layout {
     }
 
     /// Builds and renders.
-    fn picture(&self, machine: &mut dyn Machine, settings: &RenderSettings) -> Result<Picture> {
+    fn picture<B: Backend>(
+        &self,
+        steps: &mut Steps<B>,
+        settings: &RenderSettings,
+    ) -> Result<Picture> {
         let mut picture = Picture::default();
         let is_any_whole = self.camera.is_none() || self.shadows.iter().any(Option::is_none);
         if self.sorting == Sorting::Once || is_any_whole {
-            picture.camera_build = Build::of(&machine.sort()?);
+            picture.camera_build = Build::of(&steps.sort()?);
         }
         let mut build = |place: usize, set: Option<&Aim>| -> Result<Build> {
             Ok(Build::of(&match (self.sorting, set) {
-                (Sorting::Each, Some(set)) => machine.build_alone(place, set)?,
-                (_, set) => machine.build(place, set)?,
+                (Sorting::Each, Some(set)) => steps.build_alone(place, set)?,
+                (_, set) => steps.build(place, set)?,
             }))
         };
         // The whole tree first, as long as the order is that of all triangles.
@@ -91,14 +95,14 @@ impl Layout {
         let place = |i: usize| self.shadows[i].as_ref().map_or(WHOLE, |_| SHADOWS + i);
         let camera = self.camera.as_ref().map_or(WHOLE, |_| CAMERA);
         let lights: Vec<usize> = self.lights.iter().map(|&i| place(i)).collect();
-        picture.add_render(&machine.render(camera, &lights, settings)?);
+        picture.add_render(&steps.render(camera, &lights, settings)?);
         Ok(picture)
     }
 }
 
 /// Makes pictures with each layout in turn, round by round; `warm_ups` rounds before do not count.
-pub fn take_turns(
-    machine: &mut dyn Machine,
+pub fn take_turns<B: Backend>(
+    steps: &mut Steps<B>,
     layouts: &[&Layout],
     settings: &RenderSettings,
     (warm_ups, rounds): (u32, u32),
@@ -106,7 +110,7 @@ pub fn take_turns(
     let mut all = vec![Rounds(Vec::new()); layouts.len()];
     for round in 0..warm_ups + rounds {
         for (layout, rounds) in layouts.iter().zip(&mut all) {
-            let picture = layout.picture(machine, settings)?;
+            let picture = layout.picture(steps, settings)?;
             if round >= warm_ups {
                 rounds.0.push(picture);
             }

@@ -4,7 +4,7 @@ use super::aim::Aim;
 use super::layout::{Layout, Sorting};
 use anyhow::Result;
 use glam::Vec3;
-use slimbvh::reduce::{self, Asked, Choice, Cull, Half, Plan, Switches};
+use slimbvh::reduce::{self, Cull, FacingSet, Plan, PlanRequest, Switches, TreeChoice};
 use slimbvh::topology::Topology;
 use slimbvh::{Light, RenderSettings, Scene};
 
@@ -90,30 +90,30 @@ pub fn plan(
         cull: Some(Cull::On),
         ..Switches::default()
     };
-    let asked = Asked {
+    let asked = PlanRequest {
         scene,
         settings,
         switches,
         frame_count: 1,
     };
     let plan = Plan::new(topology, &asked)?;
-    let set = |aim: &reduce::Aim| {
-        let is_set = aim.choice == Choice::Set;
+    let set = |aim: &reduce::ViewTarget| {
+        let is_set = aim.choice == TreeChoice::Set;
         is_set.then(|| Aim {
             target: aim.target,
             sides: aim.sides.clone(),
         })
     };
     // The whole tree, if any light needs it, is the last.
-    let (camera, lights) = plan.aims.split_at(1);
+    let (camera, lights) = plan.targets.split_at(1);
     let mut shadows: Vec<Option<Aim>> = lights.iter().map(set).filter(Option::is_some).collect();
     let sets = shadows.len();
     let mut next = 0..sets;
     let trees: Vec<usize> = lights
         .iter()
         .map(|aim| match aim.choice {
-            Choice::Set => next.next().unwrap_or(sets),
-            Choice::Whole | Choice::Unused => sets,
+            TreeChoice::Set => next.next().unwrap_or(sets),
+            TreeChoice::Whole | TreeChoice::Unused => sets,
         })
         .collect();
     if trees.contains(&sets) {
@@ -124,13 +124,13 @@ pub fn plan(
         Some(_) => "a set",
         None => "the whole tree",
     };
-    let name = |aim: &reduce::Aim| match (aim.choice, aim.half) {
-        (Choice::Set, Half::Toward) => format!("a set L+ for {}", aim.name()),
-        (Choice::Set, Half::Away) => format!("a set L- for {}", aim.name()),
+    let name = |aim: &reduce::ViewTarget| match (aim.choice, aim.half) {
+        (TreeChoice::Set, FacingSet::Front) => format!("a set L+ for {}", aim.name()),
+        (TreeChoice::Set, FacingSet::Back) => format!("a set L- for {}", aim.name()),
         _ => format!("the whole tree for {}", aim.name()),
     };
     let names: Vec<String> = lights.iter().map(name).collect();
-    let places = plan.aim_of_light().into_iter();
+    let places = plan.target_of_light().into_iter();
     let layout = Layout {
         camera,
         shadows,

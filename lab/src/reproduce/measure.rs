@@ -3,18 +3,18 @@
 use super::aim::Aim;
 use super::layout::{Layout, Sorting, take_turns};
 use super::lights::{self, Rig};
-use super::machine::{self, Machine};
 use super::printed;
 use super::protocol::Protocol;
 use super::savings::{self, SavingRecord};
 use super::scenes::Subject;
+use super::steps::Steps;
 use super::times::{Build, Division, Picture, ms};
 use super::visits::{self, Visits};
 use crate::measure::rounds::Rounds;
 use anyhow::Result;
 use serde::Serialize;
 use slimbvh::topology::Topology;
-use slimbvh::{RenderSettings, Scene};
+use slimbvh::{Backend, BuildConfig, Cpu, RenderSettings, Scene};
 use slimbvh_cli::backend::Chosen;
 
 /// Sets in the order of all lists here: what faces the camera, what faces away, and both for the light.
@@ -113,6 +113,21 @@ pub fn measure(
     protocol: &Protocol,
     has_lights: bool,
 ) -> Result<SceneRecord> {
+    match chosen {
+        Chosen::Cpu => measure_on(Cpu, subject, protocol, has_lights),
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => {
+            measure_on(gpu, subject, protocol, has_lights)
+        }
+    }
+}
+
+fn measure_on<B: Backend>(
+    backend: B,
+    subject: Subject,
+    protocol: &Protocol,
+    has_lights: bool,
+) -> Result<SceneRecord> {
     let (scene, topology) = (&subject.scene, &subject.topology);
     let camera = Aim::camera(scene, topology)?;
     let light = Aim::light(scene, 0, topology)?;
@@ -124,8 +139,9 @@ pub fn measure(
         false => (SETS[2], &aims[2]),
     };
 
-    let mut machine = machine::open(chosen, scene, topology)?;
-    let sets = sets(&mut *machine, &aims, protocol.build_rounds)?;
+    let config = BuildConfig::default();
+    let mut steps = Steps::new(backend, config, scene, Some(topology))?;
+    let sets = sets(&mut steps, &aims, protocol.build_rounds)?;
     let mut all_pictures = Vec::new();
     for &(samples, rounds) in &protocol.pictures {
         // The longest are for comparison with what is printed.
@@ -135,18 +151,19 @@ pub fn measure(
         let settings = settings(protocol, samples);
         let warm_ups = u32::from(samples == 1);
         let turns = (warm_ups, rounds);
-        all_pictures.push(pictures(&mut *machine, (&camera, lit), &settings, turns)?);
+        all_pictures.push(pictures(&mut steps, (&camera, lit), &settings, turns)?);
     }
-    drop(machine);
+    drop(steps);
     let mut all_lights = Vec::new();
     if has_lights {
         for &side in &protocol.light_sides {
-            all_lights.push(many_lights(&subject, chosen, protocol, side)?);
+            all_lights.push(many_lights(backend, &subject, protocol, side)?);
         }
     }
-    let savings = match chosen {
-        Chosen::Cpu if has_lights => savings::measure(&subject, protocol)?,
-        _ => Vec::new(),
+    let savings = if has_lights && !B::RECORDS {
+        savings::measure(&subject, protocol)?
+    } else {
+        Vec::new()
     };
     let facts = topology.facts();
     let reducible = facts.iter().filter(|facts| facts.reducible).count();
@@ -180,18 +197,22 @@ pub fn settings(protocol: &Protocol, sample_count: u32) -> RenderSettings {
 }
 
 /// Builds over all triangles and over each set, in turn. One round before does not count.
-fn sets(machine: &mut dyn Machine, aims: &[Aim; 4], rounds: u32) -> Result<Rounds<SetsRound>> {
+fn sets<B: Backend>(
+    steps: &mut Steps<B>,
+    aims: &[Aim; 4],
+    rounds: u32,
+) -> Result<Rounds<SetsRound>> {
     let mut all = Rounds(Vec::new());
     for round in 0..=rounds {
-        let sort = ms(&machine.sort()?);
-        let whole = ms(&machine.build(0, None)?);
+        let sort = ms(&steps.sort()?);
+        let whole = ms(&steps.build(0, None)?);
         let mut sets = [SetTimes::default(); 4];
         for (place, (aim, times)) in (1..).zip(aims.iter().zip(&mut sets)) {
-            times.shared = Build::of(&machine.build(place, Some(aim))?);
+            times.shared = Build::of(&steps.build(place, Some(aim))?);
         }
         for (place, (aim, times)) in (1..).zip(aims.iter().zip(&mut sets)) {
-            times.division = Division::of(&machine.divide(aim)?);
-            times.alone = Build::of(&machine.build_alone(place, aim)?);
+            times.division = Division::of(&steps.divide(aim)?);
+            times.alone = Build::of(&steps.build_alone(place, aim)?);
         }
         if round > 0 {
             all.0.push(SetsRound {
@@ -205,14 +226,14 @@ fn sets(machine: &mut dyn Machine, aims: &[Aim; 4], rounds: u32) -> Result<Round
 }
 
 /// Makes pictures each way, in turn. Where there are many samples it hardly matters how sets are sorted: one way does.
-fn pictures(
-    machine: &mut dyn Machine,
+fn pictures<B: Backend>(
+    steps: &mut Steps<B>,
     (camera, light): (&Aim, &Aim),
     settings: &RenderSettings,
     turns: (u32, u32),
 ) -> Result<Pictures> {
     let is_long = settings.sample_count > MOST_SAMPLES_OF_BOTH;
-    let sortings = match (machine.sorts_sets_alone(), is_long) {
+    let sortings = match (steps.sorts_sets_alone(), is_long) {
         (true, true) => &[Sorting::Each][..],
         (true, false) => &[Sorting::Each, Sorting::Once],
         (false, _) => &[Sorting::Once],
@@ -223,7 +244,7 @@ fn pictures(
         .map(|&sorting| Layout::sets(camera, lights, sorting));
     let layouts: Vec<Layout> = [Layout::whole(1)].into_iter().chain(reduced).collect();
     let layouts: Vec<&Layout> = layouts.iter().collect();
-    let mut all = take_turns(machine, &layouts, settings, turns)?.into_iter();
+    let mut all = take_turns(steps, &layouts, settings, turns)?.into_iter();
     let default = all.next().unwrap_or(Rounds(Vec::new()));
     let reduced = sortings.iter().zip(all);
     Ok(Pictures {
@@ -236,9 +257,9 @@ fn pictures(
 }
 
 /// Makes pictures under `side * side` lights.
-fn many_lights(
+fn many_lights<B: Backend>(
+    backend: B,
     subject: &Subject,
-    chosen: &Chosen,
     protocol: &Protocol,
     side: u32,
 ) -> Result<LightsRecord> {
@@ -278,13 +299,9 @@ fn many_lights(
     }
     ways.push(("as the plan chooses", planned));
     let layouts: Vec<&Layout> = ways.iter().map(|(_, layout)| layout).collect();
-    let mut machine = machine::open(chosen, &scene, topology)?;
-    let all = take_turns(
-        &mut *machine,
-        &layouts,
-        &settings,
-        (1, protocol.light_rounds),
-    )?;
+    let config = BuildConfig::default();
+    let mut steps = Steps::new(backend, config, &scene, Some(topology))?;
+    let all = take_turns(&mut steps, &layouts, &settings, (1, protocol.light_rounds))?;
     let row = |((name, layout), rounds): ((&'static str, Layout), Rounds<Picture>)| {
         let triangles = |aim: &Option<Aim>| match aim {
             Some(aim) => aim.count(&scene, topology),

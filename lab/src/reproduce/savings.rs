@@ -10,9 +10,10 @@ use crate::measure::rounds::Rounds;
 use anyhow::{Result, ensure};
 use clap::ValueEnum;
 use serde::Serialize;
-use slimbvh::reduce::{Asked, Cull, Plan, Reduce, Saving, Savings, Switches};
-use slimbvh::{BuildConfig, Picture, RenderSettings, Scene};
-use slimbvh_cli::render::job::{Cpu, Job, Outcome};
+use slimbvh::reduce::{Cull, Plan, PlanRequest, Reduce, Saving, Savings, Switches};
+use slimbvh::{
+    Change, Cpu, FrameConfig, FrameRequest, Frames, Output, Picture, RenderSettings, Scene,
+};
 use stage::Stage;
 
 /// What a picture does without.
@@ -108,13 +109,13 @@ fn compare(saved: Saved, subject: &Subject, protocol: &Protocol) -> Result<Savin
         plan(subject, &scene, with)?,
         plan(subject, &scene, without)?,
     ];
-    let job = |i: usize| Job {
+    let request = |i: usize| FrameRequest {
         scene: &scene,
         plan: &plans[i],
-        config: BuildConfig::default(),
         settings: &ways[i].0,
+        change: Change::Scene,
     };
-    let mut trials = [Trial::new(job(0)), Trial::new(job(1))];
+    let mut trials = [Trial::new(request(0)), Trial::new(request(1))];
     for round in 0..=protocol.saving_rounds {
         for trial in &mut trials {
             trial.take_turn(round > 0)?;
@@ -147,7 +148,7 @@ fn plan<'a>(
         savings: *savings,
         ..Switches::default()
     };
-    let asked = Asked {
+    let asked = PlanRequest {
         scene,
         settings,
         switches,
@@ -158,34 +159,34 @@ fn plan<'a>(
 
 /// A picture that is made again and again, and what that took.
 struct Trial<'a> {
-    job: Job<'a>,
-    cpu: Cpu,
+    request: FrameRequest<'a>,
+    frames: Frames<Cpu>,
     picture: Picture,
     way: Way,
 }
 
 impl<'a> Trial<'a> {
-    fn new(job: Job<'a>) -> Self {
+    fn new(request: FrameRequest<'a>) -> Self {
         Self {
-            job,
-            cpu: Cpu::default(),
+            request,
+            frames: Frames::new(Cpu, FrameConfig::default()),
             picture: Picture::default(),
             way: Way::default(),
         }
     }
 
     fn take_turn(&mut self, counts: bool) -> Result<()> {
-        let picture = &mut self.picture;
-        let outcome = self.job.again_on_cpu(&mut self.cpu, picture, |_| ())?;
-        let Outcome { build, report, .. } = &outcome;
+        let output = Output::new(&mut self.picture);
+        let report = self.frames.render_planned(&self.request, output)?;
+        let sizes = self.frames.sizes(self.request.plan)?;
         let way = &mut self.way;
-        way.triangles = outcome.sets.iter().map(|(_, count)| count).sum();
-        way.tree_bytes = outcome.node_bytes + outcome.triangle_bytes;
-        way.shadow_rays = report.shadow_ray_count;
+        way.triangles = sizes.sets.iter().map(|(_, count)| count).sum();
+        way.tree_bytes = sizes.total.node_bytes + sizes.total.triangle_bytes;
+        way.shadow_rays = report.render.shadow_ray_count;
         if counts {
             way.rounds.0.push(Frame {
-                build: ms(build),
-                render: ms(&report.stages),
+                build: ms(&report.build),
+                render: ms(&report.render.stages),
             });
         }
         Ok(())

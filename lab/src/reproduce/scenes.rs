@@ -120,7 +120,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_scene_has_the_printed_number_of_triangles() {
+    fn every_scene_has_the_paper10_number_of_triangles() {
         for (name, triangles) in [
             (SceneName::Doll, 71_450),
             (SceneName::Toasters, 105_774),

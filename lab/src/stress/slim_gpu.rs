@@ -51,7 +51,7 @@ impl Tracer for Gpu {
         let start = Instant::now();
         let mut frame = gpu.frame();
         builder.sort(&mut frame, &mesh)?;
-        let mut sides = gpu::Facing::new();
+        let mut sides = gpu::TargetSides::new();
         let subset = set.subset(&mut frame, &facing, &mut sides)?;
         builder.build_sorted(&mut frame, &mesh, subset, &mut bvh)?;
         let questions = Questions::new(gpu, rays);
@@ -82,7 +82,7 @@ impl Set {
         &'a self,
         frame: &mut gpu::Frame,
         facing: &Facing,
-        to: &'a mut gpu::Facing,
+        to: &'a mut gpu::TargetSides,
     ) -> Result<Subset<'a>, GpuError> {
         let (Some(components), Some(target)) = (&self.0, &facing.target) else {
             return Ok(Subset::All);

@@ -90,13 +90,9 @@ impl Storage {
 
     /// In tables: of nodes, then of triangles where these are not in full, then of trees other than radix.
     pub fn name(self) -> String {
-        let nodes = match self.nodes {
-            NodeCodec::F32 => "f32".into(),
-            NodeCodec::Paper10 => "paper10".into(),
-            NodeCodec::Lattice(bits) => format!("q{}", bits.count()),
-        };
+        let nodes = self.nodes.name();
         let codec = match self.triangles {
-            Triangles::Full => nodes,
+            Triangles::Full => nodes.into(),
             Triangles::Leaf10 => format!("{nodes}+leaf10"),
             Triangles::Lattice { coarser: 0 } => format!("{nodes}+lattice"),
             Triangles::Lattice { coarser } => format!("{nodes}+lattice*2^{coarser}"),

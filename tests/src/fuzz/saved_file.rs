@@ -1,7 +1,7 @@
 //! Any bytes behind the header of a saved hierarchy, with the checksum put right: what is read is sound, is written again byte for
 //! byte, and can be traced and refitted.
 
-use slimbvh::file::{Saved, read, write};
+use slimbvh::scene::slim::{Saved, read, write};
 use slimbvh::{BuildConfig, Builder, LatticeBits, NodeCodec};
 use slimbvh_core::Ray;
 

@@ -53,7 +53,7 @@ fn the_seeds_of_saved_hierarchies_are_read() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus/saved_file");
     for codec in ["f32", "lattice", "leaf10", "printed", "q10", "q4"] {
         let seed = std::fs::read(folder.join(codec)).expect("a seed");
-        let read = slimbvh::file::read(&seed);
+        let read = slimbvh::scene::slim::read(&seed);
         let count = read.map(|saved| saved.bvh.node_count());
         assert!(
             count.as_ref().is_ok_and(|&count| count > 1),

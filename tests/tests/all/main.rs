@@ -3,6 +3,7 @@
 mod answers;
 mod boxes;
 mod clustered;
+mod codec_names;
 mod codecs;
 mod decisions;
 mod deepest_trees;

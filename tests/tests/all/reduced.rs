@@ -248,7 +248,7 @@ fn sets_are_the_same_on_both_backends() {
             let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
             // All in one frame, in buffers that are used again.
             let mut bvhs = [(); 3].map(|()| gpu::Bvh::new());
-            let mut facing = gpu::Facing::new();
+            let mut facing = gpu::TargetSides::new();
             let mut frame = gpu.frame();
             done(builder.sort(&mut frame, &mesh));
             for (target, bvh) in targets().iter().zip(&mut bvhs) {
@@ -288,7 +288,7 @@ fn reduced_and_whole_trees_give_the_same_picture_on_the_gpu() {
         let mut builder = gpu::Builder::new(BuildConfig::default());
         let mut renderer = gpu::Renderer::new();
         let mut frame = gpu.frame();
-        let mut facings = [(); 3].map(|()| gpu::Facing::new());
+        let mut facings = [(); 3].map(|()| gpu::TargetSides::new());
         let mut sets = [(); 3].map(|()| gpu::Bvh::new());
         let mut whole = gpu::Bvh::new();
         done(builder.build(&mut frame, &uploaded.mesh, &mut whole));

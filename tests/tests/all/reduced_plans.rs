@@ -3,7 +3,8 @@
 use glam::Vec3;
 use slimbvh::generate::{append, ground, icosphere};
 use slimbvh::reduce::{
-    AimKind, Asked, Choice, Cull, Half, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
+    Cull, FacingSet, Plan, PlanRequest, Reduce, Saving, Savings, Seams, Switches, TargetKind,
+    TreeChoice, survey,
 };
 use slimbvh::{
     BuildConfig, Camera, Light, Material, Mesh, Projection, RenderSettings, Scene, View,
@@ -62,8 +63,8 @@ fn asked<'a>(
     settings: &'a RenderSettings,
     switches: Switches,
     frame_count: u32,
-) -> Asked<'a> {
-    Asked {
+) -> PlanRequest<'a> {
+    PlanRequest {
         scene,
         settings,
         switches,
@@ -72,7 +73,7 @@ fn asked<'a>(
 }
 
 /// The choices for the camera and each light, and whether the whole tree is built.
-fn decided(asked: &Asked) -> (Vec<Choice>, bool, String) {
+fn decided(asked: &PlanRequest) -> (Vec<TreeChoice>, bool, String) {
     let survey = done(survey(
         &asked.scene.mesh,
         BuildConfig::default(),
@@ -84,7 +85,7 @@ fn decided(asked: &Asked) -> (Vec<Choice>, bool, String) {
         .map(|(about, text)| format!("{about}: {text}"))
         .collect();
     println!("{}\n", said.join("\n"));
-    let choices = plan.aims.iter().map(|aim| aim.choice).collect();
+    let choices = plan.targets.iter().map(|aim| aim.choice).collect();
     (choices, plan.needs_whole, said.join("\n"))
 }
 
@@ -146,16 +147,16 @@ fn rays_that_do_not_exist_get_no_tree() {
     let scene = scene(ball(), &[sun([0.0; 3]), sun([1.0; 3])]);
     let on = switches(None, Reduce::On);
     for (view, second) in [
-        (View::Color, Choice::Set),
-        (View::Normals, Choice::Unused),
-        (View::Depth, Choice::Unused),
+        (View::Color, TreeChoice::Set),
+        (View::Normals, TreeChoice::Unused),
+        (View::Depth, TreeChoice::Unused),
     ] {
         let settings = RenderSettings {
             view,
             ..RenderSettings::default()
         };
         let (choices, needs_whole, said) = decided(&asked(&scene, &settings, on, 1));
-        assert_eq!(choices, [Choice::Set, Choice::Unused, second]);
+        assert_eq!(choices, [TreeChoice::Set, TreeChoice::Unused, second]);
         assert!(!needs_whole && said.contains("light 1: no rays, no tree"));
         assert!(said.contains("whole tree: is not built: no rays need it"));
     }
@@ -170,7 +171,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
     let (choices, needs_whole, said) = decided(&asked(&inside, &settings, on, 1));
     assert_eq!(
         (choices, needs_whole),
-        (vec![Choice::Set, Choice::Whole], true)
+        (vec![TreeChoice::Set, TreeChoice::Whole], true)
     );
     assert!(said.contains("not certainly outside of 1 closed component, which stays whole"));
     assert!(said.contains("whole tree: is built, for light 1"));
@@ -181,7 +182,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
         ..Material::default()
     }];
     let (choices, needs_whole, said) = decided(&asked(&mirror, &settings, on, 1));
-    assert_eq!((choices, needs_whole), (vec![Choice::Set], true));
+    assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], true));
     assert!(said.contains("whole tree: is built, for mirrors and glass"));
     // Glass, in which paths begin inside of components.
     let mut glass = mirror.clone();
@@ -199,7 +200,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
     for mesh in [ground(2.0, 4), Mesh::default()] {
         let open = scene(mesh, &[lamp([0.0, 3.0, 0.0])]);
         let (choices, needs_whole, _) = decided(&asked(&open, &settings, on, 1));
-        assert_eq!((choices, needs_whole), (vec![Choice::Whole; 2], true));
+        assert_eq!((choices, needs_whole), (vec![TreeChoice::Whole; 2], true));
     }
 }
 
@@ -213,16 +214,16 @@ fn auto_takes_what_is_cheaper() {
     };
     let alone = scene(ball(), &[]);
     let (choices, needs_whole, _) = decided(&asked(&alone, &tiny, auto, 1));
-    assert_eq!((choices, needs_whole), (vec![Choice::Set], false));
+    assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], false));
     let lit = scene(ball(), &[lamp([0.1, 0.2, 0.0])]);
     let (choices, needs_whole, said) = decided(&asked(&lit, &tiny, auto, 1));
-    assert_eq!((choices, needs_whole), (vec![Choice::Whole; 2], true));
+    assert_eq!((choices, needs_whole), (vec![TreeChoice::Whole; 2], true));
     assert!(said.contains("more than it saves"), "{said}");
 }
 
 /// The lights of each aim but the camera's, by number from 0.
 fn groups(plan: &Plan) -> Vec<Vec<usize>> {
-    let lights = plan.aims.iter().skip(1);
+    let lights = plan.targets.iter().skip(1);
     lights.map(|aim| aim.lights.clone()).collect()
 }
 
@@ -253,12 +254,12 @@ fn close_lights_share_a_set_and_lights_on_either_side_do_not() {
             assert_eq!(groups(&plan), expected, "{reduce:?}");
             let lights = 0..scene.lights.len();
             let places = lights.map(|light| {
-                plan.aims
+                plan.targets
                     .iter()
                     .position(|aim| aim.lights.contains(&light))
                     .unwrap_or(0)
             });
-            assert_eq!(plan.aim_of_light(), places.collect::<Vec<_>>());
+            assert_eq!(plan.target_of_light(), places.collect::<Vec<_>>());
         }
         let savings = Savings::ALL.without(Saving::Groups);
         let asked = asked(scene, &settings, Switches { savings, ..on }, 1);
@@ -302,7 +303,7 @@ fn the_cheaper_half_counts_where_all_rays_start_outside() {
         let survey = done(survey(&scene.mesh, BuildConfig::default(), Seams::None));
         let asked = asked(scene, &settings, switches, 1);
         let plan = done(Plan::new(&survey.topology, &asked));
-        (plan.aims[1].half, plan.aims[1].share)
+        (plan.targets[1].half, plan.targets[1].share)
     };
     let lit_along = |y: f32| {
         let direction = [0.0, y, 0.0];
@@ -310,7 +311,10 @@ fn the_cheaper_half_counts_where_all_rays_start_outside() {
         scene(fine_above(), &[Light::Directional { direction, color }])
     };
     let above = lit_along(-1.0);
-    for (scene, expected) in [(&above, Half::Away), (&lit_along(1.0), Half::Toward)] {
+    for (scene, expected) in [
+        (&above, FacingSet::Back),
+        (&lit_along(1.0), FacingSet::Front),
+    ] {
         let (half, share) = half(scene, on);
         assert!(half == expected && share < 0.1, "{half:?} {share}");
     }
@@ -318,24 +322,24 @@ fn the_cheaper_half_counts_where_all_rays_start_outside() {
     let topology = done(survey(&above.mesh, BuildConfig::default(), Seams::None)).topology;
     for scene in [&above, &lit_along(1.0)] {
         let plan = done(Plan::new(&topology, &asked(scene, &many_rays, on, 1)));
-        assert_eq!(plan.aims[1].half, Half::Away);
+        assert_eq!(plan.targets[1].half, FacingSet::Back);
     }
     let savings = Savings::ALL.without(Saving::Away);
     let (kept, share) = half(&above, Switches { savings, ..on });
-    assert!(kept == Half::Toward && share > 0.9, "{share}");
+    assert!(kept == FacingSet::Front && share > 0.9, "{share}");
     let mut inside = above.clone();
     inside.cameras[0].eye = [0.0, 0.5, 0.0];
-    assert_eq!(half(&inside, on).0, Half::Toward);
+    assert_eq!(half(&inside, on).0, FacingSet::Front);
     let mut mirror = above;
     mirror.materials = vec![Material {
         mirror: 0.5,
         ..Material::default()
     }];
-    assert_eq!(half(&mirror, on).0, Half::Toward);
+    assert_eq!(half(&mirror, on).0, FacingSet::Front);
     let mut glass = mirror;
     glass.materials[0].mirror = 0.0;
     glass.materials[0].transmission = 0.5;
-    assert_eq!(half(&glass, on).0, Half::Toward);
+    assert_eq!(half(&glass, on).0, FacingSet::Front);
 }
 
 #[test]
@@ -346,15 +350,18 @@ fn what_is_outside_the_picture_is_left_out_of_the_cameras_set() {
     near.cameras[0].eye = [0.0, 1.0, 0.5];
     near.cameras[0].target = [0.0, 0.0, -0.5];
     let (choices, needs_whole, said) = decided(&asked(&near, &settings, on, 1));
-    assert_eq!((choices, needs_whole), (vec![Choice::Set], false));
+    assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], false));
     assert!(said.contains("nothing outside the picture"), "{said}");
     let savings = Savings::ALL.without(Saving::Frustum);
     let (choices, ..) = decided(&asked(&near, &settings, Switches { savings, ..on }, 1));
-    assert_eq!(choices, [Choice::Whole]);
+    assert_eq!(choices, [TreeChoice::Whole]);
     // Where all is in the picture, nobody looks.
     let mut far = near;
     far.cameras[0].eye = [0.0, 30.0, 30.0];
-    assert_eq!(decided(&asked(&far, &settings, on, 1)).0, [Choice::Whole]);
+    assert_eq!(
+        decided(&asked(&far, &settings, on, 1)).0,
+        [TreeChoice::Whole]
+    );
 }
 
 #[test]
@@ -385,8 +392,11 @@ fn surfaces_are_summed_up() {
     assert!(survey.stages.iter().all(|(step, _)| step == "components"));
     let asked = asked(&scene, &settings, switches(None, Reduce::On), 1);
     let plan = done(Plan::new(&survey.topology, &asked));
-    let aim = &plan.aims[0];
-    assert_eq!((aim.kind, aim.reducible_count), (AimKind::Camera, 20_480));
+    let aim = &plan.targets[0];
+    assert_eq!(
+        (aim.kind, aim.reducible_count),
+        (TargetKind::Camera, 20_480)
+    );
     assert!((0.35..0.5).contains(&aim.share), "{}", aim.share);
     let lines = plan.explain();
     assert_eq!(lines[0].1, "1 of 2 components, 20,480 triangles");

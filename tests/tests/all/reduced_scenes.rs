@@ -7,10 +7,13 @@ pub mod scenes;
 use scenes::{SUN, ball, lights, room, scenes};
 use slimbvh::gpu;
 use slimbvh::reduce::{
-    self, Asked, Choice, Cull, Hierarchies, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
+    Cull, Plan, PlanRequest, Reduce, Saving, Savings, Seams, Switches, TreeChoice, survey,
 };
 use slimbvh::topology::Topology;
-use slimbvh::{BuildConfig, Builder, Light, Picture, RenderSettings, Renderer, Scene, Turns};
+use slimbvh::{
+    Backend, BuildConfig, Change, Cpu, FrameConfig, FrameReport, FrameRequest, Frames, Light,
+    Output, Picture, RenderSettings, Scene,
+};
 use slimbvh_tests::gpu::{done, gpu};
 
 const SETTINGS: RenderSettings = RenderSettings {
@@ -24,8 +27,8 @@ const SETTINGS: RenderSettings = RenderSettings {
 /// Pixels of a thousand that may differ from a picture without the rule.
 const PER_MILLE: usize = 3;
 
-fn asked<'a>(scene: &'a Scene, cull: Cull, reduce: Reduce) -> Asked<'a> {
-    Asked {
+fn asked<'a>(scene: &'a Scene, cull: Cull, reduce: Reduce) -> PlanRequest<'a> {
+    PlanRequest {
         scene,
         settings: &SETTINGS,
         switches: Switches {
@@ -53,23 +56,30 @@ fn plain(scene: &Scene) -> Plan<'static> {
     plan.unwrap_or_else(|| panic!("nothing is to be left out"))
 }
 
-fn on_cpu(scene: &Scene, plan: &Plan) -> Picture {
-    let mut builder = Builder::new(BuildConfig::default());
-    let mut hierarchies = Hierarchies::new();
-    done(hierarchies.build(&mut builder, &scene.mesh, plan));
-    let (trees, mut turns) = hierarchies.split(&mut builder, &scene.mesh, plan);
+/// A frame by a plan, and what made it.
+fn frame<B: Backend>(
+    backend: B,
+    scene: &Scene,
+    plan: &Plan,
+) -> (Frames<B>, FrameReport<B>, Picture) {
+    let mut frames = Frames::new(backend, FrameConfig::default());
     let mut picture = Picture::default();
-    let both: (_, &mut dyn Turns) = (&trees, &mut turns);
-    let render = Renderer::new().render_in_turn(scene, both, &SETTINGS, &mut picture, |_| {});
-    done(render);
-    picture
+    let request = FrameRequest {
+        scene,
+        plan,
+        settings: &SETTINGS,
+        change: Change::Scene,
+    };
+    let report = done(frames.render_planned(&request, Output::new(&mut picture)));
+    (frames, report, picture)
+}
+
+fn on_cpu(scene: &Scene, plan: &Plan) -> Picture {
+    frame(Cpu, scene, plan).2
 }
 
 fn on_gpu(gpu: &gpu::Gpu, scene: &Scene, plan: &Plan) -> Picture {
-    let mut picture = Picture::default();
-    let mut renderer = reduce::gpu::ImageRenderer::new(BuildConfig::default());
-    done(renderer.render(gpu, (scene, plan), &SETTINGS, &mut picture, |_| {}));
-    picture
+    frame(gpu, scene, plan).2
 }
 
 /// Checks every scene with one backend.
@@ -77,8 +87,18 @@ fn check(backend: &str, picture: impl Fn(&Scene, &Plan) -> Picture) {
     for (name, scene) in scenes() {
         let topology = topology(&scene);
         let [whole, reduced, auto] = plans(&scene, &topology);
-        assert!(whole.aims.iter().all(|aim| aim.choice == Choice::Whole));
-        assert!(reduced.aims.iter().any(|aim| aim.choice == Choice::Set));
+        assert!(
+            whole
+                .targets
+                .iter()
+                .all(|aim| aim.choice == TreeChoice::Whole)
+        );
+        assert!(
+            reduced
+                .targets
+                .iter()
+                .any(|aim| aim.choice == TreeChoice::Set)
+        );
         let expected = picture(&scene, &whole);
         assert!(picture(&scene, &reduced) == expected, "{name}");
         assert!(picture(&scene, &auto) == expected, "{name}");
@@ -154,45 +174,37 @@ fn sets_in_turn_are_built_once_and_only_where_needed() {
     };
     let [usual, careless, held] = [&[][..], &[Saving::Unseen], &[Saving::Turns]].map(plan);
     assert!(usual.in_turn && careless.in_turn && !held.in_turn);
-    let place = usual.aim_of_light()[last];
-    assert_eq!(usual.aims[place].lights, [last]);
-    let all: Vec<usize> = (1..usual.aims.len()).collect();
+    let place = usual.target_of_light()[last];
+    assert_eq!(usual.targets[place].lights, [last]);
+    let all: Vec<usize> = (1..usual.targets.len()).collect();
     let needed: Vec<usize> = all.iter().copied().filter(|aim| *aim != place).collect();
 
     let expected = on_cpu(&scene, &held);
     let mut held_bytes = Vec::new();
     for (plan, built) in [(&usual, needed), (&careless, all.clone()), (&held, vec![])] {
-        let mut builder = Builder::new(BuildConfig::default());
-        let mut hierarchies = Hierarchies::new();
-        done(hierarchies.build(&mut builder, &scene.mesh, plan));
-        let (trees, mut turns) = hierarchies.split(&mut builder, &scene.mesh, plan);
-        let mut picture = Picture::default();
-        let both: (_, &mut dyn Turns) = (&trees, &mut turns);
-        done(Renderer::new().render_in_turn(&scene, both, &SETTINGS, &mut picture, |_| {}));
-        let sets = turns.done().sets;
+        let (frames, report, picture) = frame(Cpu, &scene, plan);
+        let sets = report.deferred;
         assert_eq!(sets.iter().map(|set| set.0).collect::<Vec<_>>(), built);
         assert!(picture == expected);
-        held_bytes.push(hierarchies.bytes());
+        held_bytes.push(frames.hierarchies().held_bytes());
     }
     assert!(held_bytes[0] * 2 < held_bytes[2], "{held_bytes:?}");
 
     let Some(gpu) = gpu() else { return };
     let expected = on_gpu(gpu, &scene, &held);
     for plan in [&usual, &careless] {
-        let mut renderer = reduce::gpu::ImageRenderer::new(BuildConfig::default());
-        let mut picture = Picture::default();
-        done(renderer.render(gpu, (&scene, plan), &SETTINGS, &mut picture, |_| {}));
+        let (_, report, picture) = frame(gpu, &scene, plan);
         assert!(picture == expected);
-        let built = renderer.built_in_turn.iter();
+        let built = report.deferred.iter();
         assert!(
             built
                 .clone()
                 .map(|(place, _)| *place)
                 .eq(all.iter().copied())
         );
-        for (aim, count) in built {
+        for (aim, size) in built {
             let is_over_nothing = *aim == place && std::ptr::eq(plan, &usual);
-            assert_eq!(*count == 0, is_over_nothing, "{aim}");
+            assert_eq!(size.triangle_count == 0, is_over_nothing, "{aim}");
         }
     }
 }
@@ -204,7 +216,7 @@ fn wrong_sides_give_another_picture() {
         let topology = topology(&scene);
         let [whole, mut reduced, _] = plans(&scene, &topology);
         let expected = on_cpu(&scene, &whole);
-        for aim in &mut reduced.aims {
+        for aim in &mut reduced.targets {
             for side in &mut aim.sides {
                 *side = -*side;
             }

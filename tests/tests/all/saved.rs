@@ -1,7 +1,7 @@
 //! Saved hierarchies: what is read answers as what was written, and every tree that is built is sound.
 
 use proptest::prelude::*;
-use slimbvh::file::{read, write};
+use slimbvh::scene::slim::{read, write};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, NodeCodec, Scene, Subset};
 use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;

@@ -140,7 +140,7 @@ const STAGES: &[Stage] = &[
             "encode/lattice",
             "encode/lattice_mesh",
             "encode/paper10",
-            "decode",
+            "tree/decode",
         ],
         gpu: &["encode", "coding"],
     },
@@ -172,7 +172,7 @@ const STAGES: &[Stage] = &[
             "geometry/watertight",
         ],
         shaders: &["trace", "trace/kernels", "trace/store", "trace/coded"],
-        cpu: &["lanes", "packets", "render"],
+        cpu: &["tree/lanes", "tree/packets", "render"],
         gpu: &["trace", "trace/paths", "render/wave"],
     },
     Stage {
@@ -197,11 +197,21 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
+/// The folder that a file is listed from: the tree's room is named with its files.
+fn home<'a>(folder: &'a str, file: &str) -> &'a str {
+    if file.starts_with("tree/") {
+        "host/src"
+    } else {
+        folder
+    }
+}
+
 /// The code of some files, up to their tests, without comments and blank lines.
 fn code(folder: &str, files: &[&str]) -> Vec<String> {
     let mut lines = Vec::new();
     for file in files {
-        let path = root().join(folder).join(file).with_extension("rs");
+        let path = root().join(home(folder, file)).join(file);
+        let path = path.with_extension("rs");
         let text = std::fs::read_to_string(&path)
             .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let code = text.lines().map(str::trim);

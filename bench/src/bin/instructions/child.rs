@@ -2,8 +2,11 @@
 
 use super::jobs::{Job, MODES, SCENES, VIEWS};
 use anyhow::{Context, Result};
-use slimbvh::reduce::{Asked, Choice, Hierarchies, Plan, Reduce, Survey, Switches, survey};
-use slimbvh::{BuildConfig, Builder, Picture, RenderSettings, Renderer};
+use slimbvh::reduce::{PlanConfig, Planner, Reduce, Switches, TreeChoice};
+use slimbvh::{
+    BuildConfig, Change, Cpu, CpuError, FrameConfig, FrameRequest, Frames, Output, Picture,
+    RenderSettings,
+};
 
 /// The first argument of a child process.
 pub const WORD: &str = "--child";
@@ -55,10 +58,7 @@ fn frames(job: &Job, mode: Option<Reduce>, made: usize) -> Result<&'static str> 
         size: job.view.size,
         ..RenderSettings::default()
     };
-    let config = BuildConfig::default();
-    let asked = Asked {
-        scene: &scene,
-        settings: &settings,
+    let config = PlanConfig {
         switches: Switches {
             cull: job.view.cull,
             reduce,
@@ -66,23 +66,23 @@ fn frames(job: &Job, mode: Option<Reduce>, made: usize) -> Result<&'static str> 
             ..Switches::default()
         },
         frame_count: job.view.frame_count,
+        ..PlanConfig::default()
     };
-    let mut room: Option<Survey> = None;
-    let plan = match Plan::without_survey(&asked)? {
-        Some(plan) => plan,
-        None => {
-            let survey = room.insert(survey(&scene.mesh, config, job.view.seams)?);
-            Plan::new(&survey.topology, &asked)?
-        }
-    };
-    let (mut builder, mut hierarchies) = (Builder::new(config), Hierarchies::new());
-    let (mut renderer, mut picture) = (Renderer::new(), Picture::default());
+    let mut planner = Planner::new(BuildConfig::default(), config);
+    planner.survey::<CpuError>(&scene, &settings)?;
+    let plan = planner.plan(&scene, &settings)?;
+    let mut frames = Frames::new(Cpu, FrameConfig::default());
+    let mut picture = Picture::default();
     for _ in 0..made {
-        hierarchies.build(&mut builder, &scene.mesh, &plan)?;
-        let trees = hierarchies.trees(&plan);
-        renderer.render_with(&scene, &trees, &settings, &mut picture, |_| {})?;
+        let request = FrameRequest {
+            scene: &scene,
+            plan: &plan,
+            settings: &settings,
+            change: Change::Scene,
+        };
+        frames.render_planned(&request, Output::new(&mut picture))?;
     }
-    let has_set = plan.aims.iter().any(|aim| aim.choice == Choice::Set);
+    let has_set = plan.targets.iter().any(|aim| aim.choice == TreeChoice::Set);
     Ok(match (plan.is_plain(), has_set, plan.needs_whole) {
         (true, ..) => "declined a survey",
         (_, false, _) => "whole tree",

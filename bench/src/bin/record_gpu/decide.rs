@@ -2,7 +2,7 @@
 
 use crate::measure::median;
 use slimbvh::gpu::{
-    Answer, Builder, Decisions, Facing, Frame, Gpu, GpuError, Mesh as GpuMesh, Work,
+    Answer, Builder, Decisions, TargetSides, Frame, Gpu, GpuError, Mesh as GpuMesh, Work,
 };
 use slimbvh::topology::Topology;
 use slimbvh::{BuildConfig, Mesh};
@@ -46,7 +46,7 @@ pub fn decide(
         (bounds.max + (bounds.max - bounds.min)).to_array()
     });
     let (eye_place, sun) = (Target::position(far), Target::direction([0.3, 1.0, 0.2]));
-    let (mut eye, mut light) = (Facing::new(), Facing::new());
+    let (mut eye, mut light) = (TargetSides::new(), TargetSides::new());
     let mut frame = gpu.frame();
     builder.sort(&mut frame, uploaded)?;
     frame.submit()?.wait()?;

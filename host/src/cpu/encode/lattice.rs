@@ -2,10 +2,9 @@
 
 use super::lattice_mesh::NARROW;
 use super::tree::{Part, TASK, Tree, both};
-use crate::codec::{LatticeBits, by_bits};
-use crate::coded::CodedNodes;
+use crate::tree::{LatticeBits, by_bits};
 use slimbvh_core::encode::{
-    BoxCodec, EncodedNode, FINEST_STEP, LatticeCodec, LeafCorner, Links, Paper10Box, RoundedNode,
+    BoxCodec, EncodedNode, FINEST_STEP, LatticeCodec, LeafCorner, Links, RoundedNode,
     encode_narrow_triangle, encode_triangle, with_links,
 };
 use slimbvh_core::float::power_of_two;
@@ -14,15 +13,17 @@ use slimbvh_core::node::Connection;
 use slimbvh_core::trace::STACK_SIZE;
 use slimbvh_core::{Node, NodeRef};
 
-/// Codes a tree's nodes on the lattice, with links to triangles that are stored in full.
-pub(super) fn encode_lattice(tree: &Tree, bits: LatticeBits, to: &mut CodedNodes) {
-    let (root, words) = lattice_words(tree, bits, FINEST_STEP, to);
+/// Codes a tree's nodes on the finest lattice, with links to triangles that are stored in full. Returns the root's box.
+pub(super) fn encode_lattice(tree: &Tree, bits: LatticeBits, words: &mut Vec<u32>) -> LatticeBox {
+    words.resize(tree.nodes.len() * bits.words(), 0);
+    let root = root_box(tree, FINEST_STEP);
     let lattice = OnLattice {
         tree,
         root,
         step_exponent: FINEST_STEP,
     };
     by_bits!(bits, fill_nodes(&lattice, words));
+    return root;
 
     fn fill_nodes<const BITS: u32, const WORDS: usize>(lattice: &OnLattice, words: &mut [u32]) {
         let part = lattice.part(words, &mut [] as &mut [()], 0);
@@ -41,38 +42,11 @@ pub(super) fn linked_to<const BITS: u32, const WORDS: usize>(
     }
 }
 
-/// The root's box, and room for the words of as many nodes as there are.
-pub(super) fn lattice_words<'a>(
-    tree: &Tree,
-    bits: LatticeBits,
-    step_exponent: i32,
-    to: &'a mut CodedNodes,
-) -> (LatticeBox, &'a mut [u32]) {
-    // All widths have the same.
+/// The root's box, on a lattice of this step.
+pub(super) fn root_box(tree: &Tree, step_exponent: i32) -> LatticeBox {
     let root = RoundedNode::new(&tree.node(0), step_exponent);
-    let root = LatticeCodec::<10, 4>.root(&root);
-    let old = std::mem::replace(
-        to,
-        CodedNodes::Paper10 {
-            root: Paper10Box::ZERO,
-            nodes: Vec::new(),
-        },
-    );
-    let mut words = match old {
-        CodedNodes::Lattice { words, .. } => words,
-        CodedNodes::Paper10 { .. } => Vec::new(),
-    };
-    words.resize(tree.nodes.len() * bits.words(), 0);
-    *to = CodedNodes::Lattice {
-        bits,
-        root,
-        step_exponent,
-        words,
-    };
-    match to {
-        CodedNodes::Lattice { words, .. } => (root, words),
-        CodedNodes::Paper10 { .. } => (root, &mut []),
-    }
+    // The same for any number of bits.
+    LatticeCodec::<10, 4>.root(&root)
 }
 
 /// A tree on its way onto a lattice.

@@ -1,23 +1,23 @@
 //! Triangles on the lattice, and nodes that link to them.
 
-use super::lattice::{OnLattice, encode_nodes, lattice_words, linked_to};
+use super::lattice::{OnLattice, encode_nodes, linked_to, root_box};
 use super::tree::{Part, Tree, both};
-use crate::codec::{LatticeBits, by_bits};
-use crate::coded::CodedNodes;
+use crate::tree::{LatticeBits, by_bits};
 use slimbvh_core::encode::{LeafWidth, decode_node};
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::scan::run_scan;
 use slimbvh_core::{Node, NodeRef};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// Codes a tree's nodes and triangles on the lattice with this step, on which all vertices lie.
+/// Codes a tree's nodes and triangles on the lattice with this step, on which all vertices lie. Returns the root's box.
 pub(super) fn encode_lattice_mesh(
     tree: &Tree,
     (bits, step_exponent): (LatticeBits, i32),
     (sizes, width): (&mut Vec<u32>, &mut Option<LeafWidth>),
-    (nodes, triangles): (&mut CodedNodes, &mut Vec<u32>),
-) {
-    let (root, words) = lattice_words(tree, bits, step_exponent, nodes);
+    (words, triangles): (&mut Vec<u32>, &mut Vec<u32>),
+) -> LatticeBox {
+    words.resize(tree.nodes.len() * bits.words(), 0);
+    let root = root_box(tree, step_exponent);
     let tree = OnLattice {
         tree,
         root,
@@ -33,6 +33,7 @@ pub(super) fn encode_lattice_mesh(
     if !is_done {
         *width = by_bits!(bits, fill_mixed(&tree, words, triangles, sizes));
     }
+    root
 }
 
 pub(super) const NARROW: usize = LeafWidth::Narrow.words() as usize;

@@ -3,12 +3,12 @@
 use super::super::buffer::Range;
 use super::super::bvh::Built;
 use super::super::coding::Coding;
-use super::super::facing::{Components, FacingRanges};
 use super::super::program::{Groups, Recorder, Uniform, counted, groups, threads};
+use super::super::sides::{Components, TargetRanges};
 use super::super::{Gpu, Kernel, Mesh};
 use super::Builder;
 use super::scratch::pyramid_bytes;
-use crate::{CodeBits, MeshCodec};
+use crate::CodeBits;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::encode::FINEST_STEP;
@@ -53,7 +53,7 @@ impl Builder {
         recorder: &mut Recorder,
         mesh: &Mesh,
         bvh: &Built,
-        (components, facing): (&Components, &FacingRanges),
+        (components, facing): (&Components, &TargetRanges),
     ) {
         recorder.stage("classify");
         self.copy_state(gpu, recorder, bvh);
@@ -182,9 +182,9 @@ impl Builder {
 
     /// The exponent of the lattice's step, and whether that is in the mesh's unit.
     const fn lattice_step(&self) -> [u32; 4] {
-        match self.config.mesh {
-            MeshCodec::Lattice { step_exponent } => [step_exponent as u32, 1, 0, 0],
-            MeshCodec::F32 | MeshCodec::Leaf10 => [FINEST_STEP as u32, 0, 0, 0],
+        match self.config.mesh.step_exponent() {
+            Some(step_exponent) => [step_exponent as u32, 1, 0, 0],
+            None => [FINEST_STEP as u32, 0, 0, 0],
         }
     }
 

@@ -1,11 +1,10 @@
 //! A hierarchy from the GPU's memory, or some of its numbers.
 
 use super::{Bvh, Coded, Coding};
-use crate::LatticeBits;
-use crate::coded::{self, CodedNodes, CodedTriangles};
 use crate::gpu::buffer::Download;
 use crate::gpu::{Gpu, GpuError};
-use bytemuck::{AnyBitPattern, NoUninit};
+use crate::tree::{ListReader, StoredTree};
+use bytemuck::Pod;
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::{Aabb, LeafTriangle, Node};
 
@@ -81,64 +80,55 @@ impl Bvh {
             max: corner(1),
         });
         bvh.scene_exponent = exponent.first().copied().unwrap_or(0);
-        let Some((coded, [root, words])) = coded.zip(root) else {
-            bvh.nodes = take(gpu, nodes, node_count)?;
-            bvh.triangles = take(gpu, triangles, triangle_count)?;
-            return Ok(bvh);
-        };
-        let root: Vec<RootWords> = root.read(gpu)?;
-        let root = root.first().copied().unwrap_or_default();
-        let word_count = first(words.read(gpu)?);
-        let nodes = coded_nodes(gpu, coded.coding, (nodes, node_count), &root)?;
-        let triangles = match coded.coding {
-            Coding::Paper10F32 | Coding::Q10F32 | Coding::Q21F32 => {
-                bvh.triangles = take(gpu, triangles, triangle_count)?;
-                CodedTriangles::F32
+        let (root, word_count) = match root {
+            Some([root, words]) => {
+                let root: Vec<RootWords> = root.read(gpu)?;
+                (
+                    root.first().copied().unwrap_or_default(),
+                    first(words.read(gpu)?),
+                )
             }
-            Coding::Paper10Leaf10 => CodedTriangles::Leaf10(take(gpu, triangles, triangle_count)?),
-            Coding::Q10Lattice | Coding::Q21Lattice => {
-                CodedTriangles::Lattice(take(gpu, triangles, word_count)?)
-            }
+            None => Default::default(),
         };
-        bvh.coded = Some(coded::Coded {
-            nodes,
-            triangles,
-            triangle_count,
-        });
+        let is_mixed = coded.is_some_and(|coded| coded.coding.is_mixed());
+        let mut lists = Lists {
+            gpu,
+            nodes: Some(nodes),
+            node_count,
+            triangles: Some(triangles),
+            triangle_items: if is_mixed { word_count } else { triangle_count },
+        };
+        bvh.stored = StoredTree::read(built.codecs, &root, triangle_count, &mut lists)?;
         Ok(bvh)
     }
 }
 
-fn coded_nodes(
-    gpu: &Gpu,
-    coding: Coding,
-    (nodes, count): (Download, usize),
-    root: &RootWords,
-) -> Result<CodedNodes, GpuError> {
-    let bits = match coding {
-        Coding::Paper10F32 | Coding::Paper10Leaf10 => {
-            return Ok(CodedNodes::Paper10 {
-                root: root.paper10(),
-                nodes: take(gpu, nodes, count)?,
-            });
-        }
-        Coding::Q10F32 | Coding::Q10Lattice => LatticeBits::Q10,
-        Coding::Q21F32 | Coding::Q21Lattice => LatticeBits::Q21,
-    };
-    Ok(CodedNodes::Lattice {
-        bits,
-        root: root.lattice(),
-        step_exponent: root.step_exponent(),
-        words: take(gpu, nodes, count * bits.words())?,
-    })
+/// Copies of both lists, each of which is read once.
+struct Lists<'a> {
+    gpu: &'a Gpu,
+    nodes: Option<Download>,
+    node_count: usize,
+    triangles: Option<Download>,
+    triangle_items: usize,
+}
+
+impl ListReader for Lists<'_> {
+    type Error = GpuError;
+
+    fn nodes<T: Pod>(&mut self, per_node: usize) -> Result<Vec<T>, GpuError> {
+        take(self.gpu, self.nodes.take(), self.node_count * per_node)
+    }
+
+    fn triangles<T: Pod>(&mut self) -> Result<Vec<T>, GpuError> {
+        take(self.gpu, self.triangles.take(), self.triangle_items)
+    }
 }
 
 /// The first elements of a buffer.
-fn take<T: AnyBitPattern + NoUninit>(
-    gpu: &Gpu,
-    from: Download,
-    count: usize,
-) -> Result<Vec<T>, GpuError> {
+fn take<T: Pod>(gpu: &Gpu, from: Option<Download>, count: usize) -> Result<Vec<T>, GpuError> {
+    let Some(from) = from else {
+        return Ok(Vec::new());
+    };
     let mut all = from.read(gpu)?;
     all.truncate(count);
     Ok(all)

@@ -54,6 +54,7 @@ impl Bvh {
         let built = Built {
             nodes: node_range.clone(),
             triangles: triangle_range.clone(),
+            codecs: bvh.codecs(),
             coded: coding.map(|coding| Coded {
                 coding,
                 nodes: node_range,

@@ -1,95 +1,12 @@
 //! From a scene to a picture, all in one.
 
 use super::{Renderer, check, waves};
-use crate::gpu::trees::NoTurns;
-use crate::gpu::{Builder, Bvh, Frame, Gpu, GpuError, Scene, Trees};
+use crate::gpu::{Bvh, Frame, Gpu, GpuError, Scene, Trees};
 use crate::scene::{Camera, Light, ViewError};
-use crate::{BuildConfig, Picture, RenderReport, RenderSettings, Stages};
+use crate::{Picture, RenderReport, RenderSettings, Stages};
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use std::time::Instant;
-
-/// Renders whole pictures of scenes, and keeps its buffers from one to the next.
-#[derive(Debug)]
-pub struct ImageRenderer {
-    /// Builds the hierarchy.
-    pub builder: Builder,
-    /// The hierarchy of the latest picture.
-    pub bvh: Bvh,
-    /// Makes the picture.
-    pub renderer: Renderer,
-}
-
-impl ImageRenderer {
-    /// One without buffers yet.
-    #[must_use]
-    pub fn new(config: BuildConfig) -> Self {
-        Self {
-            builder: Builder::new(config),
-            bvh: Bvh::new(),
-            renderer: Renderer::new(),
-        }
-    }
-
-    /// Uploads a scene, builds its hierarchy, renders it through its first camera, and waits for the picture. `progress` is
-    /// told the share done, 0 to 1. Returns the times of the build and what the render did.
-    ///
-    /// # Errors
-    /// Those of [`Scene::upload`], [`Builder::build`] and [`Renderer::render`]; what is too large is refused before
-    /// anything is allocated.
-    pub fn render(
-        &mut self,
-        gpu: &Gpu,
-        scene: &crate::Scene,
-        settings: &RenderSettings,
-        picture: &mut Picture,
-        progress: impl FnMut(f64),
-    ) -> Result<(Stages, RenderReport), GpuError> {
-        let parts = Parts {
-            builder: &mut self.builder,
-            bvh: &mut self.bvh,
-            renderer: &mut self.renderer,
-        };
-        parts.render(gpu, scene, settings, picture, progress)
-    }
-}
-
-/// What makes a picture.
-pub struct Parts<'a> {
-    pub builder: &'a mut Builder,
-    pub bvh: &'a mut Bvh,
-    pub renderer: &'a mut Renderer,
-}
-
-impl Parts<'_> {
-    /// As [`ImageRenderer::render`].
-    pub fn render(
-        self,
-        gpu: &Gpu,
-        scene: &crate::Scene,
-        settings: &RenderSettings,
-        picture: &mut Picture,
-        progress: impl FnMut(f64),
-    ) -> Result<(Stages, RenderReport), GpuError> {
-        let begin = Instant::now();
-        self.builder.check_mesh(&scene.mesh)?;
-        let camera = check_view(gpu, scene, settings)?;
-        self.builder.check(gpu, scene.mesh.indices.len() as u32)?;
-        let uploaded = Scene::upload(gpu, scene)?;
-
-        // The build and the first wave are one submission.
-        let mut frame = gpu.frame();
-        self.builder.build(&mut frame, &uploaded.mesh, self.bvh)?;
-        let image = Image {
-            uploaded: &uploaded,
-            bvh: self.bvh,
-            view: (camera, &scene.lights),
-            settings,
-            begin,
-        };
-        image.render(self.renderer, frame, picture, progress)
-    }
-}
 
 impl Renderer {
     /// Uploads a scene, renders it through its first camera and a hierarchy over its mesh, and waits for the picture: nothing is
@@ -111,7 +28,7 @@ impl Renderer {
         let uploaded = Scene::upload(gpu, scene)?;
         let image = Image {
             uploaded: &uploaded,
-            bvh,
+            trees: &Trees::all(bvh, scene.lights.len()),
             view: (camera, &scene.lights),
             settings,
             begin,
@@ -122,7 +39,7 @@ impl Renderer {
 }
 
 /// Refuses a view that makes no picture, and a picture that is larger than the GPU takes. Returns the camera.
-fn check_view<'a>(
+pub fn check_view<'a>(
     gpu: &Gpu,
     scene: &'a crate::Scene,
     settings: &RenderSettings,
@@ -137,18 +54,18 @@ fn check_view<'a>(
 }
 
 /// A picture of what is on the GPU, or will be in the frame that begins it.
-struct Image<'a> {
-    uploaded: &'a Scene,
-    bvh: &'a Bvh,
-    view: (&'a Camera, &'a [Light]),
-    settings: &'a RenderSettings,
-    begin: Instant,
+pub struct Image<'a, 't> {
+    pub uploaded: &'a Scene,
+    pub trees: &'a Trees<'t>,
+    pub view: (&'a Camera, &'a [Light]),
+    pub settings: &'a RenderSettings,
+    pub begin: Instant,
 }
 
-impl Image<'_> {
+impl Image<'_, '_> {
     /// Renders wave after wave, each a submission that is waited for; the first one is that of the frame. Returns the times of
     /// what was built in it, and what the render did.
-    fn render(
+    pub fn render(
         self,
         renderer: &mut Renderer,
         mut frame: Frame,
@@ -156,12 +73,17 @@ impl Image<'_> {
         mut progress: impl FnMut(f64),
     ) -> Result<(Stages, RenderReport), GpuError> {
         let gpu = frame.gpu();
-        let trees = Trees::all(self.bvh, self.view.1.len());
-        let plan = renderer.plan(&mut frame, self.uploaded, &trees, self.view, self.settings)?;
+        let plan = renderer.plan(
+            &mut frame,
+            self.uploaded,
+            self.trees,
+            self.view,
+            self.settings,
+        )?;
         let wave_count = plan.waves.len();
         let mut stages = Stages::default();
         for wave in 0..wave_count {
-            renderer.encode(&mut frame, &plan, wave..wave + 1, &mut NoTurns)?;
+            renderer.encode(&mut frame, &plan, wave..wave + 1, None)?;
             if wave + 1 == wave_count {
                 break;
             }

@@ -5,7 +5,7 @@ use super::{
 };
 use crate::gpu::Kernel;
 use crate::gpu::program::{Recorder, Uniform, threads};
-use crate::gpu::trees::TurnRange;
+use crate::gpu::trees::DeferralRange;
 use crate::picture::{RenderSettings, View};
 use slimbvh_core::Hit;
 use slimbvh_core::camera::Camera;
@@ -150,14 +150,14 @@ impl Plan<'_> {
                     &[shadows],
                     each(),
                 );
-                match &self.turns[i as usize] {
-                    TurnRange::None => {}
-                    TurnRange::Always => recorder.turn(i as usize),
-                    TurnRange::IfReached(needed) => {
+                match &self.deferrals[i as usize] {
+                    DeferralRange::Ready => {}
+                    DeferralRange::Always => recorder.callback(i as usize),
+                    DeferralRange::IfReached(needed) => {
                         recorder.clear(needed);
                         let to = &[needed];
                         recorder.update(Kernel::shade_reached, &[], &[shadows], to, each());
-                        recorder.turn(i as usize);
+                        recorder.callback(i as usize);
                     }
                 }
                 recorder.stage("trace shadow");

@@ -3,9 +3,8 @@
 use super::{Lights, Setup, Triangles, Update};
 use crate::measure::step::Step;
 use slimbvh::reduce::Reduce;
-use slimbvh::{CodeBits, MeshCodec, TreeKind};
+use slimbvh::{CodeBits, TreeKind};
 use slimbvh_cli::output::things;
-use slimbvh_cli::storage::names;
 
 impl Setup {
     /// In tables: what is not as usual.
@@ -57,7 +56,7 @@ impl Setup {
     }
 
     pub fn nodes_name(&self) -> &'static str {
-        names((self.nodes, MeshCodec::F32))[0]
+        self.nodes.name()
     }
 
     pub fn mesh_name(&self) -> String {

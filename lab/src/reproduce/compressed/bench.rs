@@ -6,12 +6,12 @@ pub mod likeness;
 mod on_gpu;
 
 use super::frames::{Round, take_turns};
-use super::machine::Cpu;
 use super::methods::Prepared;
 use crate::measure::rounds::Rounds;
+use crate::reproduce::steps::Steps;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::RenderSettings;
+use slimbvh::{Cpu, RenderSettings};
 use slimbvh_cli::backend::Chosen;
 
 /// What kind of machine times.
@@ -30,12 +30,16 @@ pub enum Place {
 /// What times a scene's methods.
 pub trait Bench {
     /// What there is of the plain tree beside the times; the reference is the same on cores, with its picture.
-    fn plain(&mut self, reference: &Cpu, settings: &RenderSettings) -> Result<Option<GpuRecord>>;
+    fn plain(
+        &mut self,
+        reference: &Steps<Cpu>,
+        settings: &RenderSettings,
+    ) -> Result<Option<GpuRecord>>;
 
     /// Times a method in turn with the plain tree; both are on cores already.
     fn time(
         &mut self,
-        both: (&mut Cpu, &mut Cpu),
+        both: (&mut Steps<Cpu>, &mut Steps<Cpu>),
         prepared: &Prepared,
         settings: &RenderSettings,
         round_count: u32,
@@ -57,13 +61,13 @@ pub fn open<'a>(chosen: &'a Chosen, plain: &'a Prepared) -> Result<Box<dyn Bench
 struct Cores;
 
 impl Bench for Cores {
-    fn plain(&mut self, _: &Cpu, _: &RenderSettings) -> Result<Option<GpuRecord>> {
+    fn plain(&mut self, _: &Steps<Cpu>, _: &RenderSettings) -> Result<Option<GpuRecord>> {
         Ok(None)
     }
 
     fn time(
         &mut self,
-        (plain, own): (&mut Cpu, &mut Cpu),
+        (plain, own): (&mut Steps<Cpu>, &mut Steps<Cpu>),
         _: &Prepared,
         settings: &RenderSettings,
         round_count: u32,

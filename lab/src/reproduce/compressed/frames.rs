@@ -1,10 +1,10 @@
 //! What a frame takes with a method, and with the plain tree in turn with it.
 
-use super::machine::Machine;
 use crate::measure::rounds::Rounds;
+use crate::reproduce::steps::Steps;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::{RenderSettings, Stages};
+use slimbvh::{Backend, RenderSettings, Stages};
 use std::collections::BTreeMap;
 
 /// A frame with a plain tree, and the same with another.
@@ -28,9 +28,9 @@ pub struct Frame {
 
 impl Frame {
     /// Builds and renders.
-    fn take(machine: &mut dyn Machine, settings: &RenderSettings) -> Result<Self> {
-        let build = machine.build()?;
-        let render = machine.render(settings)?;
+    fn take<B: Backend>(steps: &mut Steps<B>, settings: &RenderSettings) -> Result<Self> {
+        let build = steps.build_all()?;
+        let render = steps.render_all(settings)?;
         Ok(Self::new(&build, &render))
     }
 
@@ -76,8 +76,8 @@ impl Round {
 }
 
 /// Builds and renders in turn. One round before does not count.
-pub fn take_turns(
-    (plain, own): (&mut dyn Machine, &mut dyn Machine),
+pub fn take_turns<B: Backend>(
+    (plain, own): (&mut Steps<B>, &mut Steps<B>),
     settings: &RenderSettings,
     count: u32,
 ) -> Result<Rounds<Round>> {

@@ -3,7 +3,6 @@
 use super::bench::{self, GpuRecord, Timed};
 use super::cracks::{Cracks, aim};
 use super::frames::Round;
-use super::machine::{Cpu, Machine};
 use super::methods::{Method, Prepared};
 use super::printed::Printed;
 use super::protocol::Protocol;
@@ -13,10 +12,11 @@ use crate::measure::paths::Seen;
 use crate::measure::rounds::Rounds;
 use crate::measure::step::PIXELS;
 use crate::measure::walks::Walks;
+use crate::reproduce::steps::Steps;
 use crate::stress::moved;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::{MeshCodec, Picture, RenderSettings, Trees};
+use slimbvh::{Cpu, Picture, RenderSettings, Trees};
 use slimbvh_cli::backend::Chosen;
 
 /// What was measured of one scene.
@@ -101,22 +101,23 @@ pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result
     };
     let plain = Method::Plain.prepare(scene, &PIXELS);
     let mut bench = bench::open(chosen, &plain)?;
-    let mut reference = Cpu::new(&plain);
+    let mut reference = Steps::new(Cpu, plain.config, &plain.scene, None)?;
     let aimed_rays = subject.is_closed.then_some(protocol.aimed_rays);
-    reference.build()?;
-    reference.render(&settings)?;
-    let facts = |own: &Cpu, prepared: &Prepared, reference: &Cpu, seen: Option<&[Seen]>| {
-        facts(prepared, (own, reference), (&settings, aimed_rays), seen)
-    };
+    reference.build_all()?;
+    reference.render_all(&settings)?;
+    let facts =
+        |own: &Steps<Cpu>, prepared: &Prepared, reference: &Steps<Cpu>, seen: Option<&[Seen]>| {
+            facts(prepared, (own, reference), (&settings, aimed_rays), seen)
+        };
     let mut first = facts(&reference, &plain, &reference, None)?;
     first.on_gpu = bench.plain(&reference, &settings)?;
     let seen = first.counts.seen.clone();
     let mut methods = vec![first];
     for method in Method::all() {
         let prepared = method.prepare(scene, &PIXELS);
-        let mut own = Cpu::new(&prepared);
-        own.build()?;
-        own.render(&settings)?;
+        let mut own = Steps::new(Cpu, prepared.config, &prepared.scene, None)?;
+        own.build_all()?;
+        own.render_all(&settings)?;
         let mut record = facts(&own, &prepared, &reference, Some(&seen))?;
         let both = (&mut reference, &mut own);
         let Timed { rounds, on_gpu } = bench.time(both, &prepared, &settings, protocol.rounds)?;
@@ -146,19 +147,18 @@ pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result
 /// What needs no clock, of a tree that was built and a picture that was made. `seen` is what the reference sees.
 fn facts(
     prepared: &Prepared,
-    (own, reference): (&Cpu, &Cpu),
+    (own, reference): (&Steps<Cpu>, &Steps<Cpu>),
     (settings, aimed_rays): (&RenderSettings, Option<usize>),
     seen: Option<&[Seen]>,
 ) -> Result<MethodRecord> {
-    let bvh = &own.bvh;
+    let bvh = own.tree(0);
     let trees = Trees::all(bvh, prepared.scene.lights.len());
     let counts = count(&prepared.scene, &Walks::new(&trees)?, settings)?;
-    let moved = match prepared.config.mesh {
-        MeshCodec::Leaf10 => {
-            let moves = moved(&reference.bvh, &bvh.decoded())?;
-            Some([moves.most, moves.bound].map(|distance| distance as f32))
-        }
-        _ => prepared.moved,
+    let moved = if prepared.config.mesh.moves_vertices() {
+        let moves = moved(reference.tree(0), &bvh.decoded())?;
+        Some([moves.most, moves.bound].map(|distance| distance as f32))
+    } else {
+        prepared.moved
     };
     let cracks = aimed_rays.map(|count| aim(&prepared.scene, bvh, count));
     let differences = Differences {

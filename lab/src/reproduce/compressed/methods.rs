@@ -1,7 +1,6 @@
 //! In which codecs trees are measured.
 
 use crate::measure::step::Step;
-use crate::measure::walks::node_bytes;
 use crate::stress::snapped;
 use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene};
 use std::borrow::Cow;
@@ -78,7 +77,7 @@ impl Method {
 
     /// Bytes of a node.
     pub fn node_bytes(self) -> usize {
-        node_bytes(self.nodes())
+        self.nodes().node_bytes()
     }
 
     /// Makes a scene ready. Pixels are those of a picture with these settings.

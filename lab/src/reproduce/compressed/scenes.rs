@@ -89,7 +89,7 @@ mod tests {
     use slimbvh::topology::Topology;
 
     #[test]
-    fn scenes_have_about_the_printed_number_of_triangles() {
+    fn scenes_have_about_the_paper10_number_of_triangles() {
         for (name, triangles, has_stand_in) in [
             (SceneName::Shiny, 152, false),
             (SceneName::Bunny, 70_000, true),

@@ -177,8 +177,9 @@ fn what_the_gpu_does_not_take_is_left_out_and_all_else_measured() {
 #[cfg(feature = "gpu")]
 #[test]
 fn what_the_gpu_timed_is_compared_with_what_was_counted() {
+    use crate::reproduce::steps::Steps;
     use bench::likeness;
-    use machine::{Cpu, Machine, OnGpu};
+    use slimbvh::Cpu;
     let Some(gpu) = short_sighted() else { return };
     let scene = Subject::new(SceneName::Shiny, None, SETTINGS.size)
         .unwrap()
@@ -190,12 +191,13 @@ fn what_the_gpu_timed_is_compared_with_what_was_counted() {
     let q10 = Method::Lattice(LatticeBits::Q10);
     let compare = |on_gpu: (Method, &slimbvh::Scene), on_cpu: (Method, &slimbvh::Scene)| {
         let [a, b] = [on_gpu, on_cpu].map(|(method, scene)| method.prepare(scene, &SETTINGS));
-        let (mut machine, mut own) = (OnGpu::new(&gpu, &a).unwrap(), Cpu::new(&b));
-        for machine in [&mut machine as &mut dyn Machine, &mut own] {
-            machine.build().unwrap();
-            machine.render(&SETTINGS).unwrap();
-        }
-        likeness::record(&mut machine, &own, &SETTINGS)
+        let mut steps = Steps::new(&gpu, a.config, &a.scene, None).unwrap();
+        let mut own = Steps::new(Cpu, b.config, &b.scene, None).unwrap();
+        steps.build_all().unwrap();
+        steps.render_all(&SETTINGS).unwrap();
+        own.build_all().unwrap();
+        own.render_all(&SETTINGS).unwrap();
+        likeness::record(&steps, &own, &SETTINGS)
     };
     let likeness = compare((q10, &scene), (q10, &scene)).unwrap().likeness;
     assert!(likeness.pixels_unlike <= likeness.pixels / 1000);

@@ -6,7 +6,7 @@ use crate::decisions::targets;
 use glam::Vec3;
 use proptest::prelude::*;
 use slimbvh::generate::{default_scene, icosphere, soup};
-use slimbvh::gpu::{self, Facing, Gpu, GpuError, Subset};
+use slimbvh::gpu::{self, Gpu, GpuError, Subset, TargetSides};
 use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind, View};
 use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
@@ -241,7 +241,7 @@ fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {
             done(cpu.sort(&mesh));
             let mut sets = Vec::new();
             for target in &targets {
-                let (mut facing, mut bvh) = (Facing::new(), gpu::Bvh::new());
+                let (mut facing, mut bvh) = (TargetSides::new(), gpu::Bvh::new());
                 done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1]));
                 let subset = Subset::Facing {
                     components: &on_gpu,
@@ -394,7 +394,7 @@ fn codecs_that_only_the_cpu_has_are_refused() {
             assert_eq!(built, Err(GpuError::Codec { bits }));
             let said = built.map_or_else(|error| error.to_string(), |()| String::new());
             let expected = format!(
-                "nodes of {bits} bits are stored on the CPU only; the GPU has f32, q10 and q21"
+                "nodes of {bits} bits are stored on the CPU only; the GPU has f32, paper10, q10 and q21"
             );
             assert_eq!(said, expected);
         }

@@ -6,11 +6,15 @@ use crate::reduced_scenes::scenes::{SUN, ball, scenes};
 use glam::Vec3;
 use proptest::prelude::*;
 use slimbvh::generate::append;
-use slimbvh::gpu::{self, Answer, Builder, Facing, Frame, Gpu};
-use slimbvh::reduce::gpu::{DecisionsReport, ImageRenderer, LightSets};
-use slimbvh::reduce::{Asked, Choice, Cull, Plan, Reduce, Saving, Savings, Seams, Switches};
+use slimbvh::gpu::{self, Answer, Builder, DecisionsReport, Frame, Gpu, LightSets, TargetSides};
+use slimbvh::reduce::{
+    Cull, Plan, PlanRequest, Reduce, Saving, Savings, Seams, Switches, TreeChoice,
+};
 use slimbvh::topology::Topology;
-use slimbvh::{BuildConfig, Decisions, Mesh, Picture, RenderSettings, Scene};
+use slimbvh::{
+    BuildConfig, Change, Decisions, FrameConfig, FrameRequest, Frames, Mesh, Output, Picture,
+    RenderSettings, Scene,
+};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use slimbvh_tests::cases;
@@ -40,10 +44,10 @@ fn decide(
     let mut frame = gpu.frame();
     done(builder.sort(&mut frame, &uploaded));
     done(decisions.measure(&mut frame, &builder, &uploaded));
-    let mut eye = Facing::new();
+    let mut eye = TargetSides::new();
     let mut downloads = Vec::new();
     for (i, target) in targets.iter().enumerate() {
-        let mut facing = Facing::new();
+        let mut facing = TargetSides::new();
         let answer = if i == 0 {
             done(eye.decide(
                 &mut frame,
@@ -65,7 +69,7 @@ fn decide(
     }
     let measures = done(decisions.read_later(&mut frame));
     done(frame.submit());
-    let read = |download: gpu::FacingDownload| done(download.read(gpu));
+    let read = |download: gpu::SidesDownload| done(download.read(gpu));
     let decided = downloads.into_iter().map(read).collect();
     (done(measures.read(gpu)), decided)
 }
@@ -164,7 +168,7 @@ fn nothing_is_decided_of_nothing() {
     let uploaded = done(gpu::Mesh::upload(gpu, &mesh));
     let other = done(gpu::Mesh::upload(gpu, &dome(9)));
     let mut frame = gpu.frame();
-    let mut facing = Facing::new();
+    let mut facing = TargetSides::new();
     let early = facing.decide(
         &mut frame,
         &decisions,
@@ -180,7 +184,7 @@ fn nothing_is_decided_of_nothing() {
     done(builder.sort(&mut frame, &uploaded));
     done(decisions.measure(&mut frame, &builder, &uploaded));
     // An eye of other components.
-    let mut eye = Facing::new();
+    let mut eye = TargetSides::new();
     done(eye.set(&mut frame, &place, &Frustum::EVERYWHERE, &[1, 1, 1, 0]));
     let answer = Answer::Smaller { eye: &eye };
     let wrong = facing.decide(
@@ -218,7 +222,7 @@ fn what_moves_in_a_frame_is_decided_in_it() {
     let mut decisions = done(gpu::Decisions::new(gpu, &topology));
     let uploaded = done(gpu::Mesh::upload(gpu, &mesh));
     // The same target in the same buffers, pose after pose, in one frame.
-    let mut facing = Facing::new();
+    let mut facing = TargetSides::new();
     let mut frame = gpu.frame();
     let downloads = poses.map(|vertices| {
         move_to(gpu, &mut frame, &uploaded, vertices);
@@ -260,7 +264,7 @@ fn what_moves_in_a_frame_is_decided_in_it() {
 fn plan<'a>(scene: &Scene, topology: &'a Topology, reduce: Reduce) -> Plan<'a> {
     done(Plan::new(
         topology,
-        &Asked {
+        &PlanRequest {
             scene,
             settings: &SETTINGS,
             switches: Switches {
@@ -280,29 +284,34 @@ fn deciding(
     gpu: &Gpu,
     scene: &Scene,
     plan: &Plan,
-    topology: &Topology,
     lights: LightSets,
 ) -> (Picture, DecisionsReport) {
-    let mut decisions = done(gpu::Decisions::new(gpu, topology));
-    let ImageRenderer {
-        mut builder,
-        mut hierarchies,
-        mut renderer,
-        ..
-    } = ImageRenderer::new(BuildConfig::default());
-    let uploaded = done(gpu::Scene::upload(gpu, scene));
-    let mut frame = gpu.frame();
-    let decider = (&mut decisions, lights);
-    done(hierarchies.build_deciding(&mut frame, &mut builder, &uploaded.mesh, plan, decider));
-    let report = done(hierarchies.read_decisions_later(&mut frame, plan, &decisions));
-    let view = (&scene.cameras[0], scene.lights.as_slice());
-    let trees = hierarchies.trees(plan);
-    done(renderer.render_with(&mut frame, &uploaded, &trees, view, &SETTINGS));
-    let texels = done(renderer.read_later(&mut frame));
-    done(frame.submit());
+    // Only the GPU knows where the vertices are.
+    let mut plan = plan.clone();
+    plan.may_turn_away = lights == LightSets::Smaller;
+    let (picture, decisions) = frame(gpu, scene, &plan, Change::Vertices);
+    let Some(decisions) = decisions else {
+        unreachable!("it decides")
+    };
+    (picture, decisions)
+}
+
+fn frame(
+    gpu: &Gpu,
+    scene: &Scene,
+    plan: &Plan,
+    change: Change,
+) -> (Picture, Option<DecisionsReport>) {
     let mut picture = Picture::default();
-    done(texels.read(gpu, &mut picture));
-    (picture, done(report.read(gpu)))
+    let mut frames = Frames::new(gpu, FrameConfig::default());
+    let request = FrameRequest {
+        scene,
+        plan,
+        settings: &SETTINGS,
+        change,
+    };
+    let report = done(frames.render_planned(&request, Output::new(&mut picture)));
+    (picture, report.decisions)
 }
 
 /// What is beyond the picture is left out of the camera's set where the GPU decides sides, too, and of no other.
@@ -321,13 +330,13 @@ fn the_frustum_bounds_sets_whose_sides_the_gpu_decides() {
     let counts = [true, false].map(|is_bounded| {
         let mut plan = plan.clone();
         if !is_bounded {
-            plan.aims[0].frustum = Frustum::EVERYWHERE;
+            plan.targets[0].frustum = Frustum::EVERYWHERE;
         }
-        let (picture, _) = deciding(gpu, &scene, &plan, &topology, LightSets::Facing);
+        let (picture, _) = deciding(gpu, &scene, &plan, LightSets::Facing);
         (picture, set_count(gpu, &scene, &plan, &topology))
     });
     let [(with, bounded), (without, whole)] = &counts;
-    assert!(plan.aims[0].frustum.is_bounded == 1);
+    assert!(plan.targets[0].frustum.is_bounded == 1);
     assert!(with == without);
     assert!(2 * bounded < *whole, "{bounded} {whole}");
 }
@@ -338,11 +347,11 @@ fn set_count(gpu: &Gpu, scene: &Scene, plan: &Plan, topology: &Topology) -> usiz
     let uploaded = done(gpu::Mesh::upload(gpu, &scene.mesh));
     let components = done(gpu::Components::upload(gpu, topology.components()));
     let mut builder = Builder::new(BuildConfig::default());
-    let (mut facing, mut bvh) = (Facing::new(), gpu::Bvh::new());
+    let (mut facing, mut bvh) = (TargetSides::new(), gpu::Bvh::new());
     let mut frame = gpu.frame();
     done(builder.sort(&mut frame, &uploaded));
     done(decisions.measure(&mut frame, &builder, &uploaded));
-    let aim = &plan.aims[0];
+    let aim = &plan.targets[0];
     done(facing.decide(
         &mut frame,
         &decisions,
@@ -360,10 +369,7 @@ fn set_count(gpu: &Gpu, scene: &Scene, plan: &Plan, topology: &Topology) -> usiz
 
 /// A picture with the host's sides.
 fn planned(gpu: &Gpu, scene: &Scene, plan: &Plan) -> Picture {
-    let mut picture = Picture::default();
-    let mut renderer = ImageRenderer::new(BuildConfig::default());
-    done(renderer.render(gpu, (scene, plan), &SETTINGS, &mut picture, |_| {}));
-    picture
+    frame(gpu, scene, plan, Change::Scene).0
 }
 
 /// Scenes of the plans, and one where the smaller set is that of what faces away.
@@ -398,25 +404,30 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
     for (name, scene) in all_scenes() {
         let topology = surveyed(&scene.mesh);
         let [whole, reduced] = [Reduce::Off, Reduce::On].map(|how| plan(&scene, &topology, how));
-        assert!(reduced.aims.iter().any(|aim| aim.choice == Choice::Set));
+        assert!(
+            reduced
+                .targets
+                .iter()
+                .any(|aim| aim.choice == TreeChoice::Set)
+        );
         let mut pictures = Vec::new();
         for lights in [LightSets::Facing, LightSets::Smaller] {
-            let (expected, report) = deciding(gpu, &scene, &whole, &topology, lights);
-            let (picture, again) = deciding(gpu, &scene, &reduced, &topology, lights);
+            let (expected, report) = deciding(gpu, &scene, &whole, lights);
+            let (picture, again) = deciding(gpu, &scene, &reduced, lights);
             assert!(picture == expected, "{name}");
-            assert_eq!(report.aims, again.aims, "{name}");
+            assert_eq!(report.targets, again.targets, "{name}");
             pictures.push((picture, report));
         }
 
         // Where the host decides the same, it gets the same.
         let used = reduced
-            .aims
+            .targets
             .iter()
-            .filter(|aim| aim.choice != Choice::Unused);
+            .filter(|aim| aim.choice != TreeChoice::Unused);
         let host: Vec<&Vec<i32>> = used.map(|aim| &aim.sides).collect();
         let same_as_host = |report: &DecisionsReport| {
             host.iter()
-                .zip(&report.aims)
+                .zip(&report.targets)
                 .all(|(host, (_, of))| **host == of.sides)
         };
         let by_host = planned(gpu, &scene, &reduced);
@@ -427,7 +438,10 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
 
         // L− is another set, but gives the same shadows, but for rays within rounding of a silhouette.
         let (smaller, report) = &pictures[1];
-        let counts = report.aims.iter().filter_map(|(_, decided)| decided.counts);
+        let counts = report
+            .targets
+            .iter()
+            .filter_map(|(_, decided)| decided.counts);
         minus_count += counts.filter(|counts| counts.is_minus == 1).count();
         let pixels = smaller.pixels.iter().zip(&pictures[0].0.pixels);
         let differing = pixels.filter(|(a, b)| a != b).count();
@@ -435,7 +449,7 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
             differing * 1000 <= 3 * smaller.pixels.len(),
             "{name}: {differing}"
         );
-        assert!(report.explain().len() > report.aims.len(), "{name}");
+        assert!(report.explain().len() > report.targets.len(), "{name}");
     }
     assert!(
         equal_count >= 8 && minus_count >= 2,
@@ -450,14 +464,14 @@ fn sides_that_are_wrong_give_another_picture() {
     let (_, scene) = all_scenes().pop().expect("there are scenes");
     let topology = surveyed(&scene.mesh);
     let reduced = plan(&scene, &topology, Reduce::On);
-    let (expected, _) = deciding(gpu, &scene, &reduced, &topology, LightSets::Facing);
+    let (expected, _) = deciding(gpu, &scene, &reduced, LightSets::Facing);
     // A plan of the host's with the camera's sides turned round.
     let mut wrong = reduced.clone();
-    for side in &mut wrong.aims[0].sides {
+    for side in &mut wrong.targets[0].sides {
         *side = -*side;
     }
     assert!(planned(gpu, &scene, &wrong) != expected);
     // Those of a plan do not matter where the GPU decides.
-    let (picture, _) = deciding(gpu, &scene, &wrong, &topology, LightSets::Facing);
+    let (picture, _) = deciding(gpu, &scene, &wrong, LightSets::Facing);
     assert!(picture == expected);
 }

@@ -2,9 +2,9 @@
 
 use slimbvh::generate::{default_scene, soup};
 use slimbvh::gpu::{self, Gpu, GpuError, Query};
-use slimbvh::{BuildConfig, RenderSettings};
+use slimbvh::{BuildConfig, Change, Output, RenderSettings};
 use slimbvh_core::{Hit, Ray};
-use slimbvh_tests::gpu::{done, gpu_with_limits, own_gpu, storage};
+use slimbvh_tests::gpu::{done, gpu_with_limits, own_gpu, storage, whole_tree};
 use std::sync::mpsc;
 use std::time::Duration;
 
@@ -91,15 +91,19 @@ fn a_picture_cut_short_by_the_loss_of_the_device_is_an_error() {
             ..default_scene()
         };
         let mut picture = slimbvh::Picture::default();
-        let mut renderer = gpu::ImageRenderer::new(BuildConfig::default());
+        let mut frames = whole_tree(&gpu, BuildConfig::default());
         // Several waves; the first one's end destroys the device.
         let settings = RenderSettings {
             size: [64, 64],
             sample_count: 512,
             ..RenderSettings::default()
         };
-        let destroy = |_| gpu.device().destroy();
-        let rendered = renderer.render(&gpu, &scene, &settings, &mut picture, destroy);
+        let mut destroy = |_| gpu.device().destroy();
+        let output = Output {
+            picture: &mut picture,
+            progress: Some(&mut destroy),
+        };
+        let rendered = frames.render(&scene, &settings, Change::Scene, output);
         rendered.map(|_| ())
     });
     assert!(matches!(result, Err(GpuError::Lost { .. })), "{result:?}");

@@ -2,13 +2,13 @@
 
 use glam::Vec3;
 use slimbvh::generate::{append, cuboid, default_scene, icosphere, soup, terrain};
-use slimbvh::gpu::{self, Gpu};
+use slimbvh::gpu::Gpu;
 use slimbvh::{
-    AreaShape, BuildConfig, Camera, Light, Material, Picture, Projection, RenderReport,
-    RenderSettings, Scene, View,
+    AreaShape, BuildConfig, Camera, Change, Light, Material, Output, Picture, Projection,
+    RenderReport, RenderSettings, Scene, View,
 };
 use slimbvh_tests::build_as;
-use slimbvh_tests::gpu::{done, gpu};
+use slimbvh_tests::gpu::{done, gpu, whole_tree};
 use slimbvh_tests::parity::alike;
 use slimbvh_tests::scenes::real_meshes;
 
@@ -45,9 +45,13 @@ pub fn of_gpu_as(
     config: BuildConfig,
 ) -> (Picture, RenderReport) {
     let mut picture = Picture::default();
-    let mut renderer = gpu::ImageRenderer::new(config);
-    let rendered = renderer.render(gpu, scene, settings, &mut picture, |_| {});
-    (picture, done(rendered).1)
+    let mut frames = whole_tree(gpu, config);
+    let output = Output {
+        picture: &mut picture,
+        progress: Some(&mut |_| {}),
+    };
+    let rendered = frames.render(scene, settings, Change::Scene, output);
+    (picture, done(rendered).render)
 }
 
 /// By the CPU.

@@ -5,10 +5,13 @@ use super::difference::{Difference, Verdict, error_bound, judge};
 use super::surroundings::Surroundings;
 use super::wave::{Cast, RayKind, cast};
 use slimbvh::reduce::{
-    AimKind, Asked, Cull, Hierarchies, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
+    Cull, Plan, PlanRequest, Reduce, Saving, Savings, Seams, Switches, TargetKind, survey,
 };
 use slimbvh::topology::{self, Topology};
-use slimbvh::{BuildConfig, Builder, Camera, Picture, RenderSettings, Renderer, Scene};
+use slimbvh::{
+    BuildConfig, Builder, Camera, Cpu, FrameConfig, Frames, Picture, RenderSettings, Renderer,
+    Scene,
+};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::snap::leaf_triangle;
@@ -105,7 +108,7 @@ impl Subject {
     /// Whether the eye and all lights are certainly outside of all closed components.
     pub fn is_all_outside(&self) -> bool {
         let plan = self.plan(&RenderSettings::default(), Reduce::Off, Rule::Plan);
-        plan.aims.iter().all(|aim| {
+        plan.targets.iter().all(|aim| {
             let center = aim.target.point;
             let target = match (aim.target.is_position, aim.target.radius) {
                 (0, _) => topology::Target::Direction(center),
@@ -123,7 +126,7 @@ impl Subject {
         if rule != Rule::Plan {
             savings = savings.without(Saving::Away);
         }
-        let asked = Asked {
+        let asked = PlanRequest {
             scene: &self.scene,
             settings,
             switches: Switches {
@@ -138,12 +141,12 @@ impl Subject {
         let outer = self
             .topology
             .sides(&topology::Target::Direction([0.0, 0.0, 1.0]));
-        for aim in &mut plan.aims {
+        for aim in &mut plan.targets {
             let turned = |sides: &[i32]| sides.iter().map(|side| -side).collect();
             match rule {
                 Rule::Plan => {}
                 Rule::Turned => aim.sides = turned(&aim.sides),
-                Rule::AwayFromLights if aim.kind == AimKind::Camera => {}
+                Rule::AwayFromLights if aim.kind == TargetKind::Camera => {}
                 Rule::AwayFromLights => aim.sides = turned(&aim.sides),
                 Rule::AsIfOutside => aim.sides.clone_from(&outer),
             }
@@ -153,12 +156,11 @@ impl Subject {
 
     /// The rays of a picture, which must be the renderer's.
     pub fn cast(&self, settings: &RenderSettings, plan: &Plan) -> Vec<Cast> {
-        let mut hierarchies = Hierarchies::new();
-        let mut builder = Builder::new(BuildConfig::default());
-        done(hierarchies.build(&mut builder, &self.scene.mesh, plan));
-        let (casts, picture) = cast(&self.scene, &hierarchies, plan, settings);
+        let mut frames = Frames::new(Cpu, FrameConfig::default());
+        done(frames.build(&self.scene, plan));
+        let trees = frames.trees(plan);
+        let (casts, picture) = cast(&self.scene, &trees, settings);
         let mut expected = Picture::default();
-        let trees = hierarchies.trees(plan);
         done(Renderer::new().render_with(&self.scene, &trees, settings, &mut expected, |_| {}));
         assert!(picture == expected, "these are not the renderer's rays");
         casts
@@ -236,7 +238,7 @@ impl Subject {
     /// The eye, then each light, in the scene's magnitude.
     fn targets(&self, plan: &Plan) -> Vec<Target> {
         let scale = PowerOfTwo::new(self.exponent);
-        plan.aims
+        plan.targets
             .iter()
             .map(|aim| aim.target.scaled(&scale))
             .collect()

@@ -1,7 +1,6 @@
 //! The renderer's rays one by one, made and traced by the functions of core that the renderer calls. That they are its rays
 //! shows in the picture, which is the same to the last bit.
 
-use slimbvh::reduce::{Hierarchies, Plan};
 use slimbvh::{Picture, RenderSettings, Scene, Tree, Trees};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::classify::FacingFilter;
@@ -51,19 +50,13 @@ struct Stage<'a> {
 }
 
 /// All camera rays and all shadow rays of a picture by a plan, and the picture.
-pub fn cast(
-    scene: &Scene,
-    hierarchies: &Hierarchies,
-    plan: &Plan,
-    settings: &RenderSettings,
-) -> (Vec<Cast>, Picture) {
-    let trees = hierarchies.trees(plan);
-    let stage = Stage::new(scene, &trees, settings);
+pub fn cast(scene: &Scene, trees: &Trees, settings: &RenderSettings) -> (Vec<Cast>, Picture) {
+    let stage = Stage::new(scene, trees, settings);
     let [width, height] = settings.size;
     let mut casts = Vec::new();
     let mut paths = Vec::new();
     for sample in 0..width * height * settings.sample_count {
-        paths.push(stage.follow(sample, &trees, settings.mirror_depth, &mut casts));
+        paths.push(stage.follow(sample, trees, settings.mirror_depth, &mut casts));
     }
     let count = settings.sample_count;
     let pixel = |pixel: u32| mean_radiance(&paths, pixel * count, count).to_array();

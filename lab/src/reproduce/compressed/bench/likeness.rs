@@ -1,11 +1,11 @@
 //! That the GPU timed what the CPU counted: trees of as many bytes, searches that touch as much, pictures alike.
 
-use super::{GpuRecord, Likeness};
-use crate::reproduce::compressed::machine::{Cpu, OnGpu};
+use super::{Buffers, GpuRecord, Likeness};
 use crate::reproduce::compressed::measure::changed;
+use crate::reproduce::steps::Steps;
 use anyhow::{Context, Result, ensure};
 use slimbvh::gpu::{Bvh, Gpu, Query, wgpu};
-use slimbvh::{Ray, RenderSettings, Scene};
+use slimbvh::{Cpu, Ray, RenderSettings, Scene};
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{ClosestHit, Counted};
 use wgpu::BufferUsages;
@@ -21,19 +21,23 @@ const GRAZING: usize = 100;
 /// # Errors
 /// If trees have not as many bytes, or a search touches other nodes and triangles: on a GPU in software any, on a real one more
 /// than one in a hundred.
-pub fn record(machine: &mut OnGpu, own: &Cpu, settings: &RenderSettings) -> Result<GpuRecord> {
-    let (gpu, bvh) = (machine.gpu(), &own.bvh);
-    let bytes = machine.bvh.read_bytes(gpu)?;
+pub fn record(
+    steps: &Steps<&Gpu>,
+    own: &Steps<Cpu>,
+    settings: &RenderSettings,
+) -> Result<GpuRecord> {
+    let (gpu, bvh) = (steps.backend, own.tree(0));
+    let bytes = steps.tree(0).read_bytes(gpu)?;
     let expected = [bvh.node_bytes(), bvh.triangle_bytes()].map(|bytes| bytes as u64);
     ensure!(
         bytes == expected,
         "nodes and triangles take {bytes:?} bytes on the GPU, {expected:?} on the CPU"
     );
 
-    let rays = sample(own.scene(), settings)?;
-    let on_gpu = count_on_gpu(gpu, &machine.bvh, &rays)?;
+    let rays = sample(own.scene, settings)?;
+    let on_gpu = count_on_gpu(gpu, steps.tree(0), &rays)?;
     let counted_otherwise = unlike(&on_gpu, &count(bvh, &rays));
-    let most = if machine.is_software() {
+    let most = if is_software(gpu) {
         0
     } else {
         rays.len() / GRAZING
@@ -44,17 +48,27 @@ pub fn record(machine: &mut OnGpu, own: &Cpu, settings: &RenderSettings) -> Resu
         rays.len()
     );
 
-    let picture = machine.picture()?;
+    let picture = &steps.picture;
     let likeness = Likeness {
         rays: rays.len(),
         counted_otherwise,
         pixels: picture.pixels.len(),
-        pixels_unlike: changed(&picture, &own.picture, 1),
+        pixels_unlike: changed(picture, &own.picture, 1),
     };
     Ok(GpuRecord {
-        buffers: machine.buffers(),
+        buffers: Buffers {
+            tree: steps.tree(0).bytes(),
+            builder: steps.builder.scratch_bytes(),
+            renderer: steps.renderer.scratch_bytes(),
+            scene: steps.held.scene()?.bytes(),
+        },
         likeness,
     })
+}
+
+/// Whether a GPU computes on the CPU.
+pub fn is_software(gpu: &Gpu) -> bool {
+    gpu.device().adapter_info().device_type == wgpu::DeviceType::Cpu
 }
 
 /// Some of the picture's rays from the eye, evenly.

@@ -2,57 +2,61 @@
 
 use super::{Bench, GpuRecord, Timed, likeness};
 use crate::reproduce::compressed::frames::take_turns;
-use crate::reproduce::compressed::machine::{Cpu, Machine, OnGpu};
 use crate::reproduce::compressed::methods::Prepared;
+use crate::reproduce::steps::Steps;
 use anyhow::Result;
-use slimbvh::RenderSettings;
 use slimbvh::gpu::{Gpu, GpuError};
+use slimbvh::{Cpu, RenderSettings};
 use std::time::{Duration, Instant};
 
 /// The plain tree on the GPU, in turn with which all others are timed.
-pub struct GpuBench<'a>(OnGpu<'a>);
+pub struct GpuBench<'a>(Steps<'a, &'a Gpu>);
 
 impl<'a> GpuBench<'a> {
     /// Uploads a scene, and builds the plain tree.
     pub fn new(gpu: &'a Gpu, plain: &'a Prepared) -> Result<Self> {
-        let mut machine = OnGpu::new(gpu, plain)?;
-        machine.build()?;
-        Ok(Self(machine))
+        let mut steps = Steps::new(gpu, plain.config, &plain.scene, None)?;
+        steps.build_all()?;
+        Ok(Self(steps))
     }
 }
 
 impl Bench for GpuBench<'_> {
-    fn plain(&mut self, reference: &Cpu, settings: &RenderSettings) -> Result<Option<GpuRecord>> {
-        self.0.render(settings)?;
-        likeness::record(&mut self.0, reference, settings).map(Some)
+    fn plain(
+        &mut self,
+        reference: &Steps<Cpu>,
+        settings: &RenderSettings,
+    ) -> Result<Option<GpuRecord>> {
+        self.0.render_all(settings)?;
+        likeness::record(&self.0, reference, settings).map(Some)
     }
 
     fn time(
         &mut self,
-        (_, on_cores): (&mut Cpu, &mut Cpu),
+        (_, on_cores): (&mut Steps<Cpu>, &mut Steps<Cpu>),
         prepared: &Prepared,
         settings: &RenderSettings,
         round_count: u32,
     ) -> Result<Timed> {
         let plain = &mut self.0;
-        let mut own = OnGpu::new(plain.gpu(), prepared)?;
-        match own.build() {
+        let own = Steps::new(plain.backend, prepared.config, &prepared.scene, None);
+        let mut own = match own {
             Err(error) if is_codec(&error) => return Ok(Timed::default()),
-            built => built?,
+            own => own?,
         };
         raise_clock(plain, settings)?;
         Ok(Timed {
             rounds: take_turns((plain, &mut own), settings, round_count)?,
-            on_gpu: Some(likeness::record(&mut own, on_cores, settings)?),
+            on_gpu: Some(likeness::record(&own, on_cores, settings)?),
         })
     }
 }
 
 /// Keeps a real GPU busy until its clock is up: what idles is a few times slower at first.
-fn raise_clock(machine: &mut OnGpu, settings: &RenderSettings) -> Result<()> {
+fn raise_clock(steps: &mut Steps<&Gpu>, settings: &RenderSettings) -> Result<()> {
     let start = Instant::now();
-    while !machine.is_software() && start.elapsed() < Duration::from_millis(500) {
-        machine.render(settings)?;
+    while !likeness::is_software(steps.backend) && start.elapsed() < Duration::from_millis(500) {
+        steps.render_all(settings)?;
     }
     Ok(())
 }

@@ -1,0 +1,256 @@
+//! The CPU's passes, as frames ask for them.
+
+use super::{Builder, Renderer, Subset};
+use crate::backend::{
+    Backend, DeferredTrees, Load, Output, Shot, Source, TargetSet, TargetSides, TreeSize,
+};
+use crate::{BuildConfig, Bvh, MeshError, RefitError, RenderReport, Stages, ViewError};
+use slimbvh_core::classify::{Sides, VisibleSet};
+use slimbvh_core::orientation::Target;
+use std::convert::Infallible;
+use thiserror::Error;
+
+/// This machine's cores: the threads of the rayon pool that frames are made in.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cpu;
+
+/// Why the CPU did not make a frame.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum CpuError {
+    /// The mesh is unfit.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The trees cannot be moved to this mesh.
+    #[error(transparent)]
+    Refit(#[from] RefitError),
+    /// The camera or a light is unfit.
+    #[error(transparent)]
+    View(#[from] ViewError),
+}
+
+impl TargetSet<'_, '_, Cpu> {
+    fn reach(&self) -> VisibleSet<'_> {
+        VisibleSet {
+            sides: Sides {
+                components: self.components,
+                sides: &self.sides.sides,
+            },
+            target: self.sides.target,
+            frustum: self.sides.frustum,
+        }
+    }
+}
+
+impl Backend for Cpu {
+    const NAME: &'static str = "cpu";
+    const SORTS_SETS_ALONE: bool = true;
+    const KEEPS_ORDER: bool = true;
+    const RECORDS: bool = false;
+
+    type Error = CpuError;
+    type Recording = Stages;
+    type Scene = ();
+    type Bvh = Bvh;
+    type Builder = Builder;
+    type Renderer = Renderer;
+    type TargetSides = TargetSides;
+    type Components<'a> = &'a [u32];
+    type Rule<'a> = (Sides<'a>, Target);
+    type PendingSize = TreeSize;
+    type PendingDecisions = Infallible;
+    type Decisions = Infallible;
+
+    fn adapter(self) -> Option<String> {
+        None
+    }
+
+    fn builder(self, config: BuildConfig) -> Builder {
+        Builder::new(config)
+    }
+
+    fn begin(self) -> Stages {
+        Stages::default()
+    }
+
+    fn submit(self, stages: Stages) -> Result<Stages, CpuError> {
+        Ok(stages)
+    }
+
+    fn load(self, (): &mut (), _: &Builder, _: &Load) -> Result<(), CpuError> {
+        Ok(())
+    }
+
+    fn components<'a>((): &'a (), host: Option<&'a [u32]>) -> Option<&'a [u32]> {
+        host
+    }
+
+    fn sort(
+        stages: &mut Stages,
+        builder: &mut Builder,
+        source: Source<Self>,
+    ) -> Result<(), CpuError> {
+        stages.merge(&builder.sort(source.mesh)?);
+        Ok(())
+    }
+
+    fn follow(
+        stages: &mut Stages,
+        builder: &mut Builder,
+        source: Source<Self>,
+    ) -> Result<(), CpuError> {
+        stages.merge(&builder.follow(source.mesh)?);
+        Ok(())
+    }
+
+    fn refit(
+        stages: &mut Stages,
+        builder: &mut Builder,
+        source: Source<Self>,
+        bvh: &mut Bvh,
+    ) -> Result<(), CpuError> {
+        stages.merge(&builder.refit(source.mesh, bvh)?);
+        Ok(())
+    }
+
+    fn build_sorted(
+        stages: &mut Stages,
+        builder: &mut Builder,
+        source: Source<Self>,
+        set: Option<&TargetSet<Self>>,
+        bvh: &mut Bvh,
+    ) -> Result<(), CpuError> {
+        let subset = set.map_or(Subset::All, |set| Subset::Of(set.reach()));
+        stages.merge(&builder.build_sorted(source.mesh, subset, bvh));
+        Ok(())
+    }
+
+    fn build_alone(
+        stages: &mut Stages,
+        builder: &mut Builder,
+        source: Source<Self>,
+        set: &TargetSet<Self>,
+        bvh: &mut Bvh,
+    ) -> Result<(), CpuError> {
+        let subset = Subset::Of(set.reach());
+        stages.merge(&builder.build_subset(source.mesh, subset, bvh)?);
+        Ok(())
+    }
+
+    fn reserve(
+        _: &mut Stages,
+        _: &mut Builder,
+        _: Source<Self>,
+        _: &mut Bvh,
+    ) -> Result<(), CpuError> {
+        Ok(())
+    }
+
+    fn build_deferred(
+        stages: &mut Stages,
+        builder: &mut Builder,
+        source: Source<Self>,
+        set: &TargetSet<Self>,
+        bvh: &mut Bvh,
+    ) -> Result<(), CpuError> {
+        Self::build_sorted(stages, builder, source, Some(set), bvh)
+    }
+
+    fn divide(
+        stages: &mut Stages,
+        builder: &mut Builder,
+        source: Source<Self>,
+        set: &TargetSet<Self>,
+        _: &mut Bvh,
+    ) -> Result<(), CpuError> {
+        stages.merge(&builder.divide(source.mesh, &set.reach()));
+        Ok(())
+    }
+
+    fn decides((): &()) -> bool {
+        false
+    }
+
+    fn measure(_: &mut Stages, _: &Builder, (): &mut ()) -> Result<(), CpuError> {
+        Ok(())
+    }
+
+    fn set_sides(
+        _: &mut Stages,
+        (): &(),
+        host: &TargetSides,
+        _: Option<&TargetSides>,
+        to: &mut TargetSides,
+    ) -> Result<(), CpuError> {
+        to.clone_from(host);
+        Ok(())
+    }
+
+    fn decisions_later(
+        _: &mut Stages,
+        (): &(),
+        _: &[(String, &TargetSides)],
+    ) -> Result<Option<Infallible>, CpuError> {
+        Ok(None)
+    }
+
+    fn decisions(self, pending: Infallible) -> Result<Infallible, CpuError> {
+        Ok(pending)
+    }
+
+    fn explain(decisions: &Infallible) -> Vec<(String, String)> {
+        match *decisions {}
+    }
+
+    fn rule<'a>(components: &'a [u32], sides: &'a TargetSides) -> (Sides<'a>, Target) {
+        let rule = Sides {
+            components,
+            sides: &sides.sides,
+        };
+        (rule, sides.target)
+    }
+
+    fn render(
+        self,
+        mut stages: Stages,
+        renderer: &mut Renderer,
+        shot: &Shot<Self>,
+        deferred: Option<&mut dyn DeferredTrees<Self>>,
+        output: Output,
+    ) -> Result<(Stages, RenderReport), CpuError> {
+        let report = match deferred {
+            Some(trees) => renderer.render_shot(shot, Some((trees, &mut stages)), output)?,
+            None => renderer.render_shot(shot, None, output)?,
+        };
+        Ok((stages, report))
+    }
+
+    fn sah_cost(stages: &mut Stages, bvh: &Bvh) -> Option<f64> {
+        Some(stages.time("quality", || bvh.sah_cost()))
+    }
+
+    fn size_later(_: &mut Stages, bvh: &Bvh) -> Result<TreeSize, CpuError> {
+        Self.size(bvh)
+    }
+
+    fn pending_size(self, pending: TreeSize) -> Result<TreeSize, CpuError> {
+        Ok(pending)
+    }
+
+    fn size(self, bvh: &Bvh) -> Result<TreeSize, CpuError> {
+        Ok(TreeSize {
+            node_count: bvh.node_count(),
+            triangle_count: bvh.triangle_count(),
+            node_bytes: bvh.node_bytes(),
+            triangle_bytes: bvh.triangle_bytes(),
+        })
+    }
+
+    fn held_bytes(bvh: &Bvh) -> usize {
+        bvh.held_bytes()
+    }
+
+    fn scratch_bytes(builder: &Builder, renderer: &Renderer) -> usize {
+        builder.scratch_bytes() + renderer.scratch_bytes()
+    }
+}

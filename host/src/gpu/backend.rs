@@ -1,0 +1,342 @@
+//! The GPU's passes, as frames ask for them.
+
+use super::bvh::Bvh;
+use super::render::{Image, check_view};
+use super::{
+    Answer, Builder, Components, Decisions, DecisionsDownload, DecisionsReport, Download, Frame,
+    Gpu, GpuError, Renderer, Scene, Subset, TargetSides,
+};
+use crate::backend::{
+    self, Backend, Change, DeferredTrees, Load, Output, Shot, Source, TargetSet, TreeSize,
+};
+use crate::{BuildConfig, RenderReport, Stages, ViewError};
+
+/// Which triangles answer for lights.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LightSets {
+    /// Those that face the light (L+).
+    #[default]
+    Facing,
+    /// Those that face it or those that face away (L−), whichever are fewer. L− is taken where the eye is outside of all that the
+    /// light is outside of; nothing may be transparent.
+    Smaller,
+}
+
+/// What a GPU holds of a scene from frame to frame.
+#[derive(Debug, Default)]
+pub struct HeldScene {
+    scene: Option<Scene>,
+    components: Option<Components>,
+    /// Decides sides once vertices have moved.
+    decisions: Option<Decisions>,
+    lights: LightSets,
+}
+
+impl HeldScene {
+    /// Mesh and materials.
+    ///
+    /// # Errors
+    /// Before the first [`Backend::load`].
+    pub fn scene(&self) -> Result<&Scene, GpuError> {
+        self.scene.as_ref().ok_or_else(|| GpuError::Unfit {
+            what: "the scene",
+            fault: "is not on the GPU; load it first".into(),
+        })
+    }
+}
+
+impl TargetSet<'_, '_, &Gpu> {
+    const fn subset(&self) -> Subset<'_> {
+        Subset::Facing {
+            components: self.components,
+            facing: self.sides,
+        }
+    }
+}
+
+impl<'g> Backend for &'g Gpu {
+    const NAME: &'static str = "gpu";
+    const SORTS_SETS_ALONE: bool = false;
+    const KEEPS_ORDER: bool = false;
+    const RECORDS: bool = true;
+
+    type Error = GpuError;
+    type Recording = Frame<'g>;
+    type Scene = HeldScene;
+    type Bvh = Bvh;
+    type Builder = Builder;
+    type Renderer = Renderer;
+    type TargetSides = TargetSides;
+    type Components<'a> = &'a Components;
+    type Rule<'a> = (&'a Components, &'a TargetSides);
+    type PendingSize = Download;
+    type PendingDecisions = DecisionsDownload;
+    type Decisions = DecisionsReport;
+
+    fn adapter(self) -> Option<String> {
+        Some(self.name().to_owned())
+    }
+
+    fn builder(self, config: BuildConfig) -> Builder {
+        Builder::new(config)
+    }
+
+    fn begin(self) -> Frame<'g> {
+        self.frame()
+    }
+
+    fn submit(self, frame: Frame<'g>) -> Result<Stages, GpuError> {
+        frame.submit()?.wait()
+    }
+
+    fn load(self, held: &mut HeldScene, builder: &Builder, load: &Load) -> Result<(), GpuError> {
+        let scene = load.scene;
+        match (&held.scene, load.change) {
+            (None, _) | (_, Change::Scene) => {
+                builder.check_mesh(&scene.mesh)?;
+                if let Some(settings) = load.settings {
+                    check_view(self, scene, settings)?;
+                }
+                builder.check(self, scene.mesh.indices.len() as u32)?;
+                *held = HeldScene::default();
+                held.scene = Some(Scene::upload(self, scene)?);
+            }
+            (Some(uploaded), Change::Vertices) => uploaded.move_vertices(self, &scene.mesh),
+            (Some(_), Change::View) => {}
+        }
+        held.lights = if load.may_turn_away {
+            LightSets::Smaller
+        } else {
+            LightSets::Facing
+        };
+        let Some(topology) = load.topology else {
+            return Ok(());
+        };
+        if load.change == Change::Vertices && held.decisions.is_none() {
+            let decisions = Decisions::new(self, topology)?;
+            held.components = Some(decisions.components().clone());
+            held.decisions = Some(decisions);
+        }
+        if held.components.is_none() {
+            held.components = Some(Components::upload(self, topology.components())?);
+        }
+        Ok(())
+    }
+
+    fn components<'a>(held: &'a HeldScene, host: Option<&'a [u32]>) -> Option<&'a Components> {
+        host.and(held.components.as_ref())
+    }
+
+    fn sort(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+    ) -> Result<(), GpuError> {
+        builder.sort(frame, &source.held.scene()?.mesh)
+    }
+
+    fn follow(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+    ) -> Result<(), GpuError> {
+        Self::sort(frame, builder, source)
+    }
+
+    fn refit(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+        bvh: &mut Bvh,
+    ) -> Result<(), GpuError> {
+        builder.refit(frame, &source.held.scene()?.mesh, bvh)
+    }
+
+    fn build_sorted(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+        set: Option<&TargetSet<Self>>,
+        bvh: &mut Bvh,
+    ) -> Result<(), GpuError> {
+        let subset = set.map_or(Subset::All, TargetSet::subset);
+        builder.build_sorted(frame, &source.held.scene()?.mesh, subset, bvh)
+    }
+
+    fn build_alone(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+        set: &TargetSet<Self>,
+        bvh: &mut Bvh,
+    ) -> Result<(), GpuError> {
+        Self::sort(frame, builder, source)?;
+        Self::build_sorted(frame, builder, source, Some(set), bvh)
+    }
+
+    fn reserve(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+        bvh: &mut Bvh,
+    ) -> Result<(), GpuError> {
+        builder.reserve(frame.gpu(), &source.held.scene()?.mesh, bvh)
+    }
+
+    fn build_deferred(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+        set: &TargetSet<Self>,
+        bvh: &mut Bvh,
+    ) -> Result<(), GpuError> {
+        builder.build_reserved(frame, &source.held.scene()?.mesh, set.subset(), bvh)
+    }
+
+    fn divide(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+        set: &TargetSet<Self>,
+        spare: &mut Bvh,
+    ) -> Result<(), GpuError> {
+        Self::build_alone(frame, builder, source, set, spare)
+    }
+
+    fn decides(held: &HeldScene) -> bool {
+        held.decisions.is_some()
+    }
+
+    fn measure(
+        frame: &mut Frame<'g>,
+        builder: &Builder,
+        held: &mut HeldScene,
+    ) -> Result<(), GpuError> {
+        match (&held.scene, &mut held.decisions) {
+            (Some(scene), Some(decisions)) => decisions.measure(frame, builder, &scene.mesh),
+            _ => Ok(()),
+        }
+    }
+
+    fn set_sides(
+        frame: &mut Frame<'g>,
+        held: &HeldScene,
+        host: &backend::TargetSides,
+        eye: Option<&TargetSides>,
+        to: &mut TargetSides,
+    ) -> Result<(), GpuError> {
+        let Some(decisions) = &held.decisions else {
+            return to.set(frame, &host.target, &host.frustum, &host.sides);
+        };
+        let answer = match (held.lights, eye) {
+            (LightSets::Smaller, Some(eye)) => Answer::Smaller { eye },
+            _ => Answer::Facing,
+        };
+        to.decide(frame, decisions, (&host.target, &host.frustum), answer)
+    }
+
+    fn decisions_later(
+        frame: &mut Frame<'g>,
+        held: &HeldScene,
+        targets: &[(String, &TargetSides)],
+    ) -> Result<Option<DecisionsDownload>, GpuError> {
+        let Some(decisions) = &held.decisions else {
+            return Ok(None);
+        };
+        DecisionsDownload::record(frame, decisions, targets).map(Some)
+    }
+
+    fn decisions(self, pending: DecisionsDownload) -> Result<DecisionsReport, GpuError> {
+        pending.read(self)
+    }
+
+    fn explain(decisions: &DecisionsReport) -> Vec<(String, String)> {
+        decisions.explain()
+    }
+
+    fn rule<'a>(
+        components: &'a Components,
+        sides: &'a TargetSides,
+    ) -> (&'a Components, &'a TargetSides) {
+        (components, sides)
+    }
+
+    /// With a progress each wave of samples is a submission that is waited for; else the frame is one submission, as it is where
+    /// trees are deferred.
+    fn render(
+        self,
+        mut frame: Frame<'g>,
+        renderer: &mut Renderer,
+        shot: &Shot<Self>,
+        deferred: Option<&mut dyn DeferredTrees<Self>>,
+        output: Output,
+    ) -> Result<(Stages, RenderReport), GpuError> {
+        let camera = shot.scene.cameras.first().ok_or(ViewError::NoCamera)?;
+        let view = (camera, shot.scene.lights.as_slice());
+        let scene = shot.held.scene()?;
+        let Output { picture, progress } = output;
+        match (deferred, progress) {
+            (None, Some(progress)) => {
+                let image = Image {
+                    uploaded: scene,
+                    trees: shot.trees,
+                    view,
+                    settings: shot.settings,
+                    begin: shot.begin,
+                };
+                image.render(renderer, frame, picture, progress)
+            }
+            (deferred, progress) => {
+                match deferred {
+                    None => {
+                        renderer.render_with(&mut frame, scene, shot.trees, view, shot.settings)?;
+                    }
+                    Some(deferred) => {
+                        let trees = (shot.trees, deferred);
+                        renderer.render_deferred(&mut frame, scene, trees, view, shot.settings)?;
+                    }
+                }
+                let times = renderer.finish(frame, Stages::default(), shot.begin, picture)?;
+                if let Some(progress) = progress {
+                    progress(1.0);
+                }
+                Ok(times)
+            }
+        }
+    }
+
+    fn sah_cost(_: &mut Frame<'g>, _: &Bvh) -> Option<f64> {
+        None
+    }
+
+    fn size_later(frame: &mut Frame<'g>, bvh: &Bvh) -> Result<Download, GpuError> {
+        bvh.count_later(frame)
+    }
+
+    fn pending_size(self, pending: Download) -> Result<TreeSize, GpuError> {
+        let words: Vec<u32> = pending.read(self)?;
+        Ok(TreeSize {
+            triangle_count: words.first().copied().unwrap_or(0) as usize,
+            ..TreeSize::default()
+        })
+    }
+
+    fn size(self, bvh: &Bvh) -> Result<TreeSize, GpuError> {
+        let [node_count, triangle_count] = bvh.read_counts(self)?.map(|count| count as usize);
+        let [node_bytes, triangle_bytes] = bvh.read_bytes(self)?.map(|bytes| bytes as usize);
+        Ok(TreeSize {
+            node_count,
+            triangle_count,
+            node_bytes,
+            triangle_bytes,
+        })
+    }
+
+    fn held_bytes(bvh: &Bvh) -> usize {
+        bvh.bytes() as usize
+    }
+
+    fn scratch_bytes(builder: &Builder, renderer: &Renderer) -> usize {
+        (builder.scratch_bytes() + renderer.scratch_bytes()) as usize
+    }
+}

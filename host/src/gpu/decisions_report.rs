@@ -1,0 +1,95 @@
+//! What the GPU decided in a frame, for people.
+
+use super::{
+    Decided, Decisions, Frame, Gpu, GpuError, Measured, MeasuresDownload, SidesDownload,
+    TargetSides,
+};
+use crate::text::{grouped, things};
+
+/// What the GPU decided in a frame, on its way.
+#[derive(Debug)]
+#[must_use]
+pub struct DecisionsDownload {
+    measures: MeasuresDownload,
+    targets: Vec<(String, SidesDownload)>,
+}
+
+impl DecisionsDownload {
+    /// Copies what was decided by this point of the frame for some targets.
+    pub(super) fn record(
+        frame: &mut Frame,
+        decisions: &Decisions,
+        targets: &[(String, &TargetSides)],
+    ) -> Result<Self, GpuError> {
+        let mut downloads = Vec::with_capacity(targets.len());
+        for (name, sides) in targets {
+            downloads.push((name.clone(), sides.read_later(frame)?));
+        }
+        Ok(Self {
+            measures: decisions.read_later(frame)?,
+            targets: downloads,
+        })
+    }
+
+    /// Waits for it, and reads it.
+    ///
+    /// # Errors
+    /// If the device was lost.
+    pub fn read(self, gpu: &Gpu) -> Result<DecisionsReport, GpuError> {
+        let read = |(name, download): (String, SidesDownload)| Ok((name, download.read(gpu)?));
+        let targets = self.targets.into_iter().map(read);
+        Ok(DecisionsReport {
+            components: self.measures.read(gpu)?,
+            targets: targets.collect::<Result<_, GpuError>>()?,
+        })
+    }
+}
+
+/// What the GPU decided in a frame.
+#[derive(Clone, Debug)]
+pub struct DecisionsReport {
+    /// The components that may be reduced.
+    pub components: Vec<Measured>,
+    /// The camera and each light with rays, by name.
+    pub targets: Vec<(String, Decided)>,
+}
+
+impl DecisionsReport {
+    /// One line a decision: what it is about, and what was decided, with the figures.
+    #[must_use]
+    pub fn explain(&self) -> Vec<(String, String)> {
+        let has = |side: i32| {
+            let of_side = |known: &&Measured| known.measure.outer_side() == side;
+            self.components.iter().filter(of_side).count()
+        };
+        let open = |known: &&Measured| known.measure.is_open != 0;
+        let torn = self.components.iter().filter(open).count();
+        let mut lines = vec![(
+            "on the GPU".to_owned(),
+            format!(
+                "of {}, {} face out and {} are inside out; {torn} are torn open, {} have no certain sign",
+                things(self.components.len(), "closed component"),
+                has(1),
+                has(-1),
+                has(0) - torn,
+            ),
+        )];
+        for (name, decided) in &self.targets {
+            let count = decided.sides.iter().filter(|side| **side != 0).count();
+            let mut text = format!("certainly outside of {}", things(count, "component"));
+            if let Some(counts) = decided.counts {
+                let taken = if counts.is_minus == 1 { "L−" } else { "L+" };
+                text += &format!(
+                    "; L+ keeps {}, L− {}: {taken} is taken",
+                    things(counts.plus as usize, "triangle"),
+                    grouped(counts.minus as usize)
+                );
+                if counts.barred > 0 {
+                    text += ", as the eye may be inside";
+                }
+            }
+            lines.push((name.clone(), text));
+        }
+        lines
+    }
+}

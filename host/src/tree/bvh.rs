@@ -1,0 +1,239 @@
+//! A built hierarchy, and the questions it answers about one ray.
+
+use super::codec::{MeshCodec, NodeCodec};
+use super::packets::filter_of;
+use super::sah_cost;
+use super::stored::{Stacks, StoredTree, with_stacks};
+use super::visitor::{Alone, Shared, Watched};
+use slimbvh_core::aabb::Aabb;
+use slimbvh_core::bounds::scene_exponent;
+use slimbvh_core::encode::RootWords;
+use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
+use slimbvh_core::trace::{
+    self, AnyHit, ClosestHit, ClosestOrAny, Collector, Lane, LeafTriangles, NearestHits,
+    PlainNodes, Skip, SkipAnd, traverse,
+};
+use slimbvh_core::{LeafTriangle, Node};
+
+/// A bounding volume hierarchy over a mesh. Filled by a [`crate::Builder`], which can fill it again without allocating.
+#[derive(Clone, Debug, Default)]
+pub struct Bvh {
+    pub(crate) stored: StoredTree,
+    pub(crate) mesh_triangle_count: usize,
+    pub(crate) bounds: Option<Aabb>,
+    pub(crate) scene_exponent: i32,
+    pub(crate) depth_bound: u32,
+}
+
+impl Bvh {
+    /// The hit with the smallest t, and among equals with the smallest primitive index; [`Hit::MISS`] where there is none.
+    ///
+    /// Rays are in the mesh's unit. A ray with a zero direction, or with a NaN or infinite number in it (an
+    /// infinite `t_max` aside), hits nothing.
+    #[must_use]
+    pub fn closest_hit(&self, ray: &Ray) -> Hit {
+        let prepared = PreparedRay::new(ray, self.scene_exponent);
+        // A plain tree has a collector of its own: it is the fastest.
+        let Some(plain) = self.stored.as_plain() else {
+            let hit = self.trace_alone(&prepared, ClosestOrAny::closest(prepared.t_max));
+            return prepared.restore(hit);
+        };
+        let mut collector = ClosestHit::new(prepared.t_max);
+        plain.trace(&prepared, &mut collector);
+        prepared.restore(collector.hit)
+    }
+
+    /// Whether the ray meets anything; stops at the first triangle found.
+    #[doc(alias = "occluded")]
+    #[must_use]
+    pub fn any_hit(&self, ray: &Ray) -> bool {
+        let prepared = PreparedRay::new(ray, self.scene_exponent);
+        let Some(plain) = self.stored.as_plain() else {
+            let collector = ClosestOrAny::any(prepared.t_max);
+            return self.trace_alone(&prepared, collector).is_hit();
+        };
+        let mut collector = AnyHit::new(prepared.t_max);
+        plain.trace(&prepared, &mut collector);
+        collector.found
+    }
+
+    /// The K hits with the smallest `(t, primitive)`, in order; [`Hit::MISS`] fills what is left.
+    #[must_use]
+    pub fn nearest_hits<const K: usize>(&self, ray: &Ray) -> [Hit; K] {
+        if let Some(plain) = self.stored.as_plain() {
+            let (nodes, triangles) = (plain.node_source(), plain.triangle_source());
+            return trace::nearest_hits(&nodes, &triangles, ray, self.scene_exponent);
+        }
+        let prepared = PreparedRay::new(ray, self.scene_exponent);
+        let mut collector = NearestHits::<K>::new(prepared.t_max);
+        with_stacks(|stacks| self.watch(stacks, &prepared, NO_PRIMITIVE, &mut collector));
+        collector.hits.map(|hit| prepared.restore(hit))
+    }
+
+    #[inline(never)]
+    fn trace_alone(&self, ray: &PreparedRay, collector: ClosestOrAny) -> Hit {
+        let all = filter_of(None);
+        let mut lane = Lane {
+            filter: SkipAnd::new(&all, NO_PRIMITIVE),
+            collector,
+        };
+        self.stored.visit(Alone {
+            ray,
+            lane: &mut lane,
+        });
+        lane.collector.closest.hit
+    }
+
+    fn watch(
+        &self,
+        stacks: &mut Stacks,
+        ray: &PreparedRay,
+        skip: u32,
+        collector: &mut dyn Collector,
+    ) {
+        let all = filter_of(None);
+        self.stored.visit(Watched {
+            stacks,
+            ray,
+            filter: SkipAnd::new(&all, skip),
+            collector,
+        });
+    }
+
+    /// Traces one ray with any collector, which may count the nodes and triangles on the way. Slower than the other questions.
+    pub fn collect(&self, ray: &PreparedRay, skip: u32, collector: &mut dyn Collector) {
+        // The collector may use this thread's stacks.
+        if let Some(plain) = self.stored.as_plain() {
+            let (nodes, triangles) = (plain.node_source(), plain.triangle_source());
+            let collector = &mut Shared(collector);
+            traverse(&nodes, &triangles, ray, &Skip(skip), collector);
+        } else {
+            self.watch(&mut { Stacks::EMPTY }, ray, skip, collector);
+        }
+    }
+
+    /// The same tree with nodes and triangles in full, as they are decoded.
+    #[must_use]
+    pub fn decoded(&self) -> Self {
+        match self.stored.as_plain() {
+            Some(_) => self.clone(),
+            None => Self {
+                stored: self.stored.decode().into(),
+                ..*self
+            },
+        }
+    }
+
+    /// What tracing it costs: [`sah_cost`] of its nodes, as they are decoded.
+    #[must_use]
+    pub fn sah_cost(&self) -> f64 {
+        match self.stored.as_plain() {
+            Some(plain) => sah_cost(&plain.nodes),
+            None => sah_cost(&self.stored.decode().nodes),
+        }
+    }
+
+    /// The bytes of the nodes, and of the triangles in leaf order. The same tree has the same bytes on every backend.
+    #[must_use]
+    pub fn stored(&self) -> [&[u8]; 2] {
+        let lists = self.stored.lists().lists();
+        lists.map(|list| bytemuck::cast_slice(list.words))
+    }
+
+    /// The root's box, where nodes are stored in a codec, and the exponent of its step, where it has one, as words.
+    #[must_use]
+    pub fn root_words(&self) -> Option<RootWords> {
+        self.stored.lists().root_words()
+    }
+
+    /// How nodes and triangles are stored.
+    #[must_use]
+    pub fn codecs(&self) -> (NodeCodec, MeshCodec) {
+        self.stored.lists().codecs(self.scene_exponent)
+    }
+
+    /// Takes the bounds of the mesh, and the scale that goes with them.
+    pub(crate) fn set_bounds(&mut self, bounds: Aabb) {
+        self.bounds = (!bounds.is_empty()).then_some(bounds);
+        self.scene_exponent = scene_exponent(&bounds);
+    }
+
+    /// The box around all triangles, in the mesh's unit; `None` for an empty mesh.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Aabb> {
+        self.bounds
+    }
+
+    /// How many triangles there are in it.
+    #[must_use]
+    pub fn triangle_count(&self) -> usize {
+        self.stored.lists().triangle_count()
+    }
+
+    /// How many triangles the mesh has that it was built over. A reduced hierarchy leaves out some.
+    #[must_use]
+    pub fn mesh_triangle_count(&self) -> usize {
+        self.mesh_triangle_count
+    }
+
+    /// How many inner nodes there are.
+    #[must_use]
+    pub fn node_count(&self) -> usize {
+        self.stored.lists().lists()[0].count()
+    }
+
+    /// Bytes of the nodes.
+    #[must_use]
+    pub fn node_bytes(&self) -> usize {
+        self.stored()[0].len()
+    }
+
+    /// Bytes of the triangles in the leaves.
+    #[must_use]
+    pub fn triangle_bytes(&self) -> usize {
+        self.stored()[1].len()
+    }
+
+    /// Bytes of the memory that is held for both, which a larger hierarchy may have left.
+    #[must_use]
+    pub fn held_bytes(&self) -> usize {
+        self.stored.lists().held_bytes()
+    }
+
+    /// No path from the root is longer than this.
+    #[must_use]
+    pub fn depth_bound(&self) -> u32 {
+        self.depth_bound
+    }
+
+    /// All coordinates inside are the mesh's times two to this power.
+    #[must_use]
+    pub fn scene_exponent(&self) -> i32 {
+        self.scene_exponent
+    }
+
+    /// The nodes, the root first; none where they are stored in a codec.
+    #[must_use]
+    pub fn nodes(&self) -> &[Node] {
+        self.stored.as_plain().map_or(&[], |plain| &plain.nodes)
+    }
+
+    /// The triangles in leaf order, carried to magnitude 1; none where they are stored in a codec.
+    #[must_use]
+    pub fn leaf_triangles(&self) -> &[LeafTriangle] {
+        let full = self.stored.lists().full_triangles();
+        full.map_or(&[], Vec::as_slice)
+    }
+
+    /// [`Self::nodes`], as the tracer reads them.
+    #[must_use]
+    pub fn node_source(&self) -> PlainNodes<'_> {
+        PlainNodes(self.nodes())
+    }
+
+    /// [`Self::leaf_triangles`], as the tracer reads them.
+    #[must_use]
+    pub fn triangle_source(&self) -> LeafTriangles<'_> {
+        LeafTriangles(self.leaf_triangles())
+    }
+}

@@ -1,0 +1,360 @@
+//! Codecs of nodes and triangles: their names, their tags in files, and which go together.
+
+use slimbvh_core::Node;
+use slimbvh_core::encode::{LeafWidth, Paper10Node};
+use thiserror::Error;
+
+/// How inner nodes are stored. None changes an answer: boxes only grow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NodeCodec {
+    /// 64 bytes: both children's boxes in full.
+    #[default]
+    F32,
+    /// 24 bytes: planes in 10 bits between those of the parent, by floats, as in the paper on compressed hierarchies and
+    /// meshes.
+    Paper10,
+    /// 12 to 28 bytes: planes counted from those of the parent, by integers.
+    Lattice(LatticeBits),
+}
+
+impl NodeCodec {
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::F32,
+        Self::Paper10,
+        Self::Lattice(LatticeBits::Q4),
+        Self::Lattice(LatticeBits::Q6),
+        Self::Lattice(LatticeBits::Q8),
+        Self::Lattice(LatticeBits::Q10),
+        Self::Lattice(LatticeBits::Q12),
+        Self::Lattice(LatticeBits::Q16),
+        Self::Lattice(LatticeBits::Q21),
+    ];
+
+    /// The name, as in options and reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Paper10 => "paper10",
+            Self::Lattice(bits) => bits.name(),
+        }
+    }
+
+    /// The codec of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|codec| codec.name() == name)
+    }
+
+    /// Bytes of a node.
+    #[must_use]
+    pub const fn node_bytes(self) -> usize {
+        match self {
+            Self::F32 => size_of::<Node>(),
+            Self::Paper10 => size_of::<Paper10Node>(),
+            Self::Lattice(bits) => bits.words() * size_of::<u32>(),
+        }
+    }
+
+    /// The tag in files, and the bits of a plane on the lattice.
+    const fn tags(self) -> [u32; 2] {
+        match self {
+            Self::F32 => [0, 0],
+            Self::Paper10 => [1, 0],
+            Self::Lattice(bits) => [2, bits.count()],
+        }
+    }
+}
+
+/// Bits of a plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LatticeBits {
+    /// 4 bits, 12 bytes a node.
+    Q4,
+    /// 6 bits, 16 bytes a node.
+    Q6,
+    /// 8 bits, 16 bytes a node.
+    Q8,
+    /// 10 bits, 16 bytes a node.
+    Q10,
+    /// 12 bits, 20 bytes a node.
+    Q12,
+    /// 16 bits, 28 bytes a node.
+    Q16,
+    /// 21 bits, 28 bytes a node.
+    Q21,
+}
+
+/// Calls a function that is generic over the bits of a plane, the words of a node, and perhaps a type.
+macro_rules! by_bits {
+    ($bits:expr, $function:ident $(::<$type:ty>)? ($($argument:expr),* $(,)?)) => {
+        match $bits {
+            $crate::tree::LatticeBits::Q4 => $function::<4, 3 $(, $type)?>($($argument),*),
+            $crate::tree::LatticeBits::Q6 => $function::<6, 4 $(, $type)?>($($argument),*),
+            $crate::tree::LatticeBits::Q8 => $function::<8, 4 $(, $type)?>($($argument),*),
+            $crate::tree::LatticeBits::Q10 => $function::<10, 4 $(, $type)?>($($argument),*),
+            $crate::tree::LatticeBits::Q12 => $function::<12, 5 $(, $type)?>($($argument),*),
+            $crate::tree::LatticeBits::Q16 => $function::<16, 7 $(, $type)?>($($argument),*),
+            $crate::tree::LatticeBits::Q21 => $function::<21, 7 $(, $type)?>($($argument),*),
+        }
+    };
+}
+pub(crate) use by_bits;
+
+impl LatticeBits {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Q4,
+        Self::Q6,
+        Self::Q8,
+        Self::Q10,
+        Self::Q12,
+        Self::Q16,
+        Self::Q21,
+    ];
+
+    /// The number of bits.
+    #[must_use]
+    pub const fn count(self) -> u32 {
+        match self {
+            Self::Q4 => 4,
+            Self::Q6 => 6,
+            Self::Q8 => 8,
+            Self::Q10 => 10,
+            Self::Q12 => 12,
+            Self::Q16 => 16,
+            Self::Q21 => 21,
+        }
+    }
+
+    /// The name, as in options and reports.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Q4 => "q4",
+            Self::Q6 => "q6",
+            Self::Q8 => "q8",
+            Self::Q10 => "q10",
+            Self::Q12 => "q12",
+            Self::Q16 => "q16",
+            Self::Q21 => "q21",
+        }
+    }
+
+    /// Words of a node.
+    pub(crate) const fn words(self) -> usize {
+        slimbvh_core::encode::node_words(self.count())
+    }
+}
+
+/// How the triangles in leaves are stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MeshCodec {
+    /// 40 bytes: as they are, with their index.
+    #[default]
+    F32,
+    /// 16 bytes: 10 bits a coordinate in the leaf's box, as in the paper on compressed hierarchies and meshes. Vertices move, each
+    /// leaf's by itself: surfaces crack. Goes with [`NodeCodec::Paper10`].
+    Leaf10,
+    /// 16, 28 or 40 bytes, as a leaf needs: exact, over a mesh whose vertices lie on a lattice ([`crate::Mesh::snap`]). Goes
+    /// with [`NodeCodec::Lattice`].
+    Lattice {
+        /// The lattice's step is 2 to this power, in the mesh's unit.
+        step_exponent: i32,
+    },
+}
+
+impl MeshCodec {
+    /// One of each kind; a lattice has step 1, until [`Self::with_step`] gives it another.
+    pub const ALL: [Self; 3] = [Self::F32, Self::Leaf10, Self::Lattice { step_exponent: 0 }];
+
+    /// The name, as in options and reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Leaf10 => "leaf10",
+            Self::Lattice { .. } => "lattice",
+        }
+    }
+
+    /// The codec of this name; [one](Self::ALL) of its kind.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|codec| codec.name() == name)
+    }
+
+    /// One line on what triangles take, and which nodes they need.
+    #[must_use]
+    pub const fn summary(self) -> &'static str {
+        match self {
+            Self::F32 => "40 bytes a triangle",
+            Self::Leaf10 => "16 bytes a triangle; goes with paper10 nodes",
+            Self::Lattice { .. } => {
+                "16, 28 or 40 bytes a triangle, as each leaf needs; goes with nodes on a lattice"
+            }
+        }
+    }
+
+    /// The exponent of the lattice's step, where triangles are on one.
+    #[must_use]
+    pub const fn step_exponent(self) -> Option<i32> {
+        match self {
+            Self::F32 | Self::Leaf10 => None,
+            Self::Lattice { step_exponent } => Some(step_exponent),
+        }
+    }
+
+    /// The codec with a lattice of this step, where triangles are on one; without a step they are in full.
+    #[must_use]
+    pub fn with_step(self, step_exponent: Option<i32>) -> Self {
+        match self {
+            Self::F32 | Self::Leaf10 => self,
+            Self::Lattice { .. } => {
+                step_exponent.map_or(Self::F32, |step_exponent| Self::Lattice { step_exponent })
+            }
+        }
+    }
+
+    /// Whether the codec moves vertices by itself, so that no exact decision about triangles holds for what it stores.
+    #[must_use]
+    pub const fn moves_vertices(self) -> bool {
+        matches!(self, Self::Leaf10)
+    }
+
+    /// The nodes that go with the triangles where none are asked for.
+    #[must_use]
+    pub const fn default_nodes(self) -> NodeCodec {
+        match self {
+            Self::F32 => NodeCodec::F32,
+            Self::Leaf10 => NodeCodec::Paper10,
+            Self::Lattice { .. } => NodeCodec::Lattice(LatticeBits::Q10),
+        }
+    }
+
+    /// All nodes that go with the triangles.
+    pub fn nodes(self) -> impl Iterator<Item = NodeCodec> {
+        let all = NodeCodec::ALL.into_iter();
+        all.filter(move |nodes| check_codecs(*nodes, self).is_ok())
+    }
+
+    /// The tag in files.
+    const fn tag(self) -> u32 {
+        match self {
+            Self::F32 => 0,
+            Self::Leaf10 => 1,
+            Self::Lattice { .. } => 2,
+        }
+    }
+}
+
+/// Tags of codecs in files: of nodes, bits of a plane on the lattice, of triangles.
+pub(crate) const fn tags((nodes, mesh): (NodeCodec, MeshCodec)) -> [u32; 3] {
+    let [nodes, bits] = nodes.tags();
+    [nodes, bits, mesh.tag()]
+}
+
+/// The codecs with these [`tags`], on a lattice of this step; none where tags are unknown or do not go together.
+pub(crate) fn tagged(
+    [nodes, bits, mesh]: [u32; 3],
+    step_exponent: i32,
+) -> Option<(NodeCodec, MeshCodec)> {
+    let mut all = NodeCodec::ALL.into_iter();
+    let nodes = all.find(|codec| codec.tags() == [nodes, bits])?;
+    let mut all = MeshCodec::ALL.into_iter();
+    let mesh = all.find(|codec| codec.tag() == mesh)?;
+    check_codecs(nodes, mesh).ok()?;
+    Some((nodes, mesh.with_step(Some(step_exponent))))
+}
+
+/// The most triangles that can be stored so: links name a word among those of all, each of which may take ten.
+pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
+    const MOST: usize = slimbvh_core::MAX_TRIANGLES as usize;
+    match mesh {
+        MeshCodec::F32 | MeshCodec::Leaf10 => MOST,
+        MeshCodec::Lattice { .. } => MOST / LeafWidth::Wide.words() as usize,
+    }
+}
+
+/// Codecs that do not go together.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum CodecError {
+    /// Leaves are coded in boxes that other nodes do not have.
+    #[error("triangles of 10 bits in their leaf's box go with paper10 nodes only")]
+    Leaf10WithoutPaper10,
+    /// The same.
+    #[error("triangles on a lattice go with nodes on a lattice only")]
+    LatticeWithout,
+}
+
+/// Whether both can be had together.
+///
+/// # Errors
+/// Says which cannot.
+pub const fn check_codecs(nodes: NodeCodec, mesh: MeshCodec) -> Result<(), CodecError> {
+    match (nodes, mesh) {
+        (_, MeshCodec::F32)
+        | (NodeCodec::Paper10, MeshCodec::Leaf10)
+        | (NodeCodec::Lattice(_), MeshCodec::Lattice { .. }) => Ok(()),
+        (_, MeshCodec::Leaf10) => Err(CodecError::Leaf10WithoutPaper10),
+        (_, MeshCodec::Lattice { .. }) => Err(CodecError::LatticeWithout),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_are_those_of_the_nodes() {
+        fn sizes<const BITS: u32, const WORDS: usize>() -> (u32, usize) {
+            assert_eq!(WORDS, slimbvh_core::encode::node_words(BITS));
+            (BITS, WORDS)
+        }
+        for bits in LatticeBits::ALL {
+            let (count, _) = by_bits!(bits, sizes());
+            assert_eq!(count, bits.count());
+        }
+    }
+
+    #[test]
+    fn names_and_tags_are_those_of_one_codec() {
+        for nodes in NodeCodec::ALL {
+            assert_eq!(NodeCodec::named(nodes.name()), Some(nodes));
+            for mesh in MeshCodec::ALL {
+                assert_eq!(MeshCodec::named(mesh.name()), Some(mesh));
+                let (mesh, fits) = (mesh.with_step(Some(-7)), check_codecs(nodes, mesh).is_ok());
+                let expected = fits.then_some((nodes, mesh));
+                assert_eq!(tagged(tags((nodes, mesh)), -7), expected);
+                assert_eq!(mesh.nodes().any(|it| it == nodes), fits);
+                assert!(mesh.nodes().any(|nodes| nodes == mesh.default_nodes()));
+            }
+        }
+        assert_eq!(NodeCodec::named("printed"), None);
+        for unknown in [[3, 0, 0], [0, 1, 0], [2, 5, 0], [0, 0, 3]] {
+            assert_eq!(tagged(unknown, 0), None);
+        }
+    }
+
+    #[test]
+    fn what_does_not_go_together_is_told() {
+        let lattice = MeshCodec::Lattice { step_exponent: -9 };
+        let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+        for (nodes, mesh, fits) in [
+            (NodeCodec::F32, MeshCodec::F32, true),
+            (q10, MeshCodec::F32, true),
+            (NodeCodec::Paper10, MeshCodec::Leaf10, true),
+            (q10, lattice, true),
+            (NodeCodec::F32, lattice, false),
+            (NodeCodec::Paper10, lattice, false),
+            (q10, MeshCodec::Leaf10, false),
+            (NodeCodec::F32, MeshCodec::Leaf10, false),
+        ] {
+            assert_eq!(
+                check_codecs(nodes, mesh).is_ok(),
+                fits,
+                "{nodes:?} {mesh:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! The stored tree: plain, or in a codec; its sources for the traversal, its validation, its cost and its lists for files.
+//!
+//! [`StoredTree`] is the one enum of ways to store a tree. Each variant has a file: [`plain`], [`lattice`], [`paper10`]. It says
+//! which lists there are ([`stored::Lists`]) and what stands in them ([`sources::StoredNodes`], [`sources::StoredTriangles`]).
+//! All else in this room is written once, over these traits.
+
+mod bvh;
+mod codec;
+mod cost;
+mod decode;
+mod error;
+mod lanes;
+pub(crate) mod lattice;
+mod packets;
+pub(crate) mod paper10;
+pub(crate) mod plain;
+mod sources;
+mod stored;
+mod validate;
+mod visitor;
+
+pub use bvh::Bvh;
+pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
+pub(crate) use codec::{by_bits, most_triangles, tagged, tags};
+pub use cost::sah_cost;
+pub use error::TreeError;
+pub(crate) use packets::{PacketQuery, Question};
+pub(crate) use stored::{List, ListReader, StoredTree};

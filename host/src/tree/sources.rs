@@ -1,0 +1,124 @@
+//! What every way to store a tree says of its nodes and triangles, to the traversal and to walks over all of it.
+
+use super::lanes::Numbers;
+use super::stored::Stacks;
+use slimbvh_core::trace::{
+    LeafSlot, LeafTriangles, NodeSource, PacketStacks, PlainNodes, TriangleSource,
+};
+use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
+
+/// Nodes as they are stored. No method panics as long as nodes are in range, whatever their bytes are.
+pub trait StoredNodes: NodeSource + Sync {
+    /// A box as it is decoded.
+    type Box: Copy + Send;
+
+    /// The stacks for these nodes' cursors.
+    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Cursor, Numbers>;
+
+    /// The number of nodes.
+    fn count(&self) -> usize;
+
+    /// The root's box.
+    fn root_box(&self) -> Self::Box;
+
+    /// A node's children and their boxes.
+    fn open(&self, node: u32, bounds: &Self::Box) -> ([NodeRef; 2], [Self::Box; 2]);
+
+    /// The first and the last triangle below a node, where nodes store them.
+    fn run(&self, _node: u32) -> Option<[u32; 2]> {
+        None
+    }
+
+    /// The box at the scene's magnitude.
+    fn aabb(&self, bounds: &Self::Box) -> Aabb;
+}
+
+/// Triangles as they are stored, in leaves of nodes of one kind. No method panics, whatever the bytes are.
+pub trait StoredTriangles<N: StoredNodes>: TriangleSource<N::Bounds> + Sync {
+    /// The number of places that all triangles take.
+    fn place_count(&self) -> usize;
+
+    /// The number of places that a triangle takes in a leaf with this box.
+    fn stride(&self, _bounds: &N::Box) -> u32 {
+        1
+    }
+
+    /// A triangle, by where its leaf's begin and its number among them.
+    fn triangle(&self, place: (u32, u32), bounds: &N::Box) -> LeafTriangle;
+
+    /// Whether a triangle is stored as this one is.
+    fn stores(&self, place: (u32, u32), bounds: &N::Box, triangle: &LeafTriangle) -> bool {
+        let stored = self.triangle(place, bounds);
+        bytemuck::bytes_of(&stored) == bytemuck::bytes_of(triangle)
+    }
+}
+
+/// Triangles in full go with nodes of any kind.
+impl<N: StoredNodes> StoredTriangles<N> for LeafTriangles<'_> {
+    fn place_count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn triangle(&self, (first, number): (u32, u32), _: &N::Box) -> LeafTriangle {
+        let triangle = self.0.get((first + number) as usize);
+        triangle.copied().unwrap_or_default()
+    }
+}
+
+impl StoredNodes for PlainNodes<'_> {
+    type Box = Aabb;
+
+    #[inline(always)]
+    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<NodeRef, Numbers> {
+        &mut stacks.plain
+    }
+
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn root_box(&self) -> Aabb {
+        // Children's boxes are read without their parent's.
+        Aabb::EMPTY
+    }
+
+    fn open(&self, node: u32, _: &Aabb) -> ([NodeRef; 2], [Aabb; 2]) {
+        let node = &self.0[node as usize];
+        ([node.left, node.right], [node.left_box(), node.right_box()])
+    }
+
+    fn run(&self, node: u32) -> Option<[u32; 2]> {
+        let node = &self.0[node as usize];
+        Some([node.first, node.last])
+    }
+
+    fn aabb(&self, bounds: &Aabb) -> Aabb {
+        *bounds
+    }
+}
+
+/// A triangle as the traversal reads it, in a leaf with this decoded box.
+pub fn triangle_in<F: Copy>(
+    source: &impl TriangleSource<F>,
+    (first, number): (u32, u32),
+    bounds: F,
+) -> LeafTriangle {
+    let slot = LeafSlot {
+        first,
+        number,
+        bounds,
+    };
+    let corners = source.corners(&slot, [0, 1, 2]);
+    let mut vertices = [0.0; 9];
+    vertices.copy_from_slice(corners.as_flattened());
+    LeafTriangle {
+        vertices,
+        primitive: source.primitive(&slot),
+    }
+}
+
+/// Whether a box lies in the scene, whose coordinates have at most magnitude 1, and is neither inverted nor NaN.
+pub fn is_in_scene(bounds: &Aabb) -> bool {
+    let (low, high) = (bounds.min, bounds.max);
+    low.cmpge(Vec3::NEG_ONE).all() && high.cmple(Vec3::ONE).all() && low.cmple(high).all()
+}

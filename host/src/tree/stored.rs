@@ -1,0 +1,189 @@
+//! The stored tree, an enum of the ways to store one, and the traversal's stacks for each.
+
+use super::codec::{MeshCodec, NodeCodec};
+use super::error::TreeError;
+use super::lanes::Numbers;
+use super::lattice::LatticeTree;
+use super::paper10::Paper10Tree;
+use super::plain::PlainTree;
+use super::visitor::TreeVisitor;
+use bytemuck::Pod;
+use slimbvh_core::encode::{LatticeCursor, Paper10Cursor, RootWords};
+use slimbvh_core::trace::PacketStacks;
+use slimbvh_core::{LeafTriangle, NodeRef};
+use std::cell::RefCell;
+
+/// Nodes and triangles of a tree, in the way in which they are stored.
+#[derive(Clone, Debug)]
+pub enum StoredTree {
+    /// In full.
+    Plain(PlainTree),
+    /// Nodes, and perhaps triangles, on a lattice.
+    Lattice(LatticeTree),
+    /// Nodes, and perhaps triangles, in 10 bits, as a paper has them.
+    Paper10(Paper10Tree),
+}
+
+impl From<PlainTree> for StoredTree {
+    fn from(tree: PlainTree) -> Self {
+        Self::Plain(tree)
+    }
+}
+
+impl Default for StoredTree {
+    fn default() -> Self {
+        Self::Plain(PlainTree::default())
+    }
+}
+
+impl StoredTree {
+    /// Calls a visitor with the concrete sources of nodes and triangles.
+    #[inline(always)]
+    pub fn visit<V: TreeVisitor>(&self, visitor: V) -> V::Output {
+        match self {
+            Self::Plain(tree) => tree.visit(visitor),
+            Self::Lattice(tree) => tree.visit(visitor),
+            Self::Paper10(tree) => tree.visit(visitor),
+        }
+    }
+
+    /// What each way to store a tree says of its lists.
+    pub fn lists(&self) -> &dyn Lists {
+        match self {
+            Self::Plain(tree) => tree,
+            Self::Lattice(tree) => tree,
+            Self::Paper10(tree) => tree,
+        }
+    }
+
+    fn lists_mut(&mut self) -> &mut dyn Lists {
+        match self {
+            Self::Plain(tree) => tree,
+            Self::Lattice(tree) => tree,
+            Self::Paper10(tree) => tree,
+        }
+    }
+
+    /// The tree with nodes and triangles in full, where it is stored so.
+    #[inline(always)]
+    pub fn as_plain(&self) -> Option<&PlainTree> {
+        match self {
+            Self::Plain(tree) => Some(tree),
+            _ => None,
+        }
+    }
+
+    /// Takes the triangles out, where they are in full.
+    pub fn take_full_triangles(&mut self) -> Vec<LeafTriangle> {
+        let triangles = self.lists_mut().full_triangles_mut();
+        triangles.map(std::mem::take).unwrap_or_default()
+    }
+
+    /// A tree in these codecs, with this root and so many triangles, whose lists are read.
+    ///
+    /// # Errors
+    /// Those of the reader.
+    pub fn read<R: ListReader>(
+        (nodes, mesh): (NodeCodec, MeshCodec),
+        root: &RootWords,
+        triangle_count: usize,
+        reader: &mut R,
+    ) -> Result<Self, R::Error> {
+        Ok(match nodes {
+            NodeCodec::F32 => Self::Plain(PlainTree::read(reader)?),
+            NodeCodec::Lattice(bits) => {
+                let codecs = (bits, mesh);
+                Self::Lattice(LatticeTree::read(codecs, root, triangle_count, reader)?)
+            }
+            NodeCodec::Paper10 => Self::Paper10(Paper10Tree::read(mesh, root, reader)?),
+        })
+    }
+}
+
+/// Stacks for each kind of nodes.
+pub struct Stacks {
+    pub plain: PacketStacks<NodeRef, Numbers>,
+    pub paper10: PacketStacks<Paper10Cursor, Numbers>,
+    pub lattice: PacketStacks<LatticeCursor, Numbers>,
+}
+
+impl Stacks {
+    /// All empty.
+    pub const EMPTY: Self = Self {
+        plain: PacketStacks::EMPTY,
+        paper10: PacketStacks::EMPTY,
+        lattice: PacketStacks::EMPTY,
+    };
+}
+
+thread_local! {
+    static STACKS: RefCell<Stacks> = const { RefCell::new(Stacks::EMPTY) };
+}
+
+/// Calls a function with the thread's own stacks.
+pub fn with_stacks<R>(run: impl FnOnce(&mut Stacks) -> R) -> R {
+    STACKS.with_borrow_mut(run)
+}
+
+/// Answers of each way to store a tree about its two lists.
+pub trait Lists {
+    /// The codecs, in a scene with this exponent.
+    fn codecs(&self, scene_exponent: i32) -> (NodeCodec, MeshCodec);
+
+    /// The number of triangles.
+    fn triangle_count(&self) -> usize;
+
+    /// The nodes and the triangles.
+    fn lists(&self) -> [List<'_>; 2];
+
+    /// Bytes of the memory that is held.
+    fn held_bytes(&self) -> usize;
+
+    /// The root's box and the lattice's step, where boxes are decoded from them.
+    fn root_words(&self) -> Option<RootWords>;
+
+    /// Checks that all below the root can be decoded.
+    fn check_root(&self) -> Result<(), TreeError>;
+
+    /// The triangles, where they are in full.
+    fn full_triangles(&self) -> Option<&Vec<LeafTriangle>>;
+
+    /// The triangles, where they are in full.
+    fn full_triangles_mut(&mut self) -> Option<&mut Vec<LeafTriangle>>;
+}
+
+/// A list as it is stored.
+#[derive(Clone, Copy, Debug)]
+pub struct List<'a> {
+    /// Bytes of an item.
+    pub item_bytes: usize,
+    /// All items.
+    pub words: &'a [u32],
+}
+
+impl<'a> List<'a> {
+    /// Items of whole words.
+    pub fn of<T: Pod>(items: &'a [T]) -> Self {
+        Self {
+            item_bytes: size_of::<T>(),
+            words: bytemuck::cast_slice(items),
+        }
+    }
+
+    /// The number of items.
+    pub fn count(&self) -> usize {
+        size_of_val(self.words) / self.item_bytes
+    }
+}
+
+/// Reads the lists of a stored tree, from a file or from the memory of a GPU.
+pub trait ListReader {
+    /// Why a list cannot be read.
+    type Error;
+
+    /// The nodes, each of which has so many elements.
+    fn nodes<T: Pod>(&mut self, per_node: usize) -> Result<Vec<T>, Self::Error>;
+
+    /// The triangles.
+    fn triangles<T: Pod>(&mut self) -> Result<Vec<T>, Self::Error>;
+}

@@ -1,0 +1,427 @@
+//! Planted faults: each kind is found, in plain trees and in trees in codecs.
+
+use super::*;
+use crate::generate::icosphere;
+use crate::tree::StoredTree;
+use crate::tree::lattice::{LatticeMesh, LatticeTree};
+use crate::tree::paper10::Paper10Mesh;
+use crate::tree::plain::PlainTree;
+use crate::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec};
+use glam::Vec3;
+use slimbvh_core::encode::{Links, links_of, with_links};
+use slimbvh_core::trace::{BruteForce, LeafTriangles, Skip, closest_hit};
+use slimbvh_core::{Hit, Node, Ray};
+
+const STEP: i32 = -12;
+
+fn mesh() -> Mesh {
+    let mut mesh = icosphere(Vec3::new(0.1, 0.2, 0.3), 1.0, 2);
+    mesh.snap(STEP);
+    mesh
+}
+
+fn built(nodes: NodeCodec, codec: MeshCodec) -> Bvh {
+    let config = BuildConfig {
+        nodes,
+        mesh: codec,
+        ..BuildConfig::default()
+    };
+    let bvh = Builder::new(config).build(&mesh()).expect("it is sound");
+    assert_eq!(bvh.validate(), Ok(()));
+    assert_eq!(bvh.validate_over(&mesh()), Ok(()));
+    bvh
+}
+
+fn plain() -> Bvh {
+    built(NodeCodec::F32, MeshCodec::F32)
+}
+
+/// Nodes and triangles of a plain tree.
+fn lists(bvh: &mut Bvh) -> &mut PlainTree {
+    match &mut bvh.stored {
+        StoredTree::Plain(plain) => plain,
+        _ => panic!("the tree is plain"),
+    }
+}
+
+fn on_lattice(bvh: &mut Bvh) -> &mut LatticeTree {
+    match &mut bvh.stored {
+        StoredTree::Lattice(tree) => tree,
+        _ => panic!("the tree is on a lattice"),
+    }
+}
+
+/// What is found after a plain tree is spoilt.
+#[track_caller]
+fn found(spoil: impl Fn(&mut Bvh)) -> TreeError {
+    let mut bvh = plain();
+    spoil(&mut bvh);
+    bvh.validate().expect_err("a fault was planted")
+}
+
+/// The first node with children of this kind.
+fn with_children(bvh: &Bvh, leaves: [bool; 2]) -> usize {
+    let is_of_kind = |node: &Node| [node.left.is_leaf(), node.right.is_leaf()] == leaves;
+    let place = bvh.nodes().iter().position(is_of_kind);
+    place.expect("the tree has all kinds of nodes")
+}
+
+#[test]
+fn faults_beside_the_nodes_are_found() {
+    assert_eq!(Bvh::default().validate(), Err(TreeError::NoRoot));
+    assert_eq!(found(|bvh| lists(bvh).nodes.clear()), TreeError::NoRoot);
+    assert_eq!(found(|bvh| bvh.bounds = None), TreeError::Bounds);
+    let nan = |bvh: &mut Bvh| {
+        if let Some(bounds) = &mut bvh.bounds {
+            bounds.max.y = f32::NAN;
+        }
+    };
+    assert_eq!(found(nan), TreeError::Bounds);
+    let exponent = found(|bvh| bvh.scene_exponent += 1);
+    assert!(matches!(exponent, TreeError::SceneExponent { .. }));
+    let bound = found(|bvh| bvh.depth_bound = STACK_SIZE as u32);
+    assert!(matches!(bound, TreeError::DepthBound { .. }));
+    let deep = found(|bvh| bvh.depth_bound = 4);
+    assert!(matches!(deep, TreeError::TooDeep { bound: 4, .. }));
+    let few = found(|bvh| bvh.mesh_triangle_count = 319);
+    assert!(matches!(few, TreeError::TriangleCount { .. }));
+    let many = found(|bvh| bvh.mesh_triangle_count = usize::MAX);
+    assert!(matches!(many, TreeError::TriangleCount { .. }));
+}
+
+#[test]
+fn faults_of_links_are_found() {
+    let bvh = plain();
+    let count = bvh.nodes().len() as u32;
+    for leaves in [[false, false], [false, true], [true, false]] {
+        let node = with_children(&bvh, leaves);
+        for child in [0, 1, count - 1, count, u32::MAX >> 1] {
+            let spoil = |bvh: &mut Bvh, is_left: bool| {
+                let node = &mut lists(bvh).nodes[node];
+                let link = if is_left {
+                    &mut node.left
+                } else {
+                    &mut node.right
+                };
+                let is_changed = *link != NodeRef::inner(child);
+                *link = NodeRef::inner(child);
+                is_changed
+            };
+            for is_left in [true, false] {
+                let mut bvh = plain();
+                if spoil(&mut bvh, is_left) {
+                    let error = bvh.validate().expect_err("a fault was planted");
+                    assert!(
+                        matches!(
+                            error,
+                            TreeError::ChildOutOfPlace { .. } | TreeError::NoParent { .. }
+                        ),
+                        "{error}"
+                    );
+                }
+            }
+        }
+    }
+    // Whole nodes twice, exchanged, or in nobody's reach.
+    let both = with_children(&bvh, [false, false]);
+    let swap = found(|bvh| {
+        let node = &mut lists(bvh).nodes[both];
+        std::mem::swap(&mut node.left, &mut node.right);
+    });
+    assert!(matches!(swap, TreeError::ChildOutOfPlace { .. }));
+    let orphan = found(|bvh| lists(bvh).nodes.push(Node::EMPTY));
+    assert!(matches!(
+        orphan,
+        TreeError::NoParent { .. } | TreeError::ChildOutOfPlace { .. }
+    ));
+    let cut = found(|bvh| {
+        lists(bvh).nodes.pop();
+    });
+    assert!(matches!(cut, TreeError::ChildOutOfPlace { .. }));
+}
+
+#[test]
+fn faults_of_leaves_are_found() {
+    let bvh = plain();
+    let node = with_children(&bvh, [true, true]);
+    let left = bvh.nodes()[node].left;
+    let with_left = |leaf| found(|bvh| lists(bvh).nodes[node].left = leaf);
+    let (first, count) = (left.first(), left.count());
+    for (leaf, is_size) in [
+        (NodeRef::leaf(first, 0), true),
+        (NodeRef::leaf(first, 7), true),
+        (NodeRef::leaf(first + 1, count), false),
+        (NodeRef::leaf(MAX_TRIANGLES - 1, count), false),
+    ] {
+        match with_left(leaf) {
+            TreeError::LeafSize { .. } => assert!(is_size),
+            TreeError::BoxTooSmall { .. } | TreeError::PlaceCount { .. } => assert!(!is_size),
+            other => panic!("{other}"),
+        }
+    }
+    let node_with_two = bvh
+        .nodes()
+        .iter()
+        .position(|node| node.left.is_leaf() && node.left.count() > 1 && !node.right.is_leaf());
+    let node_with_two = node_with_two.expect("there is one");
+    let short = found(|bvh| {
+        let left = &mut lists(bvh).nodes[node_with_two].left;
+        *left = NodeRef::leaf(left.first(), left.count() - 1);
+    });
+    assert!(matches!(short, TreeError::LeafOutOfPlace { .. }), "{short}");
+    let late = found(|bvh| {
+        // All boxes hold all.
+        for node in &mut lists(bvh).nodes {
+            node.planes = [[-1.0, -1.0, 1.0, 1.0]; 3];
+        }
+        lists(bvh).nodes[node].left = NodeRef::leaf(first + 1, count);
+    });
+    assert!(
+        matches!(
+            late,
+            TreeError::LeafOutOfPlace { .. } | TreeError::BadPrimitive { .. }
+        ),
+        "{late}"
+    );
+    let fewer = found(|bvh| {
+        lists(bvh).triangles.pop();
+    });
+    assert!(matches!(fewer, TreeError::PlaceCount { .. }));
+    let more = found(|bvh| {
+        let triangles = &mut lists(bvh).triangles;
+        triangles.push(triangles[0]);
+        bvh.mesh_triangle_count += 1;
+    });
+    assert!(matches!(more, TreeError::PlaceCount { .. }));
+    let run = found(|bvh| lists(bvh).nodes[node].last += 1);
+    assert!(matches!(run, TreeError::WrongRun { .. }));
+    let run = found(|bvh| lists(bvh).nodes[0].first = 1);
+    assert!(matches!(run, TreeError::WrongRun { node: 0, .. }));
+}
+
+#[test]
+fn faults_of_triangles_are_found() {
+    let twice = found(|bvh| {
+        let triangles = &mut lists(bvh).triangles;
+        triangles[7].primitive = triangles[6].primitive;
+    });
+    assert!(matches!(twice, TreeError::BadPrimitive { .. }));
+    for primitive in [320, 383, u32::MAX] {
+        let beyond = found(|bvh| lists(bvh).triangles[7].primitive = primitive);
+        assert_eq!(
+            beyond,
+            TreeError::BadPrimitive {
+                place: 7,
+                primitive
+            }
+        );
+    }
+    for x in [f32::NAN, f32::INFINITY, -f32::INFINITY] {
+        let error = found(|bvh| lists(bvh).triangles[9].vertices[4] = x);
+        assert_eq!(error, TreeError::NotFinite { place: 9 });
+    }
+    // Inside of the box, but elsewhere: only the mesh tells.
+    let mut bvh = plain();
+    let vertices = &mut lists(&mut bvh).triangles[9].vertices;
+    vertices[0] = 0.5 * (vertices[0] + vertices[3]);
+    assert_eq!(bvh.validate(), Ok(()));
+    let primitive = bvh.leaf_triangles()[9].primitive;
+    let error = TreeError::OtherCorners {
+        place: 9,
+        primitive,
+    };
+    assert_eq!(bvh.validate_over(&mesh()), Err(error));
+}
+
+#[test]
+fn another_mesh_is_found() {
+    let bvh = plain();
+    let mut other = mesh();
+    other.indices.pop();
+    assert!(matches!(
+        bvh.validate_over(&other),
+        Err(TreeError::OtherMesh { .. })
+    ));
+    let mut other = mesh();
+    for vertex in &mut other.vertices {
+        vertex[1] += 1.0;
+    }
+    assert_eq!(bvh.validate_over(&other), Err(TreeError::OtherBounds));
+}
+
+/// Each plane of each node, moved inward by one bit, outward, and to what is no number.
+#[test]
+fn faults_of_boxes_are_found() {
+    let sound = plain();
+    for node in 0..sound.nodes().len() {
+        for (axis, lane) in (0..3).flat_map(|axis| (0..4).map(move |lane| (axis, lane))) {
+            let with = |change: &dyn Fn(f32) -> f32| {
+                let mut bvh = sound.clone();
+                let plane = &mut lists(&mut bvh).nodes[node].planes[axis][lane];
+                *plane = change(*plane);
+                bvh.validate()
+            };
+            let is_min = lane < 2;
+            let inward = |x: f32| if is_min { x.next_up() } else { x.next_down() };
+            let outward = |x: f32| if is_min { x.next_down() } else { x.next_up() };
+            let node = node as u32;
+            let small = with(&inward);
+            assert!(
+                small == Err(TreeError::BoxTooSmall { node })
+                    || small == Err(TreeError::BadBox { node }),
+                "{small:?}"
+            );
+            assert_eq!(with(&outward), Ok(()));
+            for x in [f32::NAN, f32::INFINITY, -f32::INFINITY, f32::MAX, -2.0, 2.0] {
+                let error = with(&|_| x);
+                assert!(error.is_err(), "{x}");
+            }
+        }
+    }
+}
+
+/// All trees in codecs that there are.
+fn coded() -> Vec<Bvh> {
+    let mut all = vec![
+        built(NodeCodec::Paper10, MeshCodec::F32),
+        built(NodeCodec::Paper10, MeshCodec::Leaf10),
+    ];
+    let on_lattice = MeshCodec::Lattice {
+        step_exponent: STEP,
+    };
+    for bits in LatticeBits::ALL.map(NodeCodec::Lattice) {
+        all.extend([built(bits, MeshCodec::F32), built(bits, on_lattice)]);
+    }
+    all
+}
+
+/// Whatever one bit of a node or a triangle in a codec is, nothing panics, and what passes answers to the bit as it did: only
+/// planes may lie farther out, and bits that stand for nothing may be anything. Where triangles are coded by floats in their
+/// leaf's box, they may lie otherwise in it; then the tree answers as all that it holds.
+#[test]
+fn each_bit_of_coded_trees_is_looked_at() {
+    let mesh = mesh();
+    let eye = [1.5, 2.5, 2.0];
+    let rays = mesh.vertices.iter().step_by(5);
+    let rays: Vec<Ray> = rays
+        .map(|to| Ray::new(eye, [0, 1, 2].map(|axis| to[axis] - eye[axis])))
+        .collect();
+    let answers = |bvh: &Bvh| -> Vec<Hit> {
+        let all = rays.iter().map(|ray| bvh.closest_hit(ray));
+        all.collect()
+    };
+    let all_of = |bvh: &Bvh| -> Vec<Hit> {
+        let triangles = bvh.stored.decode().triangles;
+        let nodes = BruteForce(triangles.len() as u32);
+        let triangles = LeafTriangles(&triangles);
+        let all = rays.iter().map(|ray| {
+            let exponent = bvh.scene_exponent;
+            closest_hit(&nodes, &triangles, ray, exponent, &Skip::NONE)
+        });
+        all.collect()
+    };
+    for sound in coded() {
+        let (nodes, triangles) = words(&sound);
+        let expected = answers(&sound);
+        for (is_node, words) in [(true, nodes), (false, triangles)] {
+            let bits = (0..32 * words).step_by(if is_node { 1 } else { 7 });
+            let mut found = 0;
+            for bit in bits.clone() {
+                let mut bvh = sound.clone();
+                flip(&mut bvh, is_node, bit);
+                if bvh.validate_over(&mesh).is_err() {
+                    found += 1;
+                } else if sound.codecs().1 == MeshCodec::Leaf10 {
+                    assert_eq!(answers(&bvh), all_of(&bvh), "{bit}");
+                } else {
+                    assert_eq!(answers(&bvh), expected, "{:?} {bit}", sound.codecs());
+                }
+            }
+            let all = bits.count();
+            let share = if is_node { 4 } else { 2 };
+            assert!(found * share >= all, "{:?} {found} {all}", sound.codecs());
+        }
+    }
+}
+
+/// Words of nodes, and of triangles that are coded.
+fn words(bvh: &Bvh) -> (usize, usize) {
+    let [nodes, triangles] = bvh.stored().map(|bytes| bytes.len() / 4);
+    let is_full = bvh.codecs().1 == MeshCodec::F32;
+    (nodes, if is_full { 0 } else { triangles })
+}
+
+fn flip(bvh: &mut Bvh, is_node: bool, bit: usize) {
+    let words: &mut [u32] = match (is_node, &mut bvh.stored) {
+        (true, StoredTree::Paper10(tree)) => bytemuck::cast_slice_mut(&mut tree.nodes),
+        (true, StoredTree::Lattice(tree)) => &mut tree.words,
+        (false, StoredTree::Paper10(tree)) => match &mut tree.triangles {
+            Paper10Mesh::Leaf10(triangles) => bytemuck::cast_slice_mut(triangles),
+            Paper10Mesh::Full(_) => &mut [],
+        },
+        (false, StoredTree::Lattice(tree)) => match &mut tree.triangles {
+            LatticeMesh::Lattice { words, .. } => words,
+            LatticeMesh::Full(_) => &mut [],
+        },
+        (_, StoredTree::Plain(_)) => &mut [],
+    };
+    words[bit / 32] ^= 1 << (bit % 32);
+}
+
+#[test]
+fn faults_of_coded_trees_are_found() {
+    let codec = MeshCodec::Lattice {
+        step_exponent: STEP,
+    };
+    let sound = built(NodeCodec::Lattice(LatticeBits::Q10), codec);
+    let found = |spoil: &dyn Fn(&mut Bvh)| {
+        let mut bvh = sound.clone();
+        spoil(&mut bvh);
+        bvh.validate()
+    };
+    let root_of = |change: &dyn Fn(&mut slimbvh_core::lattice::LatticeBox, &mut i32)| {
+        found(&|bvh| {
+            let tree = on_lattice(bvh);
+            change(&mut tree.root, &mut tree.step_exponent);
+        })
+    };
+    assert_eq!(root_of(&|_, _| {}), Ok(()));
+    for x in [i32::MAX, i32::MIN, 1 << 24, 1 << 20] {
+        assert_eq!(root_of(&|root, _| root.max[1] = x), Err(TreeError::RootBox));
+    }
+    let inverted = root_of(&|root, _| std::mem::swap(&mut root.min, &mut root.max));
+    assert_eq!(inverted, Err(TreeError::RootBox));
+    assert!(root_of(&|root, _| root.max[2] -= 1).is_err());
+    for step in [i32::MIN, -127, 128, i32::MAX] {
+        let expected = Err(TreeError::Step {
+            step_exponent: step,
+        });
+        assert_eq!(root_of(&|_, exponent| *exponent = step), expected);
+    }
+    assert!(root_of(&|_, exponent| *exponent += 1).is_err());
+
+    // Links of each node, replaced by those of the root.
+    let nodes = sound.node_count();
+    for node in 1..nodes {
+        let error = found(&|bvh| {
+            let (all, _) = on_lattice(bvh).words.as_chunks_mut::<4>();
+            let links: Links = links_of::<10, 4>(&all[0]);
+            let mut bare = all[node];
+            bare[0] = 0;
+            for word in &mut bare[1..] {
+                *word &= (1 << 22) - 1;
+            }
+            all[node] = with_links::<10, 4>(bare, links);
+        });
+        assert!(
+            matches!(error, Err(TreeError::ChildOutOfPlace { .. })),
+            "{error:?}"
+        );
+    }
+    let fewer = found(&|bvh| {
+        if let LatticeMesh::Lattice { count, .. } = &mut on_lattice(bvh).triangles {
+            *count -= 1;
+        }
+    });
+    assert!(matches!(fewer, Err(TreeError::LeafCount { .. })));
+}

@@ -1,0 +1,100 @@
+//! Visitors of a stored tree: code that is compiled once for each way to store nodes and triangles.
+
+use super::lanes::{LANES, Numbers};
+use super::packets::Packet;
+use super::sources::{StoredNodes, StoredTriangles};
+use super::stored::{Stacks, with_stacks};
+use slimbvh_core::Hit;
+use slimbvh_core::classify::FacingFilter;
+use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::trace::{
+    ClosestOrAny, Collector, Lane, PreparedRays, SkipAnd, trace_alone, trace_packet, traverse_with,
+};
+
+/// Called with the concrete sources of nodes and triangles: [`StoredTree::visit`](super::StoredTree::visit).
+pub trait TreeVisitor {
+    /// What a visit returns.
+    type Output;
+
+    /// Visits a tree with these nodes and triangles.
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T)
+    -> Self::Output;
+}
+
+// Two references at most: they are passed in registers, and the compiler knows that they do not alias.
+
+/// Traces one ray with the thread's own stack, for the closest hit or any, as its collector asks.
+pub struct Alone<'a, 'b> {
+    pub ray: &'a PreparedRay,
+    pub lane: &'a mut Lane<SkipAnd<'b, FacingFilter<'b>>, ClosestOrAny>,
+}
+
+impl TreeVisitor for Alone<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
+        with_stacks(|stacks| {
+            let stack = &mut N::stacks(stacks).alone;
+            trace_alone(stack, nodes, triangles, self.ray, self.lane);
+        });
+    }
+}
+
+/// Traces several rays with the thread's own stacks, for the closest hit or any, as their collectors ask.
+pub struct Together<'a, 'b> {
+    pub rays: &'a mut PreparedRays<Numbers, LANES>,
+    pub packet: &'a mut Packet<'b>,
+}
+
+impl TreeVisitor for Together<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
+        with_stacks(|stacks| {
+            let stacks = N::stacks(stacks);
+            trace_packet(stacks, nodes, triangles, self.rays, self.packet);
+        });
+    }
+}
+
+/// Traces one ray for any collector, at the price of a call for each node.
+pub struct Watched<'a, 'b> {
+    pub stacks: &'a mut Stacks,
+    pub ray: &'a PreparedRay,
+    pub filter: SkipAnd<'b, FacingFilter<'b>>,
+    pub collector: &'a mut dyn Collector,
+}
+
+impl TreeVisitor for Watched<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
+        let stack = &mut N::stacks(self.stacks).alone;
+        let collector = &mut Shared(self.collector);
+        traverse_with(stack, nodes, triangles, self.ray, &self.filter, collector);
+    }
+}
+
+/// A collector behind a reference.
+pub struct Shared<'a>(pub &'a mut dyn Collector);
+
+impl Collector for Shared<'_> {
+    fn limit(&self) -> f32 {
+        self.0.limit()
+    }
+
+    fn offer(&mut self, hit: Hit) {
+        self.0.offer(hit);
+    }
+
+    fn count_node(&mut self) {
+        self.0.count_node();
+    }
+
+    fn count_triangle(&mut self) {
+        self.0.count_triangle();
+    }
+}

@@ -1,0 +1,99 @@
+//! What builds and renders while it is timed.
+
+use super::prepared::Prepared;
+use super::setup::{Setup, Update};
+use super::times::Times;
+use anyhow::{Context, Result};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use slimbvh::animate;
+use slimbvh::reduce::{Planner, Savings};
+use slimbvh::{Backend, Change, FrameConfig, FrameRequest, Frames, Output, Picture};
+use slimbvh_cli::backend::Chosen;
+use slimbvh_cli::storage::mesh_bytes;
+use std::time::Instant;
+
+/// A setup on a backend, with the threads that it asks for.
+pub struct Trial<'a, B: Backend> {
+    prepared: &'a Prepared<'a>,
+    pool: ThreadPool,
+    frames: Frames<B>,
+    /// The last one.
+    pub picture: Picture,
+}
+
+impl<'a, B: Backend> Trial<'a, B>
+where
+    Frames<B>: Send,
+{
+    /// # Errors
+    /// If there can be no such threads.
+    pub fn new(backend: B, prepared: &'a Prepared) -> Result<Self> {
+        let threads = ThreadPoolBuilder::new().num_threads(prepared.setup.threads);
+        let config = FrameConfig {
+            build: prepared.config,
+            update: match prepared.setup.update {
+                Update::Rebuild => animate::Update::Rebuild,
+                Update::Refit => animate::Update::Refit,
+            },
+            ..FrameConfig::default()
+        };
+        Ok(Self {
+            prepared,
+            pool: threads.build().context("cannot start the threads")?,
+            frames: Frames::new(backend, config),
+            picture: Picture::default(),
+        })
+    }
+
+    /// Makes a picture, from the mesh on. A GPU is given the scene without being timed.
+    pub fn frame(&mut self) -> Result<Times> {
+        let Self {
+            prepared,
+            pool,
+            frames,
+            picture,
+        } = self;
+        pool.install(|| frame(prepared, frames, picture))
+    }
+
+    /// Bytes of all memory that was needed for it, the mesh included. Lists and buffers only grow, so that this is the most there
+    /// ever was.
+    pub fn peak_bytes(&self) -> usize {
+        mesh_bytes(&self.prepared.scene.mesh) + self.frames.held_bytes()
+    }
+}
+
+fn frame<B: Backend>(
+    prepared: &Prepared,
+    frames: &mut Frames<B>,
+    picture: &mut Picture,
+) -> Result<Times> {
+    let (scene, settings) = (&*prepared.scene, &prepared.settings);
+    let begin = Instant::now();
+    let mut planner = Planner::new(prepared.config, prepared.plan_config(Savings::ALL));
+    planner.survey::<B::Error>(scene, settings)?;
+    let plan = planner.plan(scene, settings)?;
+    let plan_ms = begin.elapsed().as_secs_f64() * 1e3;
+    let mut change = Change::Scene;
+    if let Some(twisted) = &prepared.twisted {
+        frames.build(twisted, &plan)?;
+        change = Change::Vertices;
+    }
+    let request = FrameRequest {
+        scene,
+        plan: &plan,
+        settings,
+        change,
+    };
+    let output = Output {
+        picture,
+        progress: Some(&mut |_| {}),
+    };
+    let report = frames.render_planned(&request, output)?;
+    Ok(Times::new(plan_ms, &report.build, &report.render.stages))
+}
+
+/// Whether what was chosen has this setup.
+pub fn has(chosen: &Chosen, setup: &Setup, usual: &Setup) -> bool {
+    matches!(chosen, Chosen::Cpu) || setup.is_comparable(usual) && setup.has_kernels()
+}
