@@ -22,6 +22,10 @@ mod stages;
 mod text;
 mod tolerance;
 pub mod topology;
+#[cfg_attr(
+    not(any(feature = "gpu", feature = "scenes")),
+    allow(dead_code, reason = "lists of trees are read from files and GPUs")
+)]
 mod tree;
 
 pub use backend::{Backend, Change, Output};

@@ -19,12 +19,12 @@ impl Coding {
     /// What a configuration asks for; none where everything is stored in full.
     ///
     /// # Errors
-    /// For codecs and trees that only the CPU has, and for paper10 without the feature `lab-kernels`.
+    /// For codecs and trees that only the CPU has, and for paper10 without the feature `lab`.
     pub fn of(config: &BuildConfig) -> Result<Option<Self>, GpuError> {
         if config.tree == TreeKind::Clustered {
             return Err(GpuError::Tree);
         }
-        if config.nodes == NodeCodec::Paper10 && !cfg!(feature = "lab-kernels") {
+        if config.nodes == NodeCodec::Paper10 && !cfg!(feature = "lab") {
             return Err(GpuError::LabKernel {
                 what: "nodes of the paper10 codec",
             });
@@ -132,9 +132,9 @@ mod tests {
             nodes: NodeCodec::Paper10,
             ..BuildConfig::default()
         };
-        match (Coding::of(&config), cfg!(feature = "lab-kernels")) {
+        match (Coding::of(&config), cfg!(feature = "lab")) {
             (Ok(coding), true) => assert_eq!(coding, Some(Coding::Paper10F32)),
-            (Err(error), false) => assert!(error.to_string().contains("`lab-kernels`"), "{error}"),
+            (Err(error), false) => assert!(error.to_string().contains("`lab`"), "{error}"),
             other => panic!("{other:?}"),
         }
     }

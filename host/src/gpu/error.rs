@@ -88,9 +88,7 @@ pub enum GpuError {
         bits: u32,
     },
     /// Only the laboratory asks for this, so that it is not compiled in.
-    #[error(
-        "{what} are traced on the CPU only, unless slimbvh is built with the feature `lab-kernels`"
-    )]
+    #[error("{what} are traced on the CPU only, unless slimbvh is built with the feature `lab`")]
     LabKernel {
         /// What was asked for: a kernel, or a codec.
         what: &'static str,

@@ -23,7 +23,7 @@ macro_rules! kernels {
         /// bindings are in group 0, in the order of the arguments, and the length of a bound range is the number of its
         /// elements.
         ///
-        /// Kernels that only the laboratory asks for are compiled in with the feature `lab-kernels`: those of the paper10 codec,
+        /// Kernels that only the laboratory asks for are compiled in with the feature `lab`: those of the paper10 codec,
         /// and the nearest hits and visits of rays in codecs.
         #[allow(non_camel_case_types, missing_docs, reason = "named as in gpu-shaders")]
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -33,7 +33,7 @@ macro_rules! kernels {
             /// All kernels that are compiled in.
             pub const ALL: &'static [Self] = &[
                 $(Self::$name,)*
-                $(#[cfg(feature = "lab-kernels")] Self::$lab,)*
+                $(#[cfg(feature = "lab")] Self::$lab,)*
             ];
 
             /// The entry point's name.
@@ -51,9 +51,9 @@ macro_rules! kernels {
                 match self {
                     $(Self::$name => module!($name),)*
                     $(
-                        #[cfg(feature = "lab-kernels")]
+                        #[cfg(feature = "lab")]
                         Self::$lab => module!($lab),
-                        #[cfg(not(feature = "lab-kernels"))]
+                        #[cfg(not(feature = "lab"))]
                         Self::$lab => &[],
                     )*
                 }
