@@ -3,7 +3,8 @@
 mod record;
 mod scratch;
 
-use self::scratch::{Scratch, pyramid_bytes};
+use self::scratch::Scratch;
+pub(super) use self::scratch::pyramid_bytes;
 use super::buffer::Range;
 use super::bvh::{self, Built};
 use super::coding::Coding;
@@ -30,12 +31,12 @@ const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 /// as a point of the lattice next to it.
 #[derive(Debug)]
 pub struct Builder {
-    config: BuildConfig,
+    pub(super) config: BuildConfig,
     /// The build whose plain nodes the encoder has: none, or a hierarchy's stamp.
     plain_of: Option<u64>,
     /// The most triangles so far.
     largest: u32,
-    scratch: Scratch,
+    pub(super) scratch: Scratch,
     programs: Vec<(Key, Program)>,
 }
 
@@ -315,7 +316,7 @@ impl Builder {
         ]
     }
 
-    fn keys(&self) -> Keys {
+    pub(super) fn keys(&self) -> Keys {
         match self.config.code_bits {
             CodeBits::Bits30 => Keys::OneWord,
             CodeBits::Bits63 => Keys::TwoWords,

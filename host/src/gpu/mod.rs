@@ -26,9 +26,12 @@
 
 mod adapter;
 mod backend;
+mod bounds;
 mod buffer;
 mod build;
 mod bvh;
+mod camera;
+mod classify;
 mod coding;
 mod compact;
 mod decide;
@@ -40,15 +43,21 @@ mod error;
 mod frame;
 mod kernel;
 mod mesh;
+mod morton;
 mod program;
+mod refit;
 mod render;
 mod scan;
 mod scene;
+mod shade;
 mod sides;
+mod snap;
 mod sort;
 mod timer;
+mod topology;
 mod trace;
 mod trees;
+mod view;
 mod wgsl;
 mod work;
 

@@ -1,16 +1,15 @@
 //! Pictures on the GPU, in waves of samples.
 
-mod counters;
+pub(super) mod counters;
 mod image;
-mod target;
 mod wave;
 
 use super::buffer::{Download, Range, Slot};
-use super::program::{Program, Recorder, Uniform, groups, threads};
-use super::sort::{Keys, Sort};
+use super::program::{Program, Recorder};
+use super::sort::Sort;
 use super::trees::{DeferralRange, Tree, Trees, TreesRanges};
 use super::work::Work;
-use super::{Bvh, Frame, Gpu, GpuError, Kernel, Scene};
+use super::{Bvh, Frame, Gpu, GpuError, Scene};
 use crate::Stages;
 use crate::backend::DeferredTrees;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
@@ -20,17 +19,18 @@ pub(super) use image::{Image, check_view};
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
 use std::time::Instant;
-use wave::{Wave, waves};
+pub(super) use wave::Wave;
+use wave::waves;
 use wgpu::BufferUsages;
 
 /// Samples in flight.
 const WAVE: u32 = 1 << 20;
 
 /// Bytes of the light that a path's hit may get, in `shade_light`.
-const SHADOW_BYTES: u64 = size_of::<slimbvh_core::shade::Shadow>() as u64;
+pub(super) const SHADOW_BYTES: u64 = size_of::<slimbvh_core::shade::Shadow>() as u64;
 
 /// A texel of the picture: linear RGB and 1, in `f32`.
-const TEXEL_BYTES: u64 = 16;
+pub(super) const TEXEL_BYTES: u64 = 16;
 
 /// Rows of the picture begin at multiples of this, so that they can be copied to textures.
 const ROW_TEXELS: u32 = 64;
@@ -39,9 +39,9 @@ const ROW_TEXELS: u32 = 64;
 const KEPT_WAVES: usize = 4;
 
 /// Where the view's parts lie in its buffer; lights follow, each in a step of its own.
-const VIEW_STEP: u64 = 256;
-const ENVIRONMENT: u64 = VIEW_STEP;
-const LIGHTS: u64 = 2 * VIEW_STEP;
+pub(super) const VIEW_STEP: u64 = 256;
+pub(super) const ENVIRONMENT: u64 = VIEW_STEP;
+pub(super) const LIGHTS: u64 = 2 * VIEW_STEP;
 
 /// Renders pictures on the GPU, and keeps its buffers and programs from one to the next.
 #[derive(Debug)]
@@ -51,14 +51,14 @@ pub struct Renderer {
     hits: Slot,
     shadows: Slot,
     values: Slot,
-    items: Slot,
-    sort: Sort,
-    range: Slot,
+    pub(super) items: Slot,
+    pub(super) sort: Sort,
+    pub(super) range: Slot,
     counters: Slot,
     picture: Slot,
-    texels: Slot,
+    pub(super) texels: Slot,
     kept: Option<(Key, Vec<Program>)>,
-    size: [u32; 2],
+    pub(super) size: [u32; 2],
     work: Vec<Work>,
 }
 
@@ -76,26 +76,26 @@ struct Key {
 
 /// All that the waves of one picture need.
 pub(super) struct Plan<'a> {
-    scene: &'a Scene,
-    trees: TreesRanges,
-    deferrals: Vec<DeferralRange>,
-    settings: RenderSettings,
-    mirror_depth: u32,
-    light_count: usize,
-    buffers: Buffers,
-    waves: Vec<Wave>,
+    pub(super) scene: &'a Scene,
+    pub(super) trees: TreesRanges,
+    pub(super) deferrals: Vec<DeferralRange>,
+    pub(super) settings: RenderSettings,
+    pub(super) mirror_depth: u32,
+    pub(super) light_count: usize,
+    pub(super) buffers: Buffers,
+    pub(super) waves: Vec<Wave>,
 }
 
 /// The ranges that a picture uses.
 #[derive(Clone, Debug)]
-struct Buffers {
-    view: Range,
-    paths: Range,
-    hits: Range,
-    shadows: Range,
-    values: Range,
-    counters: Range,
-    picture: Range,
+pub(super) struct Buffers {
+    pub(super) view: Range,
+    pub(super) paths: Range,
+    pub(super) hits: Range,
+    pub(super) shadows: Range,
+    pub(super) values: Range,
+    pub(super) counters: Range,
+    pub(super) picture: Range,
 }
 
 impl Default for Renderer {
@@ -387,7 +387,7 @@ impl Renderer {
     }
 
     /// The picture's range.
-    fn picture(&mut self, gpu: &Gpu) -> Result<Range, GpuError> {
+    pub(super) fn picture(&mut self, gpu: &Gpu) -> Result<Range, GpuError> {
         if self.size == [0, 0] {
             return Err(GpuError::Unfit {
                 what: "the picture",
@@ -450,34 +450,6 @@ impl Renderer {
         plan.record_wave(&mut recorder, &plan.waves[wave]);
         recorder.finish(gpu)
     }
-
-    /// What needs all samples of the picture.
-    fn last_program(&mut self, gpu: &Gpu, plan: &Plan) -> Result<Program, GpuError> {
-        let mut recorder = Recorder::default();
-        let (find_range, paint) = match plan.settings.view {
-            View::Depth => (Kernel::view_depth_range, Kernel::view_depth),
-            View::Heatmap => (Kernel::view_heat_range, Kernel::view_heat),
-            View::Color | View::Normals | View::Primitives => return recorder.finish(gpu),
-        };
-        recorder.stage("shade");
-        let values = &plan.buffers.values;
-        let count = (values.size / 4) as u32;
-        let items = &self.items.range(gpu, 8 * u64::from(count));
-        recorder.dispatch(Kernel::view_items, &[], &[values], &[items], threads(count));
-        self.sort.record(gpu, &mut recorder, Keys::OneWord, items);
-        let range = &self.range.range(gpu, 16);
-        recorder.dispatch(find_range, &[], &[items], &[range], groups(1));
-        let [width, height] = plan.settings.size;
-        let params = [plan.settings.sample_count, width, row_texels(width), 0];
-        recorder.dispatch(
-            paint,
-            &[Uniform::Stored(range), Uniform::Params(params)],
-            &[values],
-            &[&plan.buffers.picture],
-            threads(width * height),
-        );
-        recorder.finish(gpu)
-    }
 }
 
 /// A picture on its way from the GPU.
@@ -538,7 +510,7 @@ fn sample_count(settings: &RenderSettings) -> u64 {
 }
 
 /// Texels from one row of a picture to the next.
-fn row_texels(width: u32) -> u32 {
+pub(super) fn row_texels(width: u32) -> u32 {
     width.next_multiple_of(ROW_TEXELS)
 }
 

@@ -58,6 +58,7 @@ impl NodeCodec {
     }
 
     /// The tag in files, and the bits of a plane on the lattice.
+    #[cfg(feature = "scenes")]
     const fn tags(self) -> [u32; 2] {
         match self {
             Self::F32 => [0, 0],
@@ -239,6 +240,7 @@ impl MeshCodec {
     }
 
     /// The tag in files.
+    #[cfg(feature = "scenes")]
     const fn tag(self) -> u32 {
         match self {
             Self::F32 => 0,
@@ -249,12 +251,14 @@ impl MeshCodec {
 }
 
 /// Tags of codecs in files: of nodes, bits of a plane on the lattice, of triangles.
+#[cfg(feature = "scenes")]
 pub(crate) const fn tags((nodes, mesh): (NodeCodec, MeshCodec)) -> [u32; 3] {
     let [nodes, bits] = nodes.tags();
     [nodes, bits, mesh.tag()]
 }
 
 /// The codecs with these [`tags`], on a lattice of this step; none where tags are unknown or do not go together.
+#[cfg(feature = "scenes")]
 pub(crate) fn tagged(
     [nodes, bits, mesh]: [u32; 3],
     step_exponent: i32,
@@ -278,6 +282,7 @@ pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
 
 /// Codecs that do not go together.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CodecError {
     /// Triangles are coded in leaf boxes of the paper10 codec.
     #[error("triangles of 10 bits in their leaf's box go with paper10 nodes only")]

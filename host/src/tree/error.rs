@@ -1,9 +1,11 @@
 //! Faults of a hierarchy.
 
+use crate::MeshError;
 use thiserror::Error;
 
 /// The faults that [`Bvh::validate`](crate::Bvh::validate) finds.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum TreeError {
     /// There is no node.
     #[error("the hierarchy has no root; build it first")]
@@ -172,4 +174,24 @@ pub enum TreeError {
         /// Its number in the mesh.
         primitive: u32,
     },
+}
+
+/// Why a hierarchy cannot be moved to a mesh.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum RefitError {
+    /// The mesh itself is unfit.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// It is another mesh.
+    #[error("the mesh has {triangle_count} triangles, the hierarchy {expected}; build a new one")]
+    TriangleCount {
+        /// Triangles of the mesh.
+        triangle_count: usize,
+        /// Triangles of the hierarchy.
+        expected: usize,
+    },
+    /// It leaves out triangles that may be needed now.
+    #[error("the hierarchy is reduced; build it again when the triangles have moved")]
+    Reduced,
 }

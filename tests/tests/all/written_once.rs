@@ -22,16 +22,16 @@ const STAGES: &[Stage] = &[
         what: "box of all triangles, the scene's power of two",
         core: &["build/bounds", "geometry/aabb"],
         shaders: &["bounds"],
-        cpu: &["order"],
-        gpu: &["build/record"],
+        cpu: &["bounds"],
+        gpu: &["bounds"],
     },
     Stage {
         name: "morton",
         what: "cell of each triangle's box centre, 30 or 63 bits, integers only",
         core: &["build/morton", "geometry/lattice"],
         shaders: &["morton"],
-        cpu: &["order"],
-        gpu: &["build/record"],
+        cpu: &["morton", "order"],
+        gpu: &["morton", "build/record"],
     },
     Stage {
         name: "sort",
@@ -46,7 +46,7 @@ const STAGES: &[Stage] = &[
         what: "exclusive prefix sums",
         core: &["build/scan"],
         shaders: &["scan"],
-        cpu: &["sort", "select"],
+        cpu: &["scan"],
         gpu: &["scan"],
     },
     Stage {
@@ -71,15 +71,15 @@ const STAGES: &[Stage] = &[
             "geometry/frustum",
         ],
         shaders: &["classify"],
-        cpu: &["order", "select"],
-        gpu: &["build/record", "facing"],
+        cpu: &["classify"],
+        gpu: &["classify", "sides"],
     },
     Stage {
         name: "compact",
         what: "the items whose bit is set",
         core: &["build/compact"],
         shaders: &["compact"],
-        cpu: &["select"],
+        cpu: &["compact"],
         gpu: &["compact"],
     },
     Stage {
@@ -87,8 +87,8 @@ const STAGES: &[Stage] = &[
         what: "triangles in leaf order, scaled to magnitude 1",
         core: &["build/snap", "geometry/triangle"],
         shaders: &["snap"],
-        cpu: &["order"],
-        gpu: &["build/record"],
+        cpu: &["snap"],
+        gpu: &["snap"],
     },
     Stage {
         name: "cluster",
@@ -108,7 +108,7 @@ const STAGES: &[Stage] = &[
         core: &["build/topology", "build/node"],
         shaders: &["topology"],
         cpu: &["topology", "cluster"],
-        gpu: &["build/record"],
+        gpu: &["topology"],
     },
     Stage {
         name: "refit",
@@ -116,7 +116,7 @@ const STAGES: &[Stage] = &[
         core: &["build/refit"],
         shaders: &["refit"],
         cpu: &["refit"],
-        gpu: &["build/record"],
+        gpu: &["refit"],
     },
     Stage {
         name: "encode",
@@ -149,8 +149,8 @@ const STAGES: &[Stage] = &[
         what: "from samples to rays, and to pixels",
         core: &["shade/camera", "shade/sampling", "shade/color"],
         shaders: &["camera"],
-        cpu: &["render", "paint"],
-        gpu: &["render/wave", "render/target"],
+        cpu: &["camera"],
+        gpu: &["camera"],
     },
     Stage {
         name: "trace",
@@ -172,24 +172,24 @@ const STAGES: &[Stage] = &[
             "geometry/watertight",
         ],
         shaders: &["trace", "trace/kernels", "trace/store", "trace/coded"],
-        cpu: &["tree/lanes", "tree/packets", "render"],
-        gpu: &["trace", "trace/paths", "render/wave"],
+        cpu: &["trace", "tree/lanes", "tree/packets"],
+        gpu: &["trace", "trace/paths"],
     },
     Stage {
         name: "shade",
         what: "light, shadow rays, mirrors, glass",
         core: &["shade", "shade/light", "shade/surface", "shade/material"],
         shaders: &["shade"],
-        cpu: &["render"],
-        gpu: &["render/wave"],
+        cpu: &["shade", "render"],
+        gpu: &["shade", "render/wave"],
     },
     Stage {
         name: "view",
         what: "normals, primitives, depth, heat",
         core: &["shade/view"],
         shaders: &["view"],
-        cpu: &["paint"],
-        gpu: &["render"],
+        cpu: &["view"],
+        gpu: &["view"],
     },
 ];
 
@@ -302,6 +302,22 @@ fn the_table_of_stages_is_that_of_the_code() {
         found == expected,
         "the table of stages is out of date; UPDATE_GOLDEN=1 rewrites it:\n{expected}"
     );
+}
+
+/// The pass of a stage stands in the file of its name, on the CPU and on the GPU. Trees are clustered on the CPU only.
+#[test]
+fn passes_bear_the_name_of_their_stage() {
+    for stage in STAGES {
+        for (folder, files) in [("cpu", stage.cpu), ("gpu", stage.gpu)] {
+            if (stage.name, folder) == ("cluster", "gpu") {
+                assert!(files.is_empty());
+                continue;
+            }
+            assert_eq!(files.first(), Some(&stage.name), "{folder}");
+            let code = code(&format!("host/src/{folder}"), &[stage.name]);
+            assert!(!code.is_empty(), "{folder}/{}.rs is empty", stage.name);
+        }
+    }
 }
 
 /// No entry point is left out of the table, and none of it is gone.

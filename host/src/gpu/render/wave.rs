@@ -1,15 +1,10 @@
 //! One wave of samples: from the camera to the pixels.
 
-use super::{
-    ENVIRONMENT, LIGHTS, Plan, SHADOW_BYTES, TEXEL_BYTES, VIEW_STEP, WAVE, counters, row_texels,
-};
-use crate::gpu::Kernel;
+use super::{Plan, WAVE, counters};
 use crate::gpu::program::{Recorder, Uniform, threads};
-use crate::gpu::trees::DeferralRange;
 use crate::picture::{RenderSettings, View};
 use slimbvh_core::Hit;
-use slimbvh_core::camera::Camera;
-use slimbvh_core::shade::{Environment, Light, Path};
+use slimbvh_core::shade::Path;
 
 /// A run of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,20 +51,12 @@ impl Plan<'_> {
         let all = &self.buffers;
         let paths = &all.paths.part(0, samples * size_of::<Path>() as u64);
         let hits = &all.hits.part(0, samples * size_of::<Hit>() as u64);
-        let camera = &all.view.part(0, size_of::<Camera>() as u64);
         let tree = &self.trees.primary;
         let primary = &all.counters.part(counters::PRIMARY, counters::SLOT_BYTES);
         let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
 
-        recorder.stage("camera");
-        recorder.dispatch(
-            Kernel::camera_rays,
-            &[exponent, Uniform::Params([wave.first_sample, 0, 0, 0])],
-            &[camera],
-            &[paths],
-            each(),
-        );
+        self.record_rays(recorder, wave);
 
         recorder.stage("trace primary");
         let values = |first: u32| all.values.part(4 * u64::from(first), 4 * samples);
@@ -80,141 +67,13 @@ impl Plan<'_> {
             tree.record_paths(recorder, exponent, paths, [hits, primary], each());
         }
 
-        let mesh = &self.scene.mesh;
         match self.settings.view {
             View::Color => self.record_light(recorder, wave),
-            View::Normals => {
-                recorder.stage("shade");
-                recorder.update(
-                    Kernel::view_normals,
-                    &[exponent],
-                    &[&mesh.vertices, &mesh.indices, &self.scene.normals, hits],
-                    &[paths],
-                    each(),
-                );
-            }
-            View::Primitives => {
-                recorder.stage("shade");
-                recorder.update(Kernel::view_primitives, &[], &[hits], &[paths], each());
-            }
-            View::Depth => {
-                recorder.stage("shade");
-                recorder.dispatch(
-                    Kernel::view_depth_values,
-                    &[],
-                    &[hits],
-                    &[&values(wave.first_sample)],
-                    each(),
-                );
-            }
-            View::Heatmap => {}
+            view => self.record_view(recorder, wave, view),
         }
         if !matches!(self.settings.view, View::Depth | View::Heatmap) {
             self.record_resolve(recorder, wave);
         }
-    }
-
-    /// Gathers light, and follows mirrors and glass.
-    fn record_light(&self, recorder: &mut Recorder, wave: &Wave) {
-        let samples = u64::from(wave.sample_count);
-        let all = &self.buffers;
-        let paths = &all.paths.part(0, samples * size_of::<Path>() as u64);
-        let hits = &all.hits.part(0, samples * size_of::<Hit>() as u64);
-        let shadows = &all.shadows.part(0, samples * SHADOW_BYTES);
-        let environment = &all.view.part(ENVIRONMENT, size_of::<Environment>() as u64);
-        let counter = |slot| all.counters.part(slot, counters::SLOT_BYTES);
-        let (shadow_rays, mirror_rays) = (&counter(counters::SHADOW), &counter(counters::MIRROR));
-        let scene = self.scene;
-        let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
-        let each = || threads(wave.sample_count);
-        for depth in 0..=self.mirror_depth {
-            let dark_rays = u32::from(self.settings.dark_rays);
-            let draw = [self.settings.sample_count, depth, dark_rays, 0];
-            for i in 0..self.light_count as u64 {
-                let light = all
-                    .view
-                    .part(LIGHTS + VIEW_STEP * i, size_of::<Light>() as u64);
-                recorder.stage("shade");
-                recorder.dispatch(
-                    Kernel::shade_light,
-                    &[exponent, Uniform::Stored(&light), Uniform::Params(draw)],
-                    &[
-                        &scene.mesh.vertices,
-                        &scene.mesh.indices,
-                        &scene.normals,
-                        &scene.material_indices,
-                        &scene.materials,
-                        hits,
-                        paths,
-                    ],
-                    &[shadows],
-                    each(),
-                );
-                match &self.deferrals[i as usize] {
-                    DeferralRange::Ready => {}
-                    DeferralRange::Always => recorder.callback(i as usize),
-                    DeferralRange::IfReached(needed) => {
-                        recorder.clear(needed);
-                        let to = &[needed];
-                        recorder.update(Kernel::shade_reached, &[], &[shadows], to, each());
-                        recorder.callback(i as usize);
-                    }
-                }
-                recorder.stage("trace shadow");
-                let tree = &self.trees.lights[i as usize];
-                let to = [paths, shadow_rays];
-                tree.record_shadows(recorder, exponent, shadows, to, each());
-            }
-            recorder.stage("shade");
-            recorder.update(
-                Kernel::shade_scatter,
-                &[exponent],
-                &[
-                    &scene.mesh.vertices,
-                    &scene.mesh.indices,
-                    &scene.normals,
-                    &scene.material_indices,
-                    &scene.materials,
-                    environment,
-                    hits,
-                ],
-                &[paths],
-                each(),
-            );
-            let mirrors = self.trees.mirrors.as_ref();
-            if let Some(tree) = mirrors.filter(|_| depth < self.mirror_depth) {
-                recorder.stage("trace mirror");
-                let to = [hits, mirror_rays];
-                tree.record_paths(recorder, exponent, paths, to, each());
-            }
-        }
-    }
-
-    /// From samples to pixels. The kernel sees the rows that the wave touches.
-    fn record_resolve(&self, recorder: &mut Recorder, wave: &Wave) {
-        let [width, _] = self.settings.size;
-        let row_bytes = TEXEL_BYTES * u64::from(row_texels(width));
-        let first_row = wave.first_pixel / width;
-        let last_row = (wave.first_pixel + wave.pixel_count - 1) / width;
-        let rows = self.buffers.picture.part(
-            u64::from(first_row) * row_bytes,
-            u64::from(last_row - first_row + 1) * row_bytes,
-        );
-        let path_bytes = u64::from(wave.sample_count) * size_of::<Path>() as u64;
-        let params = [
-            self.settings.sample_count,
-            width,
-            row_texels(width),
-            wave.first_pixel - first_row * width,
-        ];
-        recorder.stage("resolve");
-        recorder.dispatch(
-            Kernel::camera_resolve,
-            &[Uniform::Params(params)],
-            &[&self.buffers.paths.part(0, path_bytes)],
-            &[&rows],
-            threads(wave.pixel_count),
-        );
     }
 }
 

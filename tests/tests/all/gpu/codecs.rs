@@ -394,7 +394,7 @@ fn codecs_that_only_the_cpu_has_are_refused() {
             assert_eq!(built, Err(GpuError::Codec { bits }));
             let said = built.map_or_else(|error| error.to_string(), |()| String::new());
             let expected = format!(
-                "nodes of {bits} bits are stored on the CPU only; the GPU has f32, q10 and q21"
+                "nodes of {bits} bits are stored on the CPU only; the GPU has f32, paper10, q10 and q21"
             );
             assert_eq!(said, expected);
         }

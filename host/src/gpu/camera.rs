@@ -1,9 +1,58 @@
-//! Pictures in textures.
+//! Stage `camera` on the GPU: from samples to rays, and to pixels and textures.
 
-use super::{Renderer, TEXEL_BYTES, row_texels};
-use crate::gpu::program::{Recorder, Uniform, threads};
-use crate::gpu::{Frame, GpuError, Kernel};
+use super::buffer::Range;
+use super::program::{Recorder, Uniform, threads};
+use super::render::{Plan, TEXEL_BYTES, Wave, row_texels};
+use super::{Frame, GpuError, Kernel, Renderer};
+use slimbvh_core::camera::Camera;
+use slimbvh_core::shade::Path;
 use wgpu::TextureFormat;
+
+impl Plan<'_> {
+    /// Records a wave's rays from the eye.
+    pub(super) fn record_rays(&self, recorder: &mut Recorder, wave: &Wave) {
+        let all = &self.buffers;
+        let path_bytes = u64::from(wave.sample_count) * size_of::<Path>() as u64;
+        let paths = &all.paths.part(0, path_bytes);
+        let camera = &all.view.part(0, size_of::<Camera>() as u64);
+        let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
+        recorder.stage("camera");
+        recorder.dispatch(
+            Kernel::camera_rays,
+            &[exponent, Uniform::Params([wave.first_sample, 0, 0, 0])],
+            &[camera],
+            &[paths],
+            threads(wave.sample_count),
+        );
+    }
+
+    /// From samples to pixels. The kernel sees the rows that the wave touches.
+    pub(super) fn record_resolve(&self, recorder: &mut Recorder, wave: &Wave) {
+        let [width, _] = self.settings.size;
+        let row_bytes = TEXEL_BYTES * u64::from(row_texels(width));
+        let first_row = wave.first_pixel / width;
+        let last_row = (wave.first_pixel + wave.pixel_count - 1) / width;
+        let rows = self.buffers.picture.part(
+            u64::from(first_row) * row_bytes,
+            u64::from(last_row - first_row + 1) * row_bytes,
+        );
+        let path_bytes = u64::from(wave.sample_count) * size_of::<Path>() as u64;
+        let params = [
+            self.settings.sample_count,
+            width,
+            row_texels(width),
+            wave.first_pixel - first_row * width,
+        ];
+        recorder.stage("resolve");
+        recorder.dispatch(
+            Kernel::camera_resolve,
+            &[Uniform::Params(params)],
+            &[&self.buffers.paths.part(0, path_bytes)],
+            &[&rows],
+            threads(wave.pixel_count),
+        );
+    }
+}
 
 impl Renderer {
     /// Records a copy of the picture to the upper left of a texture: linear numbers for `Rgba32Float`, sRGB bytes for
@@ -58,7 +107,7 @@ impl Renderer {
                     let most_rows = (limit / row_bytes).max(1) as u32;
                     for first in (0..height).step_by(most_rows as usize) {
                         let rows = most_rows.min(height - first);
-                        let part = |row_bytes: u64, range: &super::Range| {
+                        let part = |row_bytes: u64, range: &Range| {
                             range.part(u64::from(first) * row_bytes, u64::from(rows) * row_bytes)
                         };
                         recorder.dispatch(
